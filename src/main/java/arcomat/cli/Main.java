@@ -1,0 +1,11 @@
+package arcomat.cli;
+
+/** Entry point of the command {@code arcomat}. */
+public final class Main {
+    private Main() {}
+
+    public static void main(String[] args) {
+        System.err.println("no commands yet");
+        System.exit(2);
+    }
+}

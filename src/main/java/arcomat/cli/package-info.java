@@ -1,0 +1,5 @@
+/**
+ * The door: the command line. Parses arguments, calls the pipeline, prints what it hands out, and
+ * turns the outcome into an exit status. Knows no other room.
+ */
+package arcomat.cli;

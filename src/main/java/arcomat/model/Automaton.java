@@ -1,0 +1,112 @@
+package arcomat.model;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * An I/O-omega automaton over the ports of its component.
+ *
+ * @param name empty for an automaton without a name
+ * @param states names in the order of their declaration; states are known by their index
+ * @param initials alternatives
+ */
+public record Automaton(
+        String name,
+        Completion completion,
+        Omitted omitted,
+        List<String> states,
+        List<Variable> variables,
+        List<Initial> initials,
+        List<Transition> transitions,
+        Span span) {
+    public Automaton {
+        states = List.copyOf(states);
+        variables = List.copyOf(variables);
+        initials = List.copyOf(initials);
+        transitions = List.copyOf(transitions);
+    }
+
+    /** What happens where no transition is enabled. */
+    public enum Completion {
+        /** Any output, and anything from then on. */
+        CHAOS,
+        /** Any output; state and variables kept. */
+        OUTPUT,
+        /** No output; state and variables kept. */
+        IGNORE,
+        /** A distinguished error, for good. */
+        ERROR
+    }
+
+    /** What a port does that an output block does not mention. */
+    public enum Omitted {
+        SILENT,
+        FREE
+    }
+
+    /** An initial state with what is sent and assigned before anything is read. */
+    public record Initial(int state, List<Send> sends, List<Assignment> assignments, Span span) {
+        public Initial {
+            sends = List.copyOf(sends);
+            assignments = List.copyOf(assignments);
+        }
+    }
+
+    /** Matches, guard, sends and assignments read the configuration before the step. */
+    public record Transition(
+            int source,
+            int target,
+            Optional<Expression> guard,
+            List<Match> matches,
+            List<Send> sends,
+            List<Assignment> assignments,
+            Span span) {
+        public Transition {
+            matches = List.copyOf(matches);
+            sends = List.copyOf(sends);
+            assignments = List.copyOf(assignments);
+        }
+    }
+
+    /**
+     * What the input block asks of one port; a port without a match may carry anything or nothing.
+     */
+    public record Match(Port port, Pattern pattern) {}
+
+    public sealed interface Pattern {}
+
+    /** Present, and equal to one of the values. */
+    public record OneOf(List<Expression> values) implements Pattern {
+        public OneOf {
+            values = List.copyOf(values);
+        }
+    }
+
+    /** {@code --}: no message. */
+    public record Absent() implements Pattern {}
+
+    /** {@code ?}: some message. */
+    public record Present() implements Pattern {}
+
+    /** What the output block says about one port. */
+    public record Send(Port port, Emission emission) {}
+
+    public sealed interface Emission {}
+
+    /** One message; in the event-driven profile one or more, in order. */
+    public record Messages(List<Expression> values) implements Emission {
+        public Messages {
+            values = List.copyOf(values);
+        }
+    }
+
+    /** {@code --}: nothing is sent. */
+    public record Silence() implements Emission {}
+
+    /** {@code ?}: some message, left open. */
+    public record AnyMessage() implements Emission {}
+
+    public record Assignment(Variable variable, Expression value) {}
+}

@@ -1,0 +1,119 @@
+package arcomat.model;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A component type after specialisation: inherited parts are folded in, type parameters replaced.
+ *
+ * @param packageName empty for the default package
+ * @param name the simple name; inner components are named {@code Outer.Inner}, an instantiation of
+ *     a generic component carries its type arguments, {@code Buffer<Integer>}. Unique in its
+ *     package.
+ * @param requirements automata on a decomposed component: they constrain it, they do not run
+ * @param refines qualified names of the components whose promises this one keeps
+ */
+public record Component(
+        String packageName,
+        String name,
+        Layer layer,
+        boolean platform,
+        boolean deploy,
+        Profile profile,
+        int queueCapacity,
+        List<Parameter> parameters,
+        List<Variable> constants,
+        List<Port> ports,
+        Body body,
+        List<Automaton> requirements,
+        List<String> refines,
+        Span span) {
+    public Component {
+        parameters = List.copyOf(parameters);
+        constants = List.copyOf(constants);
+        ports = List.copyOf(ports);
+        requirements = List.copyOf(requirements);
+        refines = List.copyOf(refines);
+    }
+
+    /** What a component is made of. */
+    public sealed interface Body {}
+
+    /**
+     * Behaviour of its own. Without automata nothing is said about it; several are a conjunction,
+     * each has to be satisfied.
+     */
+    public record Atomic(List<Automaton> automata) implements Body {
+        public Atomic {
+            automata = List.copyOf(automata);
+        }
+    }
+
+    public record Composite(List<Part> parts, List<Connection> connections) implements Body {
+        public Composite {
+            parts = List.copyOf(parts);
+            connections = List.copyOf(connections);
+        }
+    }
+
+    /**
+     * An instance of a component inside another.
+     *
+     * @param arguments one per parameter of the part's component, over the parameters of the whole
+     */
+    public record Part(String name, Component component, List<Expression> arguments, Span span) {
+        public Part {
+            arguments = List.copyOf(arguments);
+        }
+    }
+
+    /** One sender and one receiver; a connector with several targets is several connections. */
+    public record Connection(Endpoint source, Endpoint target, Span span) {}
+
+    /**
+     * A port of a part, or of the whole.
+     *
+     * @param part empty for the whole
+     */
+    public record Endpoint(Optional<String> part, String port) {
+        @Override
+        public String toString() {
+            return part.map(p -> p + "." + port).orElse(port);
+        }
+    }
+
+    /** The three layers of a robot program (the paper, section 4). */
+    public enum Layer {
+        SENSORS,
+        LOGIC,
+        ACTUATORS
+    }
+
+    /** How time passes: one letter per slice, or one event per step. */
+    public enum Profile {
+        TIME_SYNCHRONOUS,
+        EVENT_DRIVEN
+    }
+
+    public String qualifiedName() {
+        return packageName.isEmpty() ? name : packageName + "." + name;
+    }
+
+    public boolean isComposite() {
+        return body instanceof Composite;
+    }
+
+    public List<Port> inputs() {
+        return ports.stream().filter(Port::isInput).toList();
+    }
+
+    public List<Port> outputs() {
+        return ports.stream().filter(p -> !p.isInput()).toList();
+    }
+
+    public Optional<Port> port(String portName) {
+        return ports.stream().filter(p -> p.name().equals(portName)).findFirst();
+    }
+}

@@ -1,0 +1,56 @@
+package arcomat.model;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a run showed, step by step, each port in the slice in which it is visible.
+ *
+ * @param component the component that ran
+ * @param failure why the run ended early, if it did
+ */
+public record Trace(Component component, List<Step> steps, Optional<String> failure) {
+    public Trace {
+        steps = List.copyOf(steps);
+    }
+
+    /**
+     * One slice (time-synchronous) or one event (event-driven).
+     *
+     * @param number from 0
+     */
+    public record Step(int number, Letter inputs, Letter outputs, List<Activity> activities) {
+        public Step {
+            activities = List.copyOf(activities);
+        }
+    }
+
+    /**
+     * What one automaton did in a step.
+     *
+     * @param instance path of the instance in the component that ran, empty for itself
+     * @param automaton name of the automaton, empty where it has none
+     * @param before name of the state before the step
+     * @param after name of the state after the step
+     * @param cause what made the step
+     * @param variables values after the step, in the order of declaration
+     */
+    public record Activity(
+            String instance,
+            String automaton,
+            String before,
+            String after,
+            Cause cause,
+            Map<String, Value> variables) {}
+
+    /** A transition, or a completion. */
+    public sealed interface Cause {}
+
+    /**
+     * @param index position in {@link Automaton#transitions}
+     */
+    public record Taken(int index, Automaton.Transition transition) implements Cause {}
+
+    public record Completed(Automaton.Completion completion) implements Cause {}
+}

@@ -1,0 +1,98 @@
+package arcomat.model;
+
+import java.util.List;
+
+/** The type of a message, a variable or an expression. */
+public sealed interface Type {
+
+    /** The name as written in models; enums and classes by their qualified name. */
+    String name();
+
+    record BooleanType() implements Type {
+        @Override
+        public String name() {
+            return "Boolean";
+        }
+    }
+
+    /**
+     * Whole numbers from {@code low} to {@code high}, both included.
+     *
+     * @param width the arithmetic that Java uses for it
+     * @param ranged whether the model wrote the range; then an assignment outside is a model error
+     */
+    record IntegerType(Width width, long low, long high, boolean ranged) implements Type {
+        public static IntegerType of(Width width) {
+            return new IntegerType(width, width.low, width.high, false);
+        }
+
+        @Override
+        public String name() {
+            return ranged ? width.typeName + "[" + low + ".." + high + "]" : width.typeName;
+        }
+    }
+
+    /** Java's integer types; {@code INT} is written {@code Integer} or {@code int}. */
+    enum Width {
+        BYTE("byte", Byte.MIN_VALUE, Byte.MAX_VALUE),
+        SHORT("short", Short.MIN_VALUE, Short.MAX_VALUE),
+        INT("Integer", Integer.MIN_VALUE, Integer.MAX_VALUE),
+        LONG("Long", Long.MIN_VALUE, Long.MAX_VALUE);
+
+        private final String typeName;
+        private final long low;
+        private final long high;
+
+        Width(String typeName, long low, long high) {
+            this.typeName = typeName;
+            this.low = low;
+            this.high = high;
+        }
+    }
+
+    /** {@code Double} and {@code double}; with {@code single}, {@code float}. */
+    record RealType(boolean single) implements Type {
+        @Override
+        public String name() {
+            return single ? "float" : "Double";
+        }
+    }
+
+    record CharacterType() implements Type {
+        @Override
+        public String name() {
+            return "char";
+        }
+    }
+
+    record StringType() implements Type {
+        @Override
+        public String name() {
+            return "String";
+        }
+    }
+
+    /** An enumeration of a class diagram; {@code name} is qualified. */
+    record EnumType(String name, List<String> constants) implements Type {
+        public EnumType {
+            constants = List.copyOf(constants);
+        }
+
+        public String simpleName() {
+            return name.substring(name.lastIndexOf('.') + 1);
+        }
+    }
+
+    /** A class of a class diagram; {@code name} is qualified, inherited attributes come first. */
+    record ClassType(String name, List<Attribute> attributes) implements Type {
+        public ClassType {
+            attributes = List.copyOf(attributes);
+        }
+
+        public String simpleName() {
+            return name.substring(name.lastIndexOf('.') + 1);
+        }
+    }
+
+    record Attribute(String name, Type type) {}
+}

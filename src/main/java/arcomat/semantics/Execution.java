@@ -1,0 +1,24 @@
+package arcomat.semantics;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Trace;
+
+/**
+ * One run of one component, interpreted or compiled. It starts initialised: the first step is slice
+ * 0 and shows the initial outputs where outputs have delay 1.
+ */
+public interface Execution {
+    Component component();
+
+    /**
+     * Performs one slice or one event.
+     *
+     * @param input messages on the component's input ports and, by instance path ({@code
+     *     fetcher.left.value}), on the output ports of platform components inside it
+     * @return what was visible, external outputs and the inputs of platform components included
+     * @throws arcomat.rt.ModelError where the model itself goes wrong: range, division by zero,
+     *     absent total port, queue overflow, error completion
+     */
+    Trace.Step step(Letter input);
+}

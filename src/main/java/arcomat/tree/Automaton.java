@@ -1,0 +1,24 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/** An I/O-omega automaton, embedded in a component or a file of its own. */
+public record Automaton(
+        Span span,
+        List<Stereotype> stereotypes,
+        Optional<Name> name,
+        List<AutomatonElement> elements)
+        implements Definition, Behaviour {
+    public Automaton {
+        stereotypes = List.copyOf(stereotypes);
+        elements = List.copyOf(elements);
+    }
+
+    /** The elements of one kind, in text order. */
+    public <E extends AutomatonElement> List<E> elements(Class<E> kind) {
+        return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
+    }
+}

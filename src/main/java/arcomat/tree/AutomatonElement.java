@@ -1,0 +1,60 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/** What stands in the body of an automaton. */
+public sealed interface AutomatonElement extends Node {
+
+    /** {@code variable Integer a = 1, b;}; input and output occur in bare automata only. */
+    record Declaration(Span span, Kind kind, TypeReference type, List<Variable> variables)
+            implements AutomatonElement {
+        public Declaration {
+            variables = List.copyOf(variables);
+        }
+    }
+
+    enum Kind {
+        VARIABLE,
+        INPUT,
+        OUTPUT
+    }
+
+    record States(Span span, List<State> states) implements AutomatonElement {
+        public States {
+            states = List.copyOf(states);
+        }
+    }
+
+    record State(Span span, List<Stereotype> stereotypes, Name name) implements Node {
+        public State {
+            stereotypes = List.copyOf(stereotypes);
+        }
+    }
+
+    record Initial(Span span, List<Name> states, Optional<Block> output)
+            implements AutomatonElement {
+        public Initial {
+            states = List.copyOf(states);
+        }
+    }
+
+    /** Without a target the transition is a loop. */
+    record Transition(
+            Span span,
+            Name source,
+            Optional<Name> target,
+            Optional<Guard> guard,
+            Optional<Block> input,
+            Optional<Block> output)
+            implements AutomatonElement {}
+
+    /**
+     * {@code [kind: condition]}.
+     *
+     * @param kind {@code ocl} or {@code java} where written
+     */
+    record Guard(Span span, Optional<Name> kind, Expression condition) implements Node {}
+}

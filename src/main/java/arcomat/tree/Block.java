@@ -1,0 +1,52 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/** {@code {..}}: what a transition reads or writes. */
+public record Block(Span span, List<Item> items) implements Node {
+    public Block {
+        items = List.copyOf(items);
+    }
+
+    public sealed interface Item extends Node {}
+
+    /** {@code name = value}; the name may be left out. */
+    public record Message(Span span, Optional<Name> name, Value value) implements Item {}
+
+    /** {@code call expression}: parsed to be reported as unsupported. */
+    public record Call(Span span, Expression expression) implements Item {}
+
+    /** {@code name++} or {@code name--}: parsed to be reported as unsupported. */
+    public record Increment(Span span, QualifiedName name, boolean up) implements Item {}
+
+    /** The right-hand side of an item, also the cell of an I/O table. */
+    public sealed interface Value extends Node {}
+
+    /** {@code alt {a, b}}: one of them. */
+    public record Alternatives(Span span, List<Value> values) implements Value {
+        public Alternatives {
+            values = List.copyOf(values);
+        }
+    }
+
+    /** {@code [a, b]}: one after the other. */
+    public record Sequence(Span span, List<Expression> messages) implements Value {
+        public Sequence {
+            messages = List.copyOf(messages);
+        }
+    }
+
+    public record Single(Span span, Expression expression) implements Value {}
+
+    /** {@code --}. */
+    public record NoMessage(Span span) implements Value {}
+
+    /** {@code ?}: some message, whichever. */
+    public record AnyMessage(Span span) implements Value {}
+
+    /** {@code *}, in I/O tables only: with or without a message. */
+    public record DontCare(Span span) implements Value {}
+}

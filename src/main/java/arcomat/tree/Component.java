@@ -1,0 +1,46 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A component type, top-level or inner.
+ *
+ * @param instance the instance declared with it, {@code component A a {..}}
+ */
+public record Component(
+        Span span,
+        List<Stereotype> stereotypes,
+        boolean isAbstract,
+        boolean isDeploy,
+        Name name,
+        List<TypeParameter> typeParameters,
+        List<Parameter> parameters,
+        Optional<TypeReference> superComponent,
+        List<QualifiedName> refines,
+        Optional<NamedInstance> instance,
+        List<Element> elements)
+        implements Definition, Element {
+    public Component {
+        stereotypes = List.copyOf(stereotypes);
+        typeParameters = List.copyOf(typeParameters);
+        parameters = List.copyOf(parameters);
+        refines = List.copyOf(refines);
+        elements = List.copyOf(elements);
+    }
+
+    /** {@code a<Integer>} behind the name of a component. */
+    public record NamedInstance(Span span, Name name, List<TypeArgument> arguments)
+            implements Node {
+        public NamedInstance {
+            arguments = List.copyOf(arguments);
+        }
+    }
+
+    /** The elements of one kind, in text order. */
+    public <E extends Element> List<E> elements(Class<E> kind) {
+        return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
+    }
+}

@@ -1,0 +1,148 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/** What stands in the body of a component. */
+public sealed interface Element extends Node
+        permits Component,
+                Behaviour,
+                Element.Ports,
+                Element.Subcomponent,
+                Element.Connector,
+                Element.Timing,
+                Element.Autoconnect,
+                Element.Autoinstantiate,
+                Element.Invariant,
+                Element.Variables,
+                Element.JavaPart {
+
+    /** {@code port in A a, out B b;}. */
+    record Ports(Span span, List<Stereotype> stereotypes, List<Port> ports) implements Element {
+        public Ports {
+            stereotypes = List.copyOf(stereotypes);
+            ports = List.copyOf(ports);
+        }
+    }
+
+    /**
+     * One declaration of a port list. It may name several ports, or none: then the port is named
+     * like its type with a lower-case first letter.
+     */
+    record Port(
+            Span span,
+            List<Stereotype> stereotypes,
+            Direction direction,
+            TypeReference type,
+            List<Name> names)
+            implements Node {
+        public Port {
+            stereotypes = List.copyOf(stereotypes);
+            names = List.copyOf(names);
+        }
+    }
+
+    enum Direction {
+        IN,
+        OUT
+    }
+
+    /**
+     * {@code component Type(args) a, b;}; without instances there is one under an implicit name.
+     */
+    record Subcomponent(
+            Span span,
+            List<Stereotype> stereotypes,
+            TypeReference type,
+            List<Expression> arguments,
+            List<Instance> instances)
+            implements Element {
+        public Subcomponent {
+            stereotypes = List.copyOf(stereotypes);
+            arguments = List.copyOf(arguments);
+            instances = List.copyOf(instances);
+        }
+    }
+
+    record Instance(Span span, Name name, List<SimpleConnector> connectors) implements Node {
+        public Instance {
+            connectors = List.copyOf(connectors);
+        }
+    }
+
+    /**
+     * {@code a -> b.c} inside the brackets of an instance; the source is a port of the instance.
+     */
+    record SimpleConnector(
+            Span span,
+            List<Stereotype> stereotypes,
+            QualifiedName source,
+            List<QualifiedName> targets)
+            implements Node {
+        public SimpleConnector {
+            stereotypes = List.copyOf(stereotypes);
+            targets = List.copyOf(targets);
+        }
+    }
+
+    record Connector(
+            Span span,
+            List<Stereotype> stereotypes,
+            QualifiedName source,
+            List<QualifiedName> targets)
+            implements Element {
+        public Connector {
+            stereotypes = List.copyOf(stereotypes);
+            targets = List.copyOf(targets);
+        }
+    }
+
+    record Timing(Span span, List<Stereotype> stereotypes, TimingKind kind) implements Element {
+        public Timing {
+            stereotypes = List.copyOf(stereotypes);
+        }
+    }
+
+    /** The five words of the language; what they mean is decided in the room of symbols. */
+    enum TimingKind {
+        INSTANT,
+        DELAYED,
+        UNTIMED,
+        CAUSALSYNC,
+        SYNC
+    }
+
+    record Autoconnect(Span span, List<Stereotype> stereotypes, AutoconnectKind kind)
+            implements Element {
+        public Autoconnect {
+            stereotypes = List.copyOf(stereotypes);
+        }
+    }
+
+    enum AutoconnectKind {
+        TYPE,
+        PORT,
+        OFF
+    }
+
+    record Autoinstantiate(Span span, List<Stereotype> stereotypes, boolean on) implements Element {
+        public Autoinstantiate {
+            stereotypes = List.copyOf(stereotypes);
+        }
+    }
+
+    /** Kept and printed, never evaluated. */
+    record Invariant(Span span, Optional<Name> kind, Name name, String text) implements Element {}
+
+    record Variables(Span span, TypeReference type, List<Variable> variables) implements Element {
+        public Variables {
+            variables = List.copyOf(variables);
+        }
+    }
+
+    /** {@code compute {..}} or {@code init {..}} of 2017 models: Java, kept and reported. */
+    record JavaPart(Span span, String keyword, Optional<Name> name, String text)
+            implements Element {}
+}

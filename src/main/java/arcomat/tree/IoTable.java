@@ -1,0 +1,30 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+
+/** A stateless behaviour: the first row that matches decides. */
+public record IoTable(
+        Span span,
+        List<Stereotype> stereotypes,
+        List<Name> inputs,
+        List<Name> outputs,
+        List<Row> rows)
+        implements Behaviour {
+    public IoTable {
+        stereotypes = List.copyOf(stereotypes);
+        inputs = List.copyOf(inputs);
+        outputs = List.copyOf(outputs);
+        rows = List.copyOf(rows);
+    }
+
+    /** {@code | a | b | => | c |;}. */
+    public record Row(Span span, List<Block.Value> inputs, List<Block.Value> outputs)
+            implements Node {
+        public Row {
+            inputs = List.copyOf(inputs);
+            outputs = List.copyOf(outputs);
+        }
+    }
+}

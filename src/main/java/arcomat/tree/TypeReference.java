@@ -1,0 +1,26 @@
+package arcomat.tree;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A type as written.
+ *
+ * @param dimensions number of {@code []} behind it
+ */
+public record TypeReference(
+        Span span,
+        QualifiedName name,
+        List<TypeArgument> arguments,
+        Optional<Range> range,
+        int dimensions)
+        implements Node {
+    public TypeReference {
+        arguments = List.copyOf(arguments);
+    }
+
+    /** {@code [low .. high]} on an integer type, both ends included. */
+    public record Range(Span span, Expression low, Expression high) implements Node {}
+}

@@ -1,0 +1,132 @@
+package arcomat;
+
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaClasses;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * The table of allowed imports. Text knows nothing of targets, targets know nothing of text; both
+ * know the model. A new room is a new row with a reason in its package-info.
+ */
+class ArchitectureTest {
+    private static final JavaClasses CLASSES =
+            new ClassFileImporter()
+                    .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
+                    .importPackages("arcomat");
+
+    /**
+     * @param rooms what it may import besides itself, source and the JDK
+     * @param libraries package prefixes of outside libraries allowed here
+     */
+    private record Row(Set<String> rooms, Set<String> libraries) {}
+
+    private static Row row(String rooms, String... libraries) {
+        return new Row(rooms.isEmpty() ? Set.of() : Set.of(rooms.split(" ")), Set.of(libraries));
+    }
+
+    private static final Map<String, Row> TABLE =
+            Map.ofEntries(
+                    Map.entry("source", row("")),
+                    Map.entry("tree", row("")),
+                    Map.entry("model", row("")),
+                    Map.entry("syntax", row("tree", "org.antlr")),
+                    Map.entry("symbols", row("tree")),
+                    Map.entry("check", row("symbols tree")),
+                    Map.entry("lower", row("model symbols tree")),
+                    Map.entry("semantics", row("model rt")),
+                    Map.entry("simulate", row("semantics model rt")),
+                    Map.entry("generate", row("semantics model", "freemarker")),
+                    Map.entry("report", row("simulate generate model", "com.fasterxml.jackson")),
+                    Map.entry(
+                            "pipeline",
+                            row(
+                                    "syntax tree symbols check lower model semantics simulate"
+                                            + " generate report rt",
+                                    "org.eclipse.jdt")),
+                    Map.entry("cli", row("pipeline", "picocli")));
+
+    /** What the pipeline hands out to the command line: data of other rooms. */
+    private static final Set<String> HANDED_OUT = Set.of("model", "simulate", "report");
+
+    @TestFactory
+    List<DynamicTest> roomsImportOnlyWhatTheTableAllows() {
+        List<DynamicTest> tests = new ArrayList<>();
+        for (String room : roomsThatExist()) {
+            tests.add(DynamicTest.dynamicTest(room, () -> checkRoom(room)));
+        }
+        return tests;
+    }
+
+    private static void checkRoom(String room) {
+        Row row = TABLE.get(room);
+        assertThat(row).as("room %s has a row in the table", room).isNotNull();
+        ArchRuleDefinition.classes()
+                .that()
+                .resideInAPackage("arcomat." + room + "..")
+                .should()
+                .onlyDependOnClassesThat(allowed(room, row))
+                .check(CLASSES);
+    }
+
+    private static DescribedPredicate<JavaClass> allowed(String room, Row row) {
+        return DescribedPredicate.describe(
+                "are allowed in " + room,
+                target -> {
+                    String name = target.getBaseComponentType().getPackageName();
+                    if (name.isEmpty() || name.startsWith("java.")) {
+                        return true;
+                    }
+                    if (name.startsWith("arcomat.")) {
+                        String other = roomOf(name);
+                        return other.equals(room)
+                                || other.equals("source")
+                                || row.rooms().contains(other)
+                                || room.equals("cli") && HANDED_OUT.contains(other);
+                    }
+                    return row.libraries().stream().anyMatch(name::startsWith);
+                });
+    }
+
+    @Test
+    void thereAreNoCyclesBetweenRooms() {
+        slices().matching("arcomat.(*)..").should().beFreeOfCycles().check(CLASSES);
+    }
+
+    @Test
+    void everyRoomSaysWhatItIsFor() {
+        for (String room : roomsThatExist()) {
+            assertThat(java.nio.file.Path.of("src/main/java/arcomat", room, "package-info.java"))
+                    .exists();
+        }
+    }
+
+    /** rt is built apart: generated code must stand on it alone. */
+    private static Set<String> roomsThatExist() {
+        Set<String> rooms = new TreeSet<>();
+        CLASSES.forEach(c -> rooms.add(roomOf(c.getPackageName())));
+        rooms.remove("rt");
+        return rooms;
+    }
+
+    private static String roomOf(String packageName) {
+        String[] parts = packageName.split("\\.");
+        return parts.length > 1 ? parts[1] : "";
+    }
+}
