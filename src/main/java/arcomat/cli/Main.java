@@ -5,7 +5,6 @@ public final class Main {
     private Main() {}
 
     public static void main(String[] args) {
-        System.err.println("no commands yet");
-        System.exit(2);
+        System.exit(Cli.run(args, Console.ofProcess()));
     }
 }

@@ -1,0 +1,76 @@
+package arcomat.cli;
+
+import arcomat.pipeline.WrongUse;
+import arcomat.report.Printable;
+import arcomat.report.Style;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Help.Ansi;
+import picocli.CommandLine.ParameterException;
+
+/** The command line without the process around it: arguments and a console in, exit status out. */
+public final class Cli {
+    /** Set to any text, it shows the stack trace of an internal error. */
+    static final String DEBUG = "ARCOMAT_DEBUG";
+
+    private Cli() {}
+
+    public static int run(String[] args, Console console) {
+        try {
+            return commandLine(console).execute(args);
+        } catch (StackOverflowError | OutOfMemoryError e) {
+            return internalError(e, console);
+        } finally {
+            console.out().flush();
+            console.err().flush();
+        }
+    }
+
+    private static CommandLine commandLine(Console console) {
+        Ansi ansi = console.style() == Style.COLOURED ? Ansi.ON : Ansi.OFF;
+        return new CommandLine(new ArcomatCommand())
+                .addSubcommand(new CheckCommand(console))
+                .addSubcommand(new FormatCommand(console))
+                .addSubcommand(new ExplainCommand(console))
+                .setOut(console.out())
+                .setErr(console.err())
+                .setColorScheme(CommandLine.Help.defaultColorScheme(ansi))
+                .setParameterExceptionHandler((e, arguments) -> wrongArguments(e, console))
+                .setExecutionExceptionHandler((e, line, parsed) -> failure(e, console));
+    }
+
+    private static int wrongArguments(ParameterException e, Console console) {
+        CommandLine command = e.getCommandLine();
+        complain(e.getMessage(), console);
+        if (!CommandLine.UnmatchedArgumentException.printSuggestions(e, console.err())) {
+            console.err().println("Try '" + command.getCommandSpec().qualifiedName() + " --help'.");
+        }
+        return ExitStatus.WRONG_USE;
+    }
+
+    private static int failure(Exception e, Console console) {
+        if (e instanceof WrongUse) {
+            complain(e.getMessage(), console);
+            return ExitStatus.WRONG_USE;
+        }
+        return internalError(e, console);
+    }
+
+    private static int internalError(Throwable e, Console console) {
+        complain(
+                "internal error, this is a fault of arcomat ("
+                        + e
+                        + "); please report it with the command, the models and what "
+                        + DEBUG
+                        + "=1 adds",
+                console);
+        if (System.getenv(DEBUG) != null) {
+            e.printStackTrace(console.err());
+        }
+        return ExitStatus.WRONG_USE;
+    }
+
+    private static void complain(String message, Console console) {
+        console.err().println("arcomat: " + Printable.escape(message));
+    }
+}

@@ -1,0 +1,14 @@
+package arcomat.cli;
+
+/** What the command's exit status says. */
+final class ExitStatus {
+    static final int FINE = 0;
+
+    /** The models have errors, a test failed, a file is not formatted. */
+    static final int FINDINGS = 1;
+
+    /** The command was used wrongly, or its input could not be read. */
+    static final int WRONG_USE = 2;
+
+    private ExitStatus() {}
+}

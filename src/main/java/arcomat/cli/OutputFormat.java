@@ -1,0 +1,7 @@
+package arcomat.cli;
+
+/** How results are written. */
+enum OutputFormat {
+    text,
+    json
+}

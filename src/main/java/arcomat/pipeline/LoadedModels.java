@@ -1,0 +1,41 @@
+package arcomat.pipeline;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.tree.Unit;
+
+import java.util.List;
+import java.util.Set;
+
+/**
+ * The files behind a set of paths, parsed.
+ *
+ * @param files those the user named, by file or by folder
+ * @param units the trees of all files that parse, files that others need included
+ * @param broken paths of the files that could not be read or parsed
+ * @param findings about reading and parsing
+ * @param needed paths of the files that were read only because others refer to them
+ */
+record LoadedModels(
+        List<SourceFile> files,
+        List<Unit> units,
+        Set<String> broken,
+        List<Diagnostic> findings,
+        Set<String> needed) {
+    LoadedModels {
+        files = List.copyOf(files);
+        units = List.copyOf(units);
+        broken = Set.copyOf(broken);
+        findings = List.copyOf(findings);
+        needed = Set.copyOf(needed);
+    }
+
+    boolean isNamedByUser(String path) {
+        return !needed.contains(path);
+    }
+
+    /** Warnings about files that the user did not name are somebody else's business. */
+    boolean isShown(Diagnostic finding) {
+        return finding.isError() || isNamedByUser(finding.span().file().path());
+    }
+}

@@ -1,0 +1,13 @@
+package arcomat.pipeline;
+
+/**
+ * What was asked for cannot be done as asked. The message says what is wrong and what to do; it is
+ * all that the user needs to see.
+ */
+public final class WrongUse extends Exception {
+    private static final long serialVersionUID = 1L;
+
+    public WrongUse(String message) {
+        super(message);
+    }
+}

@@ -1,0 +1,83 @@
+package arcomat.report;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.Related;
+import arcomat.source.Severity;
+import arcomat.source.Span;
+
+import java.util.List;
+
+/** Findings for people: where, what, the source line, related places, what to do. */
+public final class FindingsText {
+    private FindingsText() {}
+
+    /** All findings, each followed by an empty line. */
+    public static String render(List<Diagnostic> findings, Style style) {
+        StringBuilder out = new StringBuilder();
+        for (Diagnostic finding : findings) {
+            out.append(render(finding, style)).append('\n');
+        }
+        return out.toString();
+    }
+
+    private static String render(Diagnostic finding, Style style) {
+        StringBuilder out = new StringBuilder();
+        Severity severity = finding.severity();
+        out.append(style.strong(place(finding.span())))
+                .append(": ")
+                .append(style.of(severity, word(severity) + " " + finding.code()))
+                .append(": ")
+                .append(Printable.escape(finding.message()))
+                .append('\n')
+                .append(Snippet.render(finding.span(), severity, style));
+        for (Related related : finding.related()) {
+            out.append("  ")
+                    .append(place(related.span()))
+                    .append(": ")
+                    .append(Printable.escape(related.note()))
+                    .append('\n')
+                    .append(Snippet.render(related.span(), Severity.WARNING, style));
+        }
+        finding.fix()
+                .ifPresent(
+                        fix ->
+                                out.append("  ")
+                                        .append(style.good("help"))
+                                        .append(": ")
+                                        .append(Printable.escape(fix.title()))
+                                        .append('\n'));
+        return out.toString();
+    }
+
+    /** {@code path:line:column}; a file without text has only a path. */
+    static String place(Span span) {
+        String path = Printable.escape(span.file().path());
+        return span.file().text().isEmpty() ? path : path + ":" + span.startPosition();
+    }
+
+    static String word(Severity severity) {
+        return severity == Severity.ERROR ? "error" : "warning";
+    }
+
+    /** One line: {@code 2 errors, 1 warning in 14 files}. */
+    public static String summary(List<Diagnostic> findings, int files, Style style) {
+        long errors = findings.stream().filter(Diagnostic::isError).count();
+        long warnings = findings.size() - errors;
+        String in = " in " + count(files, "file");
+        if (findings.isEmpty()) {
+            return style.good("no findings") + in;
+        }
+        String text = "";
+        if (errors > 0) {
+            text = style.error(count(errors, "error"));
+        }
+        if (warnings > 0) {
+            text += (errors > 0 ? ", " : "") + style.warning(count(warnings, "warning"));
+        }
+        return text + in;
+    }
+
+    static String count(long number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
+    }
+}
