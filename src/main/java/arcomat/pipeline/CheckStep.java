@@ -15,6 +15,6 @@ final class CheckStep {
         List<Diagnostic> findings = new ArrayList<>(loaded.findings());
         findings.removeIf(finding -> !loaded.isShown(finding));
         findings.sort(Diagnostic.ORDER);
-        return new CheckResult(findings, loaded.files().size());
+        return new CheckResult(findings, loaded.files());
     }
 }

@@ -1,7 +1,6 @@
 package arcomat.pipeline;
 
 import arcomat.source.Diagnostic;
-import arcomat.source.SourceFile;
 import arcomat.tree.Unit;
 
 import java.util.List;
@@ -10,20 +9,19 @@ import java.util.Set;
 /**
  * The files behind a set of paths, parsed.
  *
- * @param files those the user named, by file or by folder
+ * @param files how many files the user named, by file or by folder
  * @param units the trees of all files that parse, files that others need included
  * @param broken paths of the files that could not be read or parsed
  * @param findings about reading and parsing
  * @param needed paths of the files that were read only because others refer to them
  */
 record LoadedModels(
-        List<SourceFile> files,
+        int files,
         List<Unit> units,
         Set<String> broken,
         List<Diagnostic> findings,
         Set<String> needed) {
     LoadedModels {
-        files = List.copyOf(files);
         units = List.copyOf(units);
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);

@@ -23,7 +23,6 @@ final class ModelLoader {
 
     private final PathNames names;
     private final Progress progress;
-    private final List<SourceFile> files = new ArrayList<>();
     private final List<Unit> units = new ArrayList<>();
     private final Set<String> broken = new HashSet<>();
     private final List<Diagnostic> findings = new ArrayList<>();
@@ -43,9 +42,7 @@ final class ModelLoader {
         FileFinder finder = new FileFinder(names);
         paths.forEach(finder::find);
         findings.addAll(finder.findings());
-        List<SourceFile> named = read(finder.files());
-        files.addAll(named);
-        List<Unit> fresh = parse(named);
+        List<Unit> fresh = parse(read(finder.files()));
         Set<Path> folders = searchedFolders(paths);
         ModelRoot roots = new ModelRoot();
         Set<String> needed = new HashSet<>();
@@ -54,7 +51,7 @@ final class ModelLoader {
             more.forEach(file -> needed.add(file.path()));
             fresh = parse(more);
         }
-        return new LoadedModels(files, units, broken, findings, needed);
+        return new LoadedModels(finder.files().size(), units, broken, findings, needed);
     }
 
     private Set<Path> searchedFolders(List<String> paths) {

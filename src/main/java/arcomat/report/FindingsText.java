@@ -63,7 +63,7 @@ public final class FindingsText {
     public static String summary(List<Diagnostic> findings, int files, Style style) {
         long errors = findings.stream().filter(Diagnostic::isError).count();
         long warnings = findings.size() - errors;
-        String in = " in " + count(files, "file");
+        String in = files == 0 ? "" : " in " + count(files, "file");
         if (findings.isEmpty()) {
             return style.good("no findings") + in;
         }
