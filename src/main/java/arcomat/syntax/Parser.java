@@ -1,18 +1,26 @@
 package arcomat.syntax;
 
 import arcomat.source.SourceFile;
+import arcomat.syntax.build.UnitBuilder;
+import arcomat.tree.Unit;
 
 import java.util.List;
 import java.util.Optional;
 
 /**
  * Reads a file into a tree. The ending of its path tells the language: {@code .cd} is a class
- * diagram, {@code .mt} a suite of stream tests, everything else a component or a bare automaton.
+ * diagram, {@code .mt} a suite of stream tests, {@code .ioautomaton} a bare automaton, everything
+ * else a component or a bare automaton.
  */
 public final class Parser {
     private Parser() {}
 
     public static Parsed parse(SourceFile file) {
-        return new Parsed(Optional.empty(), List.of());
+        Reading reading = Reading.of(file);
+        if (!reading.findings().isEmpty()) {
+            return new Parsed(Optional.empty(), reading.findings());
+        }
+        Unit unit = UnitBuilder.unit(file, reading.root(), reading.comments());
+        return new Parsed(Optional.of(unit), List.of());
     }
 }

@@ -1,0 +1,122 @@
+/*
+ * Components in the syntax of MontiArc 2012 (AIB-2012-03). A behaviour language is one alternative
+ * of "behaviour".
+ */
+grammar Arc;
+
+import Automaton, IoTable;
+
+arcUnit
+    : header (component | automaton) EOF
+    ;
+
+component
+    : stereotypes? modifier* 'component' name typeParameters? parameters?
+      ('extends' superType = type)? ('refines' refined += qualifiedName (',' refined += qualifiedName)*)?
+      namedInstance? '{' element* '}'
+    ;
+
+modifier
+    : 'abstract' | 'deploy'
+    ;
+
+namedInstance
+    : name typeArguments?
+    ;
+
+typeParameters
+    : '<' typeParameter (',' typeParameter)* '>'
+    ;
+
+typeParameter
+    : name ('extends' type ('&' type)*)?
+    ;
+
+parameters
+    : '(' (parameter (',' parameter)*)? ')'
+    | '[' (parameter (',' parameter)*)? ']'                                 // the form of 2012
+    ;
+
+parameter
+    : type name ('=' expression)?
+    ;
+
+element
+    : ports
+    | subcomponent
+    | component
+    | connector
+    | timing
+    | autoconnect
+    | autoinstantiate
+    | invariant
+    | behaviour
+    | javaPart
+    | variables                                                             // last: begins with any type
+    ;
+
+behaviour
+    : automaton
+    | ioTable
+    | implementation
+    ;
+
+ports
+    : stereotypes? ('port' | 'ports') port (',' port)* ';'
+    ;
+
+port
+    : stereotypes? direction = ('in' | 'out') type (name (',' name)*)?
+    ;
+
+subcomponent
+    : stereotypes? 'component' type arguments? (instance (',' instance)*)? ';'
+    ;
+
+instance
+    : name ('[' simpleConnector (';' simpleConnector)* ']')?
+    ;
+
+simpleConnector
+    : stereotypes? source = qualifiedName '->' targets += qualifiedName (',' targets += qualifiedName)*
+    ;
+
+connector
+    : stereotypes? 'connect' source = qualifiedName
+      '->' targets += qualifiedName (',' targets += qualifiedName)* ';'
+    ;
+
+timing
+    : ('timing' | 'behavior') stereotypes?
+      kind = ('instant' | 'delayed' | 'untimed' | 'causalsync' | 'sync') ';'
+    ;
+
+autoconnect
+    : 'autoconnect' stereotypes? kind = ('type' | 'port' | 'off') ';'
+    ;
+
+autoinstantiate
+    : 'autoinstantiate' stereotypes? kind = ('on' | 'off') ';'
+    ;
+
+invariant
+    : kind = name? 'inv' title = name ':' invariantBody ';'
+    ;
+
+invariantBody
+    : javaBlock
+    | ~('{' | ';') (~';')*
+    ;
+
+variables
+    : 'var' type variable (',' variable)* ';'                               # markedVariables
+    | plainType variable (',' variable)* ';'                                # plainVariables
+    ;
+
+javaPart
+    : keyword = ('compute' | 'init') name? javaBlock
+    ;
+
+implementation
+    : 'implementation' name? '{' (automaton* | automatonElement+) '}'
+    ;

@@ -1,0 +1,56 @@
+/*
+ * I/O-omega automata, embedded in a component or alone in a file (*.ioautomaton).
+ */
+grammar Automaton;
+
+import Expression;
+
+automatonUnit
+    : header automaton EOF
+    ;
+
+automaton
+    : stereotypes? 'automaton' name? '{' automatonElement* '}'
+    ;
+
+automatonElement
+    : kind = ('variable' | 'input' | 'output') type variable (',' variable)* ';'    # declaration
+    | 'state' state (',' state)* ';'                                        # states
+    | 'initial' name (',' name)* ('/' block)? ';'                           # initial
+    | source = name ('->' target = name)? guard? input = block? ('/' output = block)? ';'   # transition
+    ;
+
+state
+    : stereotypes? name
+    ;
+
+guard
+    : '[' (name ':')? expression ']'
+    ;
+
+block
+    : '{' (item ((',' | ';') item)* (',' | ';')?)? '}'
+    ;
+
+item
+    : name ('==' | '=') value                                               # messageItem
+    | 'call' expression                                                     # callItem
+    | qualifiedName operator = ('++' | '--')                                # incrementItem
+    | value                                                                 # unnamedItem
+    ;
+
+value
+    : 'alt' '{' value (',' value)* '}'                                      # alternativesValue
+    | '[' expression (',' expression)* ']'                                  # sequenceValue
+    | '--'                                                                  # noMessageValue
+    | '?'                                                                   # anyMessageValue
+    | expression                                                            # singleValue
+    ;
+
+stereotypes
+    : '<' '<' stereotype (',' stereotype)* '>' '>'
+    ;
+
+stereotype
+    : name ('=' (literal | word = name))?
+    ;

@@ -1,0 +1,104 @@
+/*
+ * Types and expressions: guards in the manner of OCL/P, right-hand sides, arguments, ranges.
+ */
+grammar Expression;
+
+import Lexical;
+
+expressionUnit
+    : expression EOF
+    ;
+
+// From the tightest to the loosest operator.
+expression
+    : operand                                                               # operandExpression
+    | operator = ('!' | '-' | '+' | '~') expression                         # unaryExpression
+    | '(' primitiveType ')' expression                                      # primitiveCastExpression
+    | '(' type ')' castOperand                                              # castExpression
+    | expression operator = ('*' | '/' | '%') expression                    # binaryExpression
+    | expression operator = ('+' | '-') expression                          # binaryExpression
+    | expression operator = ('<' | '<=' | '>' | '>=') expression            # binaryExpression
+    | expression 'instanceof' instanceType                                  # instanceOfExpression
+    | expression 'isin' '{' (expression (',' expression)*)? '}'             # membershipExpression
+    // Two alternatives: one with a choice inside would misparse "a == b && c".
+    | expression operator = ('==' | '!=') '--'                              # absenceExpression
+    | expression operator = ('==' | '!=') expression                        # binaryExpression
+    | expression operator = '&&' expression                                 # binaryExpression
+    | expression operator = '||' expression                                 # binaryExpression
+    | <assoc = right> expression operator = 'implies' expression            # binaryExpression
+    | expression operator = '<=>' expression                                # binaryExpression
+    | <assoc = right> expression '?' expression ':' expression              # conditionalExpression
+    | 'if' expression 'then' expression 'else' expression                   # ifExpression
+    ;
+
+operand
+    : primary suffix*
+    ;
+
+suffix
+    : '.' name arguments?                                                   # accessSuffix
+    | '[' expression ']'                                                    # indexSuffix
+    ;
+
+primary
+    : literal                                                               # literalPrimary
+    | name arguments?                                                       # namePrimary
+    | '(' expression ')'                                                    # parenthesesPrimary
+    | 'new' creator                                                         # creationPrimary
+    ;
+
+// No sign in front: "(a) - b" is a subtraction.
+castOperand
+    : operand                                                               # plainOperand
+    | operator = ('!' | '~') castOperand                                    # unaryOperand
+    | '(' primitiveType ')' castOperand                                     # primitiveCastOperand
+    | '(' type ')' castOperand                                              # typeCastOperand
+    ;
+
+arguments
+    : '(' (expression (',' expression)*)? ')'
+    ;
+
+creator
+    : name ('.' name)* typeArguments? (arguments | ('[' expression ']')+)
+    | primitiveType ('[' expression ']')+
+    ;
+
+instanceType
+    : name ('.' name)*
+    ;
+
+type
+    : (qualifiedName | primitiveType) typeArguments? typeSuffix?
+    ;
+
+// A type that cannot be mistaken for the beginning of another element.
+plainType
+    : (plainName | primitiveType) typeArguments? typeSuffix?
+    ;
+
+plainName
+    : ID ('.' name)*
+    ;
+
+primitiveType
+    : 'boolean' | 'byte' | 'char' | 'double' | 'float' | 'int' | 'long' | 'short'
+    ;
+
+typeArguments
+    : '<' typeArgument (',' typeArgument)* '>'
+    ;
+
+typeArgument
+    : type                                                                  # givenArgument
+    | '?' (bound = ('extends' | 'super') type)?                             # wildcardArgument
+    ;
+
+typeSuffix
+    : '[' low = expression '..' high = expression ']'                       # rangeSuffix
+    | ('[' ']')+                                                            # arraySuffix
+    ;
+
+variable
+    : name ('=' expression)?
+    ;

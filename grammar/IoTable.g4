@@ -1,0 +1,28 @@
+/*
+ * I/O tables: a second behaviour language. A row lists the cells of the inputs, then those of the
+ * outputs; the first row that matches decides.
+ */
+grammar IoTable;
+
+import Automaton;
+
+ioTable
+    : stereotypes? 'table' '{' tableInputs? tableOutputs? row* '}'
+    ;
+
+tableInputs
+    : 'in' name (',' name)* ';'
+    ;
+
+tableOutputs
+    : 'out' name (',' name)* ';'
+    ;
+
+row
+    : '|' (inputs += cell '|')* '=>' ('|' outputs += cell)* '|' ';'
+    ;
+
+cell
+    : '*'                                                                   # anyCell
+    | value                                                                 # valueCell
+    ;

@@ -1,0 +1,132 @@
+/*
+ * Names, literals, comments and file headers: what every language of Arcomat shares.
+ *
+ * Keywords are soft: wherever a name may stand, a keyword may serve as one. Real models call ports
+ * input, out, state or test. Only the words of expressions and the primitive types are reserved.
+ */
+grammar Lexical;
+
+header
+    : packageDeclaration? importDeclaration*
+    ;
+
+packageDeclaration
+    : 'package' qualifiedName ';'
+    ;
+
+// Spelled out here, because a qualified name that may be followed by a dot needs lookahead everywhere.
+importDeclaration
+    : 'import' name ('.' name)* ('.' wildcard = '*')? ';'
+    ;
+
+qualifiedName
+    : name ('.' name)*
+    ;
+
+name
+    : ID
+    | 'abstract' | 'alt' | 'autoconnect' | 'autoinstantiate' | 'automaton' | 'behavior' | 'call'
+    | 'causalsync' | 'class' | 'classdiagram' | 'component' | 'compute' | 'connect' | 'delayed'
+    | 'deploy' | 'enum' | 'events' | 'expect' | 'extends' | 'for' | 'implementation' | 'import'
+    | 'in' | 'init' | 'initial' | 'input' | 'instant' | 'inv' | 'off' | 'on' | 'out' | 'output'
+    | 'package' | 'port' | 'ports' | 'refines' | 'state' | 'super' | 'sync' | 'table' | 'test'
+    | 'testsuite' | 'timing' | 'type' | 'untimed' | 'var' | 'variable'
+    ;
+
+literal
+    : kind = ('true' | 'false' | INT | LONG | FLOAT | DOUBLE | CHAR | STRING | 'null')
+    ;
+
+// Foreign text: kept as it is, so every token may stand in it, unknown characters included.
+javaBlock
+    : '{' (javaBlock | ~('{' | '}'))* '}'
+    ;
+
+ID
+    : LETTER (LETTER | [0-9])*
+    ;
+
+INT
+    : INTEGER
+    ;
+
+LONG
+    : INTEGER [lL]
+    ;
+
+FLOAT
+    : (DECIMAL | FRACTION) [fF]
+    ;
+
+DOUBLE
+    : FRACTION [dD]?
+    | DECIMAL [dD]
+    ;
+
+CHAR
+    : '\'' (ESCAPE | ~['\\\r\n]) '\''
+    ;
+
+STRING
+    : '"' (ESCAPE | ~["\\\r\n])* '"'
+    ;
+
+// These two and UNKNOWN exist to be reported in plain words.
+UNCLOSED_STRING
+    : '"' (ESCAPE | ~["\\\r\n])*
+    ;
+
+UNCLOSED_COMMENT
+    : '/*' (~'*' | '*'+ ~[*/])* '*'*
+    ;
+
+LINE_COMMENT
+    : '//' ~[\r\n]* -> channel(HIDDEN)
+    ;
+
+BLOCK_COMMENT
+    : '/*' .*? '*/' -> channel(HIDDEN)
+    ;
+
+SPACE
+    : [ \t\r\n\f]+ -> skip
+    ;
+
+// Last, so that it takes only what no other rule takes.
+UNKNOWN
+    : .
+    ;
+
+fragment LETTER
+    : [a-zA-Z_$]
+    | '\u00C0' .. '\u00D6'
+    | '\u00D8' .. '\u00F6'
+    | '\u00F8' .. '\u02AF'
+    | '\u0391' .. '\u03A1'
+    | '\u03A3' .. '\u03FF'
+    | '\u0400' .. '\u0481'
+    ;
+
+fragment INTEGER
+    : DECIMAL
+    | '0' [xX] [0-9a-fA-F] ([0-9a-fA-F_]* [0-9a-fA-F])?
+    | '0' [bB] [01] ([01_]* [01])?
+    ;
+
+fragment DECIMAL
+    : [0-9] ([0-9_]* [0-9])?
+    ;
+
+// Never ends in a dot: 0..5 is a range.
+fragment FRACTION
+    : DECIMAL? '.' DECIMAL EXPONENT?
+    | DECIMAL EXPONENT
+    ;
+
+fragment EXPONENT
+    : [eE] [+\-]? DECIMAL
+    ;
+
+fragment ESCAPE
+    : '\\' ('u'+ [0-9a-fA-F] [0-9a-fA-F] [0-9a-fA-F] [0-9a-fA-F] | ~[u\r\n])
+    ;

@@ -1,0 +1,78 @@
+package arcomat.syntax;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.syntax.antlr.ArcomatLexer;
+import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.tree.Comment;
+
+import org.antlr.v4.runtime.BailErrorStrategy;
+import org.antlr.v4.runtime.CommonTokenStream;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.atn.PredictionMode;
+import org.antlr.v4.runtime.misc.ParseCancellationException;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A file as ANTLR sees it: tokens, comments, parse tree. With findings there is no parse tree.
+ *
+ * @param root what the entry rule of the file's language returned; null with findings
+ */
+record Reading(
+        CommonTokenStream tokens,
+        List<Comment> comments,
+        ParserRuleContext root,
+        List<Diagnostic> findings) {
+
+    static Reading of(SourceFile file) {
+        CommonTokenStream tokens = tokens(file);
+        List<Diagnostic> findings = TokenChecks.check(file, tokens.getTokens());
+        ParserRuleContext root = null;
+        if (findings.isEmpty()) {
+            root = parseFast(file, tokens);
+        }
+        if (findings.isEmpty() && root == null) {
+            // The fast mode rejects every text with a syntax error, and could reject a good one.
+            findings = new ArrayList<>();
+            root = SyntaxErrors.parse(file, tokens, findings);
+        }
+        return new Reading(tokens, comments(file, tokens), root, findings);
+    }
+
+    private static CommonTokenStream tokens(SourceFile file) {
+        ArcomatLexer lexer = new ArcomatLexer(new Characters(file.path(), file.text()));
+        lexer.removeErrorListeners();
+        CommonTokenStream tokens = new CommonTokenStream(lexer);
+        tokens.fill();
+        return tokens;
+    }
+
+    private static List<Comment> comments(SourceFile file, CommonTokenStream tokens) {
+        List<Comment> comments = new ArrayList<>();
+        for (Token token : tokens.getTokens()) {
+            if (token.getChannel() == Token.HIDDEN_CHANNEL) {
+                comments.add(
+                        new Comment(
+                                file.span(token.getStartIndex(), token.getStopIndex() + 1),
+                                token.getText()));
+            }
+        }
+        return comments;
+    }
+
+    /** Null where the fast mode finds no tree. */
+    private static ParserRuleContext parseFast(SourceFile file, CommonTokenStream tokens) {
+        ArcomatParser parser = new ArcomatParser(tokens);
+        parser.removeErrorListeners();
+        parser.setErrorHandler(new BailErrorStrategy());
+        parser.getInterpreter().setPredictionMode(PredictionMode.SLL);
+        try {
+            return Language.of(file).enter(parser);
+        } catch (ParseCancellationException e) {
+            return null;
+        }
+    }
+}
