@@ -3,6 +3,7 @@ package arcomat.semantics;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
@@ -27,7 +28,19 @@ public final class Rewriting {
         visitor.accept(expression);
     }
 
-    private static Expression withOperands(Expression e, UnaryOperator<Expression> rewrite) {
+    /** What an expression is directly made of, from left to right. */
+    public static List<Expression> operands(Expression expression) {
+        List<Expression> operands = new ArrayList<>();
+        withOperands(
+                expression,
+                operand -> {
+                    operands.add(operand);
+                    return operand;
+                });
+        return operands;
+    }
+
+    static Expression withOperands(Expression e, UnaryOperator<Expression> rewrite) {
         if (e instanceof Expression.Unary unary) {
             return new Expression.Unary(
                     unary.operator(), rewrite.apply(unary.operand()), unary.type(), unary.span());

@@ -1,0 +1,147 @@
+package arcomat.semantics;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Value;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * What an atomic component does. Several automata are a conjunction: a step of the component is a
+ * step of each of them with one output that all of them allow. Without an automaton nothing is
+ * promised. Pure, like the relations that it is made of.
+ */
+public final class Behaviour {
+    private final Component component;
+    private final List<StepRelation> relations = new ArrayList<>();
+
+    private Behaviour(Component component) {
+        this.component = component;
+    }
+
+    /**
+     * The behaviour of an atomic component, or of a platform component, about which the model says
+     * nothing.
+     *
+     * @param arguments one per parameter
+     */
+    public static Behaviour of(Component component, List<Value> arguments) {
+        List<Automaton> automata =
+                component.body() instanceof Component.Atomic atomic && !component.platform()
+                        ? atomic.automata()
+                        : List.of();
+        return conjunction(component, automata, automata.size() == 1, arguments);
+    }
+
+    /** The requirements on a decomposed component, each free in the ports that it never writes. */
+    public static Behaviour requirements(Component component, List<Value> arguments) {
+        return conjunction(component, component.requirements(), false, arguments);
+    }
+
+    private static Behaviour conjunction(
+            Component component, List<Automaton> automata, boolean sole, List<Value> arguments) {
+        Behaviour behaviour = new Behaviour(component);
+        for (Automaton automaton : automata) {
+            Set<String> owned = sole ? names(component.outputs()) : written(automaton);
+            behaviour.relations.add(new StepRelation(component, automaton, owned, arguments));
+        }
+        return behaviour;
+    }
+
+    private static Set<String> names(List<Port> ports) {
+        return ports.stream().map(Port::name).collect(Collectors.toSet());
+    }
+
+    private static Set<String> written(Automaton automaton) {
+        Set<String> names = new HashSet<>();
+        automaton.initials().forEach(i -> i.sends().forEach(s -> names.add(s.port().name())));
+        automaton.transitions().forEach(t -> t.sends().forEach(s -> names.add(s.port().name())));
+        return names;
+    }
+
+    public Component component() {
+        return component;
+    }
+
+    /** One per automaton, in text order. */
+    public List<StepRelation> relations() {
+        return List.copyOf(relations);
+    }
+
+    /** A beginning of all automata at once. */
+    public record JointStart(List<Start> starts, Output output) {}
+
+    /** A step of all automata at once. */
+    public record JointReaction(List<Reaction> reactions, Output output) {}
+
+    /** All beginnings, in text order of the first automaton, then the second, and so on. */
+    public List<JointStart> starts() {
+        List<JointStart> joint = List.of(new JointStart(List.of(), anything()));
+        for (StepRelation relation : relations) {
+            List<JointStart> longer = new ArrayList<>();
+            for (JointStart prefix : joint) {
+                for (Start start : relation.starts()) {
+                    Optional<Output> output = prefix.output.meet(start.output());
+                    output.ifPresent(
+                            o -> longer.add(new JointStart(plus(prefix.starts, start), o)));
+                }
+            }
+            joint = longer;
+        }
+        return joint;
+    }
+
+    /**
+     * All steps; none where the automata contradict each other.
+     *
+     * @param before one configuration per automaton
+     * @throws Fault where a right-hand side goes wrong
+     */
+    public List<JointReaction> reactions(List<Configuration> before, Input input) {
+        if (relations.size() == 1) {
+            return single(before.get(0), input);
+        }
+        List<JointReaction> joint = List.of(new JointReaction(List.of(), anything()));
+        for (int i = 0; i < relations.size(); i++) {
+            List<Reaction> reactions = relations.get(i).reactions(before.get(i), input);
+            List<JointReaction> longer = new ArrayList<>();
+            for (JointReaction prefix : joint) {
+                for (Reaction reaction : reactions) {
+                    Optional<Output> output = prefix.output.meet(reaction.output());
+                    output.ifPresent(
+                            o ->
+                                    longer.add(
+                                            new JointReaction(
+                                                    plus(prefix.reactions, reaction), o)));
+                }
+            }
+            joint = longer;
+        }
+        return joint;
+    }
+
+    private List<JointReaction> single(Configuration before, Input input) {
+        List<Reaction> reactions = relations.get(0).reactions(before, input);
+        if (reactions.size() == 1) {
+            Reaction reaction = reactions.get(0);
+            return List.of(new JointReaction(List.of(reaction), reaction.output()));
+        }
+        return reactions.stream().map(r -> new JointReaction(List.of(r), r.output())).toList();
+    }
+
+    private Output anything() {
+        return new Output(component.outputs().stream().map(Effect::anything).toList());
+    }
+
+    private static <T> List<T> plus(List<T> list, T last) {
+        List<T> longer = new ArrayList<>(list);
+        longer.add(last);
+        return longer;
+    }
+}

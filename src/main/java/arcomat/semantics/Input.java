@@ -1,0 +1,59 @@
+package arcomat.semantics;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.Value;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What an automaton reads in one step, by position of the input port. Time-synchronous: the letter
+ * of the slice. Event-driven: the message of the event and the latched values.
+ */
+public final class Input {
+    private final Value[] messages;
+
+    /**
+     * @param messages one per input port, null where there is none; not to be changed afterwards
+     */
+    Input(Value[] messages) {
+        this.messages = messages;
+    }
+
+    /** The messages of a letter on the input ports of a component. */
+    public static Input of(Component component, Letter letter) {
+        List<Port> ports = component.inputs();
+        Value[] messages = new Value[ports.size()];
+        for (int i = 0; i < messages.length; i++) {
+            messages[i] = letter.message(ports.get(i).name()).orElse(null);
+        }
+        return new Input(messages);
+    }
+
+    /** The message on the input port at a position. */
+    public Optional<Value> message(int port) {
+        return Optional.ofNullable(messages[port]);
+    }
+
+    Value[] slots() {
+        return messages;
+    }
+
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Input that && Arrays.equals(messages, that.messages);
+    }
+
+    @Override
+    public int hashCode() {
+        return Arrays.hashCode(messages);
+    }
+
+    @Override
+    public String toString() {
+        return Arrays.toString(messages);
+    }
+}

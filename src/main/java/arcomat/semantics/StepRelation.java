@@ -1,0 +1,198 @@
+package arcomat.semantics;
+
+import arcomat.model.Automaton;
+import arcomat.model.Automaton.Completion;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * All steps of one automaton: a relation between configurations, inputs, outputs and next
+ * configurations, completed, so that every input has a reaction (Rumpe 1996). Pure: it holds no
+ * state, and every method may be called in any order.
+ */
+public final class StepRelation {
+    private record Ready(Term condition, Effect effect, Trace.Taken cause) {}
+
+    private final Component component;
+    private final Automaton automaton;
+    private static final List<Trace.Taken> NONE = List.of();
+
+    private final List<Ready> transitions = new ArrayList<>();
+    private final List<List<Ready>> byState = new ArrayList<>();
+    private final List<Start> starts = new ArrayList<>();
+    private final Output silence;
+    private final Output anything;
+    private final Trace.Completed completed;
+
+    /**
+     * @param owned names of the output ports that the automaton decides about; the others are free
+     *     to it
+     * @param arguments one per parameter of the component
+     */
+    StepRelation(
+            Component component, Automaton automaton, Set<String> owned, List<Value> arguments) {
+        this.component = component;
+        this.automaton = automaton;
+        this.completed = new Trace.Completed(automaton.completion());
+        List<Port> outputs = component.outputs();
+        anything = new Output(outputs.stream().map(Effect::anything).toList());
+        silence =
+                new Output(
+                        outputs.stream()
+                                .map(
+                                        port ->
+                                                owned.contains(port.name())
+                                                        ? Sent.SILENCE
+                                                        : Effect.anything(port))
+                                .toList());
+        Scope scope = new Scope(component, arguments, automaton);
+        prepareTransitions(owned, scope);
+        prepareStarts(owned, scope);
+    }
+
+    private void prepareTransitions(Set<String> owned, Scope scope) {
+        automaton.states().forEach(state -> byState.add(new ArrayList<>(2)));
+        Guards guards = new Guards(component.profile());
+        for (int i = 0; i < automaton.transitions().size(); i++) {
+            Automaton.Transition transition = automaton.transitions().get(i);
+            Term condition = Evaluation.compile(guards.enabledWhen(transition), scope);
+            Effect effect =
+                    new Effect(
+                            component,
+                            automaton,
+                            owned,
+                            transition.sends(),
+                            transition.assignments(),
+                            scope);
+            Ready ready = new Ready(condition, effect, new Trace.Taken(i, transition));
+            transitions.add(ready);
+            byState.get(transition.source()).add(ready);
+        }
+    }
+
+    private void prepareStarts(Set<String> owned, Scope scope) {
+        Value[] values = new Value[automaton.variables().size()];
+        for (int i = 0; i < values.length; i++) {
+            Variable variable = automaton.variables().get(i);
+            values[i] =
+                    Evaluation.compile(variable.initial(), scope).evaluate(new Value[0], values);
+        }
+        Value[] nothing = new Value[component.inputs().size()];
+        for (Automaton.Initial initial : automaton.initials()) {
+            Effect effect =
+                    new Effect(
+                            component,
+                            automaton,
+                            owned,
+                            initial.sends(),
+                            initial.assignments(),
+                            scope);
+            try {
+                Value[] variables = effect.variables(nothing, values);
+                starts.add(
+                        new Start(
+                                initial,
+                                effect.output(nothing, values),
+                                new Configuration(initial.state(), variables)));
+            } catch (Fault fault) {
+                throw fault.in(component.name() + ", initial" + Fault.line(initial.span()));
+            }
+        }
+    }
+
+    public Component component() {
+        return component;
+    }
+
+    public Automaton automaton() {
+        return automaton;
+    }
+
+    /** The alternatives to begin with, in text order. */
+    public List<Start> starts() {
+        return List.copyOf(starts);
+    }
+
+    /**
+     * All reactions, in text order: of the enabled transitions, or of the completion.
+     *
+     * @throws Fault where a right-hand side goes wrong
+     */
+    public List<Reaction> reactions(Configuration before, Input input) {
+        List<Trace.Taken> enabled = enabled(before, input);
+        return enabled.isEmpty()
+                ? List.of(complete(before))
+                : enabled.stream().map(taken -> take(taken, before, input)).toList();
+    }
+
+    /** The transitions that may be taken, in text order. */
+    public List<Trace.Taken> enabled(Configuration before, Input input) {
+        if (!before.isState()) {
+            return List.of();
+        }
+        List<Trace.Taken> enabled = NONE;
+        for (Ready ready : byState.get(before.state())) {
+            if (isEnabled(ready, before, input)) {
+                enabled = enabled.isEmpty() ? List.of(ready.cause) : plus(enabled, ready.cause);
+            }
+        }
+        return enabled;
+    }
+
+    private static List<Trace.Taken> plus(List<Trace.Taken> enabled, Trace.Taken next) {
+        List<Trace.Taken> longer = new ArrayList<>(enabled);
+        longer.add(next);
+        return longer;
+    }
+
+    private boolean isEnabled(Ready ready, Configuration before, Input input) {
+        try {
+            return ready.condition.holds(input.slots(), before.slots());
+        } catch (Fault fault) {
+            throw fault.in(place(ready));
+        }
+    }
+
+    /**
+     * The reaction of one enabled transition.
+     *
+     * @throws Fault where a right-hand side goes wrong
+     */
+    public Reaction take(Trace.Taken taken, Configuration before, Input input) {
+        Ready ready = transitions.get(taken.index());
+        try {
+            Value[] variables = ready.effect.variables(input.slots(), before.slots());
+            return new Reaction(
+                    ready.cause,
+                    ready.effect.output(input.slots(), before.slots()),
+                    new Configuration(ready.cause.transition().target(), variables));
+        } catch (Fault fault) {
+            throw fault.in(place(ready));
+        }
+    }
+
+    private String place(Ready ready) {
+        return Fault.place(component, automaton, ready.cause.transition());
+    }
+
+    /** The reaction where no transition is enabled. */
+    public Reaction complete(Configuration before) {
+        if (!before.isState()) {
+            return new Reaction(completed, anything, before);
+        }
+        Completion completion = automaton.completion();
+        return switch (completion) {
+            case CHAOS -> new Reaction(completed, anything, Configuration.CHAOS);
+            case OUTPUT -> new Reaction(completed, anything, before);
+            case IGNORE -> new Reaction(completed, silence, before);
+            case ERROR -> new Reaction(completed, anything, Configuration.ERROR);
+        };
+    }
+}
