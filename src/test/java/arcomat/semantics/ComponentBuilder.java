@@ -124,7 +124,9 @@ public final class ComponentBuilder {
         return this;
     }
 
-    /** {@code connect("left.value", "control.light")}; a name without a dot is a port of the whole. */
+    /**
+     * {@code connect("left.value", "control.light")}; a name without a dot is a port of the whole.
+     */
     public ComponentBuilder connect(String source, String target) {
         connections.add(new Component.Connection(endpoint(source), endpoint(target), NOWHERE));
         return this;
@@ -223,8 +225,7 @@ public final class ComponentBuilder {
 
         public AutomatonBuilder initial(String state, String output) {
             List<Automaton.Send> sends = sends(output);
-            initials.add(
-                    new Automaton.Initial(states.indexOf(state), sends, List.of(), NOWHERE));
+            initials.add(new Automaton.Initial(states.indexOf(state), sends, List.of(), NOWHERE));
             return this;
         }
 

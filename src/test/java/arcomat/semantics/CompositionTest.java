@@ -204,7 +204,10 @@ class CompositionTest {
                         Expression.BinaryOperator.PLUS, n, n, INTEGER, ComponentBuilder.NOWHERE);
         Component whole =
                 whole("Whole")
-                        .part("middle", middle.part("leaf", leaf, twice).build(), constant(INTEGER, "21"))
+                        .part(
+                                "middle",
+                                middle.part("leaf", leaf, twice).build(),
+                                constant(INTEGER, "21"))
                         .build();
         Network.Instance instance = Network.of(whole, List.of()).instances().get(0);
         assertThat(instance.path()).isEqualTo("middle.leaf");

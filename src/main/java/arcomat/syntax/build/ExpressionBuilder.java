@@ -1,0 +1,177 @@
+package arcomat.syntax.build;
+
+import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatParser.AbsenceExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.ArgumentsContext;
+import arcomat.syntax.antlr.ArcomatParser.BinaryExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.CastExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.ConditionalExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.CreationPrimaryContext;
+import arcomat.syntax.antlr.ArcomatParser.ExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.IfExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.InstanceOfExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.LiteralContext;
+import arcomat.syntax.antlr.ArcomatParser.LiteralPrimaryContext;
+import arcomat.syntax.antlr.ArcomatParser.MembershipExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.NamePrimaryContext;
+import arcomat.syntax.antlr.ArcomatParser.OperandContext;
+import arcomat.syntax.antlr.ArcomatParser.OperandExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.ParenthesesPrimaryContext;
+import arcomat.syntax.antlr.ArcomatParser.PlainOperandContext;
+import arcomat.syntax.antlr.ArcomatParser.PrimitiveCastExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.PrimitiveCastOperandContext;
+import arcomat.syntax.antlr.ArcomatParser.TypeCastOperandContext;
+import arcomat.syntax.antlr.ArcomatParser.UnaryExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser.UnaryOperandContext;
+import arcomat.tree.Expression;
+import arcomat.tree.Expression.Absence;
+import arcomat.tree.Expression.Binary;
+import arcomat.tree.Expression.Cast;
+import arcomat.tree.Expression.Conditional;
+import arcomat.tree.Expression.InstanceOf;
+import arcomat.tree.Expression.JavaExpression;
+import arcomat.tree.Expression.Literal;
+import arcomat.tree.Expression.Membership;
+import arcomat.tree.Expression.Unary;
+
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+
+import java.util.List;
+
+/** Expressions. Parentheses leave no node. */
+final class ExpressionBuilder extends TreeBuilder<Expression> {
+    ExpressionBuilder(Builders builders) {
+        super(builders);
+    }
+
+    List<Expression> arguments(ArgumentsContext context) {
+        return context == null ? List.of() : buildAll(context.expression());
+    }
+
+    @Override
+    public Expression visitOperandExpression(OperandExpressionContext context) {
+        return build(context.operand());
+    }
+
+    @Override
+    public Expression visitPlainOperand(PlainOperandContext context) {
+        return build(context.operand());
+    }
+
+    @Override
+    public Expression visitOperand(OperandContext context) {
+        return builders.operands.operand(context);
+    }
+
+    @Override
+    public Expression visitLiteralPrimary(LiteralPrimaryContext context) {
+        return build(context.literal());
+    }
+
+    @Override
+    public Expression visitLiteral(LiteralContext context) {
+        Span span = span(context.kind);
+        return new Literal(span, Literals.kindOf(context.kind), span.text());
+    }
+
+    @Override
+    public Expression visitNamePrimary(NamePrimaryContext context) {
+        return builders.operands.name(context);
+    }
+
+    @Override
+    public Expression visitParenthesesPrimary(ParenthesesPrimaryContext context) {
+        return build(context.expression());
+    }
+
+    @Override
+    public Expression visitCreationPrimary(CreationPrimaryContext context) {
+        Span span = span(context);
+        return new JavaExpression(span, span.text());
+    }
+
+    @Override
+    public Expression visitUnaryExpression(UnaryExpressionContext context) {
+        return unary(context, context.operator, context.expression());
+    }
+
+    @Override
+    public Expression visitUnaryOperand(UnaryOperandContext context) {
+        return unary(context, context.operator, context.castOperand());
+    }
+
+    private Expression unary(ParserRuleContext context, Token operator, ParserRuleContext operand) {
+        return new Unary(span(context), Operators.unary(operator), build(operand));
+    }
+
+    @Override
+    public Expression visitPrimitiveCastExpression(PrimitiveCastExpressionContext context) {
+        return cast(context, context.primitiveType(), context.expression());
+    }
+
+    @Override
+    public Expression visitCastExpression(CastExpressionContext context) {
+        return cast(context, context.type(), context.castOperand());
+    }
+
+    @Override
+    public Expression visitPrimitiveCastOperand(PrimitiveCastOperandContext context) {
+        return cast(context, context.primitiveType(), context.castOperand());
+    }
+
+    @Override
+    public Expression visitTypeCastOperand(TypeCastOperandContext context) {
+        return cast(context, context.type(), context.castOperand());
+    }
+
+    private Expression cast(
+            ParserRuleContext context, ParserRuleContext type, ParserRuleContext operand) {
+        return new Cast(span(context), builders.types.build(type), build(operand));
+    }
+
+    @Override
+    public Expression visitBinaryExpression(BinaryExpressionContext context) {
+        return new Binary(
+                span(context),
+                Operators.binary(context.operator),
+                build(context.expression(0)),
+                build(context.expression(1)));
+    }
+
+    @Override
+    public Expression visitInstanceOfExpression(InstanceOfExpressionContext context) {
+        return new InstanceOf(
+                span(context),
+                build(context.expression()),
+                builders.types.build(context.instanceType()));
+    }
+
+    @Override
+    public Expression visitMembershipExpression(MembershipExpressionContext context) {
+        List<ExpressionContext> all = context.expression();
+        return new Membership(
+                span(context), build(all.get(0)), buildAll(all.subList(1, all.size())));
+    }
+
+    @Override
+    public Expression visitAbsenceExpression(AbsenceExpressionContext context) {
+        boolean present = context.operator.getText().equals("!=");
+        return new Absence(span(context), build(context.expression()), present);
+    }
+
+    @Override
+    public Expression visitConditionalExpression(ConditionalExpressionContext context) {
+        return conditional(context, context.expression());
+    }
+
+    @Override
+    public Expression visitIfExpression(IfExpressionContext context) {
+        return conditional(context, context.expression());
+    }
+
+    private Expression conditional(ParserRuleContext context, List<ExpressionContext> parts) {
+        return new Conditional(
+                span(context), build(parts.get(0)), build(parts.get(1)), build(parts.get(2)));
+    }
+}

@@ -1,0 +1,48 @@
+package arcomat.syntax.build;
+
+import arcomat.syntax.antlr.ArcomatParser.InstanceTypeContext;
+import arcomat.syntax.antlr.ArcomatParser.NameContext;
+import arcomat.syntax.antlr.ArcomatParser.PlainNameContext;
+import arcomat.syntax.antlr.ArcomatParser.PrimitiveTypeContext;
+import arcomat.syntax.antlr.ArcomatParser.QualifiedNameContext;
+import arcomat.tree.Name;
+import arcomat.tree.QualifiedName;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Names joined by dots. */
+final class QualifiedNameBuilder extends TreeBuilder<QualifiedName> {
+    QualifiedNameBuilder(Builders builders) {
+        super(builders);
+    }
+
+    @Override
+    public QualifiedName visitQualifiedName(QualifiedNameContext context) {
+        return of(builders.names.buildAll(context.name()));
+    }
+
+    @Override
+    public QualifiedName visitInstanceType(InstanceTypeContext context) {
+        return of(builders.names.buildAll(context.name()));
+    }
+
+    @Override
+    public QualifiedName visitPlainName(PlainNameContext context) {
+        List<Name> parts = new ArrayList<>();
+        parts.add(builders.names.name(context.start));
+        for (NameContext name : context.name()) {
+            parts.add(builders.names.build(name));
+        }
+        return of(parts);
+    }
+
+    @Override
+    public QualifiedName visitPrimitiveType(PrimitiveTypeContext context) {
+        return of(List.of(builders.names.name(context.start)));
+    }
+
+    QualifiedName of(List<Name> parts) {
+        return new QualifiedName(parts.get(0).span().to(parts.get(parts.size() - 1).span()), parts);
+    }
+}

@@ -1,0 +1,129 @@
+package arcomat.syntax.build;
+
+import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatParser.EventStreamContext;
+import arcomat.syntax.antlr.ArcomatParser.LiteralMessageContext;
+import arcomat.syntax.antlr.ArcomatParser.NameMessageContext;
+import arcomat.syntax.antlr.ArcomatParser.PortStreamContext;
+import arcomat.syntax.antlr.ArcomatParser.RepeatedGroupContext;
+import arcomat.syntax.antlr.ArcomatParser.RepeatedMessageContext;
+import arcomat.syntax.antlr.ArcomatParser.SingleGroupContext;
+import arcomat.syntax.antlr.ArcomatParser.SingleMessageContext;
+import arcomat.syntax.antlr.ArcomatParser.StreamContext;
+import arcomat.tree.Expression;
+import arcomat.tree.Expression.Call;
+import arcomat.tree.Expression.Reference;
+import arcomat.tree.Expression.Unary;
+import arcomat.tree.Expression.UnaryOperator;
+import arcomat.tree.Name;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.TestSuite.Message;
+import arcomat.tree.TestSuite.PortStream;
+import arcomat.tree.TestSuite.Repeat;
+import arcomat.tree.TestSuite.StreamElement;
+import arcomat.tree.TestSuite.Tick;
+
+import org.antlr.v4.runtime.Token;
+
+import java.math.BigInteger;
+import java.util.List;
+import java.util.Optional;
+
+/** Streams of stream tests. */
+final class StreamBuilder extends TreeBuilder<StreamElement> {
+    private static final String TICK = "Tk";
+    private static final BigInteger LARGEST = BigInteger.valueOf(Integer.MAX_VALUE);
+
+    StreamBuilder(Builders builders) {
+        super(builders);
+    }
+
+    PortStream portStream(PortStreamContext context) {
+        return new PortStream(
+                span(context),
+                builders.qualifiedNames.build(context.qualifiedName()),
+                elements(context.stream()));
+    }
+
+    PortStream eventStream(EventStreamContext context) {
+        return new PortStream(
+                span(context),
+                builders.qualifiedNames.build(context.qualifiedName()),
+                context.stream() == null
+                        ? List.of(build(context.streamElement()))
+                        : elements(context.stream()));
+    }
+
+    private List<StreamElement> elements(StreamContext context) {
+        return buildAll(context.streamElement());
+    }
+
+    @Override
+    public StreamElement visitSingleMessage(SingleMessageContext context) {
+        return build(context.message());
+    }
+
+    @Override
+    public StreamElement visitRepeatedMessage(RepeatedMessageContext context) {
+        return new Repeat(span(context), count(context.count), List.of(build(context.message())));
+    }
+
+    @Override
+    public StreamElement visitRepeatedGroup(RepeatedGroupContext context) {
+        return new Repeat(span(context), count(context.count), buildAll(context.streamElement()));
+    }
+
+    @Override
+    public StreamElement visitSingleGroup(SingleGroupContext context) {
+        return new Repeat(span(context), 1, buildAll(context.streamElement()));
+    }
+
+    @Override
+    public StreamElement visitLiteralMessage(LiteralMessageContext context) {
+        Expression literal = builders.expressions.build(context.literal());
+        Span span = span(context);
+        return new Message(
+                span,
+                context.minus == null ? literal : new Unary(span, UnaryOperator.MINUS, literal));
+    }
+
+    @Override
+    public StreamElement visitNameMessage(NameMessageContext context) {
+        QualifiedName name = builders.qualifiedNames.build(context.qualifiedName());
+        Span span = span(context);
+        if (context.arguments() != null) {
+            return new Message(span, call(context, name));
+        }
+        return name.text().equals(TICK)
+                ? new Tick(span)
+                : new Message(span, new Reference(span, name));
+    }
+
+    private Expression call(NameMessageContext context, QualifiedName name) {
+        List<Name> before = name.parts().subList(0, name.parts().size() - 1);
+        Optional<Expression> target = Optional.empty();
+        if (!before.isEmpty()) {
+            QualifiedName owner = builders.qualifiedNames.of(before);
+            target = Optional.of(new Reference(owner.span(), owner));
+        }
+        return new Call(
+                span(context),
+                target,
+                name.last(),
+                builders.expressions.arguments(context.arguments()));
+    }
+
+    /** A count beyond all reason stays beyond all reason: it is cut to the largest int. */
+    private static int count(Token token) {
+        String digits = token.getText().replace("_", "");
+        BigInteger value;
+        if (digits.startsWith("0x") || digits.startsWith("0X")) {
+            value = new BigInteger(digits.substring(2), 16);
+        } else if (digits.startsWith("0b") || digits.startsWith("0B")) {
+            value = new BigInteger(digits.substring(2), 2);
+        } else {
+            value = new BigInteger(digits);
+        }
+        return value.min(LARGEST).intValue();
+    }
+}
