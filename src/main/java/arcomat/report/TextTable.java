@@ -1,0 +1,58 @@
+package arcomat.report;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Columns of text, aligned at the left; the first column, which holds numbers, at the right. */
+final class TextTable {
+    private static final String GAP = "  ";
+
+    private final List<String> headings;
+    private final List<List<String>> rows = new ArrayList<>();
+
+    TextTable(List<String> headings) {
+        this.headings = headings;
+    }
+
+    /** Cells beyond the last one given are empty. */
+    void add(List<String> cells) {
+        rows.add(cells);
+    }
+
+    String render(Style style) {
+        int[] widths = widths();
+        StringBuilder out = new StringBuilder();
+        out.append(style.strong(line(headings, widths))).append('\n');
+        List<String> rules = new ArrayList<>();
+        for (int width : widths) {
+            rules.add("-".repeat(width));
+        }
+        out.append(style.quiet(line(rules, widths))).append('\n');
+        for (List<String> row : rows) {
+            out.append(line(row, widths)).append('\n');
+        }
+        return out.toString();
+    }
+
+    private int[] widths() {
+        int[] widths = new int[headings.size()];
+        for (int i = 0; i < widths.length; i++) {
+            widths[i] = headings.get(i).length();
+            for (List<String> row : rows) {
+                if (i < row.size()) {
+                    widths[i] = Math.max(widths[i], row.get(i).length());
+                }
+            }
+        }
+        return widths;
+    }
+
+    private static String line(List<String> cells, int[] widths) {
+        StringBuilder line = new StringBuilder();
+        for (int i = 0; i < cells.size(); i++) {
+            String blanks = " ".repeat(widths[i] - cells.get(i).length());
+            line.append(i == 0 ? blanks + cells.get(i) : GAP + cells.get(i) + blanks);
+        }
+        return line.toString().stripTrailing();
+    }
+}
