@@ -1,0 +1,133 @@
+package arcomat.symbols;
+
+import arcomat.source.Span;
+import arcomat.tree.Element;
+import arcomat.tree.Stereotype;
+import arcomat.tree.TypeReference;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A port of a component, or an input or output of a bare automaton.
+ *
+ * @param owner the component that declares it; empty for a bare automaton
+ * @param typeNode its type as written
+ * @param implicit whether it is named after its type
+ * @param stereotypes its own and those of the declaration it stands in, own ones first
+ * @param defaultDelay what the timing of the component says about outputs
+ */
+public record PortSymbol(
+        Optional<ComponentSymbol> owner,
+        String name,
+        Span nameSpan,
+        boolean implicit,
+        Element.Direction direction,
+        TypeReference typeNode,
+        Resolution<TypeSymbol> typeResolution,
+        List<Stereotype> stereotypes,
+        int defaultDelay)
+        implements ValueSymbol {
+    public PortSymbol {
+        stereotypes = List.copyOf(stereotypes);
+    }
+
+    @Override
+    public TypeSymbol type() {
+        return typeResolution.found().orElse(UnknownType.UNKNOWN);
+    }
+
+    public boolean isInput() {
+        return direction == Element.Direction.IN;
+    }
+
+    public boolean isOutput() {
+        return direction == Element.Direction.OUT;
+    }
+
+    /** Whether it carries a message in every slice. */
+    public boolean isTotal() {
+        return Stereotype.find(stereotypes, "total").isPresent();
+    }
+
+    /** Event-driven: whether it holds a value that guards may read and that triggers nothing. */
+    public boolean isLatched() {
+        return Stereotype.find(stereotypes, "state").isPresent();
+    }
+
+    /** The value of its stereotype {@code delay}, whatever is written there. */
+    public Optional<Stereotype> delayStereotype() {
+        return Stereotype.find(stereotypes, "delay");
+    }
+
+    /**
+     * Slices between reaction and message, 0 or 1; 0 for inputs. What a composite declares here is
+     * without effect: see the effective delay in {@code Delays}.
+     */
+    public int delay() {
+        if (isInput()) {
+            return 0;
+        }
+        String written =
+                delayStereotype()
+                        .flatMap(Stereotype::value)
+                        .map(arcomat.tree.Name::text)
+                        .orElse("");
+        return switch (written) {
+            case "0" -> 0;
+            case "1" -> 1;
+            default -> defaultDelay;
+        };
+    }
+
+    /** The same port seen through type arguments. */
+    PortSymbol with(TypeSubstitution substitution) {
+        return withType(typeResolution.map(substitution::apply));
+    }
+
+    private PortSymbol withType(Resolution<TypeSymbol> type) {
+        return new PortSymbol(
+                owner,
+                name,
+                nameSpan,
+                implicit,
+                direction,
+                typeNode,
+                type,
+                stereotypes,
+                defaultDelay);
+    }
+
+    /** The same port in a component that inherits it. */
+    PortSymbol inherited(TypeSubstitution substitution, int delayOfHeir) {
+        PortSymbol typed = with(substitution);
+        return new PortSymbol(
+                owner,
+                name,
+                nameSpan,
+                implicit,
+                direction,
+                typeNode,
+                typed.typeResolution,
+                stereotypes,
+                delayOfHeir);
+    }
+
+    /** Ports are the same when the same text declares them, whatever their types are seen as. */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof PortSymbol port
+                && port.nameSpan.equals(nameSpan)
+                && port.name.equals(name);
+    }
+
+    @Override
+    public int hashCode() {
+        return name.hashCode() * 31 + nameSpan.start();
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}

@@ -1,0 +1,79 @@
+package arcomat.symbols;
+
+import arcomat.source.Span;
+import arcomat.tree.TypeReference;
+import arcomat.tree.Variable;
+
+import java.util.Optional;
+
+/** A variable of an automaton, or a variable of a component that its automata share. */
+public final class VariableSymbol implements ValueSymbol {
+    /** Where a variable is declared. */
+    public enum Kind {
+        /** Read and written by its automaton. */
+        AUTOMATON,
+        /** A constant for the automata of the component. */
+        COMPONENT
+    }
+
+    private final Kind kind;
+    private final Variable node;
+    private final TypeReference typeNode;
+    private final Resolution<TypeSymbol> typeResolution;
+    private final Lazy<Optional<Typed>> initial;
+
+    VariableSymbol(
+            Kind kind,
+            Variable node,
+            TypeReference typeNode,
+            Resolution<TypeSymbol> typeResolution,
+            ValueScope scope) {
+        this.kind = kind;
+        this.node = node;
+        this.typeNode = typeNode;
+        this.typeResolution = typeResolution;
+        this.initial =
+                new Lazy<>(() -> node.initial().map(e -> ExpressionTyping.type(e, scope, type())));
+    }
+
+    public Kind kind() {
+        return kind;
+    }
+
+    public Variable node() {
+        return node;
+    }
+
+    public TypeReference typeNode() {
+        return typeNode;
+    }
+
+    public Resolution<TypeSymbol> typeResolution() {
+        return typeResolution;
+    }
+
+    /** The initial value. It may read parameters and, in automata, constants of the component. */
+    public Optional<Typed> initial() {
+        return initial.get();
+    }
+
+    @Override
+    public String name() {
+        return node.name().text();
+    }
+
+    @Override
+    public TypeSymbol type() {
+        return typeResolution.found().orElse(UnknownType.UNKNOWN);
+    }
+
+    @Override
+    public Span nameSpan() {
+        return node.name().span();
+    }
+
+    @Override
+    public String toString() {
+        return name();
+    }
+}

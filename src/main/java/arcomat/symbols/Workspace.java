@@ -1,0 +1,140 @@
+package arcomat.symbols;
+
+import arcomat.source.SourceFile;
+import arcomat.tree.Automaton;
+import arcomat.tree.ClassDiagram;
+import arcomat.tree.Component;
+import arcomat.tree.TestSuite;
+import arcomat.tree.Unit;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Everything that a set of files defines. Names across files are resolved on demand; nothing here
+ * changes once it can be seen. Several definitions of one name are all kept.
+ */
+public final class Workspace {
+    private final List<Unit> units;
+    private final Index index = new Index();
+    private final Map<SourceFile, UnitScope> scopes = new IdentityHashMap<>();
+    private final List<ComponentSymbol> topLevel = new ArrayList<>();
+    private final List<ComponentSymbol> components = new ArrayList<>();
+    private final List<DiagramSymbol> diagrams = new ArrayList<>();
+    private final List<AutomatonSymbol> bareAutomata = new ArrayList<>();
+    private final List<TestSuiteSymbol> testSuites = new ArrayList<>();
+
+    private Workspace(List<Unit> units, Set<String> brokenFiles) {
+        this.units = List.copyOf(units);
+        brokenFiles.forEach(index::addBroken);
+        this.units.forEach(this::add);
+    }
+
+    /**
+     * @param brokenFiles paths of files that did not parse; names that they should define are
+     *     excused
+     */
+    public static Workspace of(List<Unit> units, Set<String> brokenFiles) {
+        return new Workspace(units, brokenFiles);
+    }
+
+    private void add(Unit unit) {
+        UnitScope scope = new UnitScope(unit, index);
+        scopes.put(unit.file(), scope);
+        index.addQualifier(unit.packageText());
+        if (unit.definition() instanceof Component component) {
+            ComponentSymbol symbol = new ComponentSymbol(scope, component, Optional.empty());
+            topLevel.add(symbol);
+            addComponent(symbol);
+        } else if (unit.definition() instanceof ClassDiagram diagram) {
+            addDiagram(scope, diagram);
+        } else if (unit.definition() instanceof Automaton automaton) {
+            bareAutomata.add(AutomatonSymbol.bare(automaton, scope));
+        } else if (unit.definition() instanceof TestSuite suite) {
+            testSuites.add(new TestSuiteSymbol(scope, suite));
+        } else {
+            throw new AssertionError(unit.definition());
+        }
+    }
+
+    private void addComponent(ComponentSymbol component) {
+        components.add(component);
+        index.add(component);
+        index.addQualifier(component.qualifiedName());
+        component.innerComponents().forEach(this::addComponent);
+    }
+
+    private void addDiagram(UnitScope scope, ClassDiagram diagram) {
+        String name = Names.join(scope.unit().packageText(), diagram.name().text());
+        index.addQualifier(name);
+        List<DefinedType> types = new ArrayList<>();
+        for (ClassDiagram.TypeDefinition node : diagram.types()) {
+            DefinedType type = define(scope, node, Names.join(name, node.name().text()));
+            types.add(type);
+            index.add(type);
+        }
+        diagrams.add(new DiagramSymbol(scope.unit(), diagram, name, types));
+    }
+
+    private static DefinedType define(
+            UnitScope scope, ClassDiagram.TypeDefinition node, String qualifiedName) {
+        if (node instanceof ClassDiagram.EnumDefinition definition) {
+            return new EnumSymbol(scope.unit(), definition, qualifiedName);
+        }
+        return new ClassSymbol(scope, (ClassDiagram.ClassDefinition) node, qualifiedName);
+    }
+
+    public List<Unit> units() {
+        return units;
+    }
+
+    /** What the names in a file reach. */
+    public UnitScope scope(Unit unit) {
+        return scopes.get(unit.file());
+    }
+
+    /** The components that files are about, in the order of the units. */
+    public List<ComponentSymbol> topLevelComponents() {
+        return List.copyOf(topLevel);
+    }
+
+    /** All components; inner ones follow the one around them. */
+    public List<ComponentSymbol> components() {
+        return List.copyOf(components);
+    }
+
+    /** The components of a qualified name, {@code p.Outer.Inner} for inner ones. */
+    public List<ComponentSymbol> components(String qualifiedName) {
+        return List.copyOf(index.components(qualifiedName));
+    }
+
+    public List<DiagramSymbol> diagrams() {
+        return List.copyOf(diagrams);
+    }
+
+    /** The types of a qualified name, {@code p.Diagram.Type}. */
+    public List<DefinedType> types(String qualifiedName) {
+        return List.copyOf(index.types(qualifiedName));
+    }
+
+    /** Automata in files of their own. */
+    public List<AutomatonSymbol> bareAutomata() {
+        return List.copyOf(bareAutomata);
+    }
+
+    /** All automata: those of components in the order of the components, then bare ones. */
+    public List<AutomatonSymbol> automata() {
+        List<AutomatonSymbol> all = new ArrayList<>();
+        components.forEach(component -> all.addAll(component.ownAutomata()));
+        all.addAll(bareAutomata);
+        return all;
+    }
+
+    public List<TestSuiteSymbol> testSuites() {
+        return List.copyOf(testSuites);
+    }
+}
