@@ -1,6 +1,9 @@
 package arcomat.symbols;
 
+import arcomat.tree.Automaton;
+import arcomat.tree.Behaviour;
 import arcomat.tree.Element;
+import arcomat.tree.IoTable;
 import arcomat.tree.Name;
 import arcomat.tree.Parameter;
 import arcomat.tree.Stereotype;
@@ -82,13 +85,21 @@ final class ComponentMembers {
     }
 
     List<AutomatonSymbol> automata() {
-        return component.automatonNodes().stream()
-                .map(node -> AutomatonSymbol.embedded(node, component))
-                .toList();
+        List<AutomatonSymbol> automata = new ArrayList<>();
+        for (Element element : component.node().elements()) {
+            if (element instanceof Automaton automaton) {
+                automata.add(AutomatonSymbol.embedded(automaton, component));
+            } else if (element instanceof Behaviour.Implementation implementation) {
+                implementation
+                        .automata()
+                        .forEach(a -> automata.add(AutomatonSymbol.embedded(a, component)));
+            }
+        }
+        return List.copyOf(automata);
     }
 
     List<TableSymbol> tables() {
-        return component.tableNodes().stream()
+        return component.node().elements(IoTable.class).stream()
                 .map(node -> new TableSymbol(node, component))
                 .toList();
     }

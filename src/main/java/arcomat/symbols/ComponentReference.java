@@ -29,7 +29,7 @@ public record ComponentReference(
         return new ComponentReference(
                 reference.span(),
                 reference.name().text(),
-                heir.resolveSuper(reference.name()),
+                ComponentNames.superComponent(heir, reference.name()),
                 resolve(heir, reference.arguments()));
     }
 

@@ -1,17 +1,12 @@
 package arcomat.symbols;
 
 import arcomat.source.Span;
-import arcomat.tree.Automaton;
-import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
-import arcomat.tree.Element;
-import arcomat.tree.IoTable;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -42,7 +37,7 @@ public final class ComponentSymbol {
     private final Lazy<List<AutomatonSymbol>> ownAutomata;
     private final Lazy<List<TableSymbol>> ownTables;
     private final Lazy<Instances> instances = new Lazy<>(() -> Instances.of(this));
-    private final Lazy<List<ConnectorSymbol>> connectors;
+    private final Lazy<Connectors> connectors = new Lazy<>(() -> Connectors.of(this));
     private final Lazy<ValueScope> parameterScope;
     private final Lazy<ValueScope> constantScope;
 
@@ -69,7 +64,6 @@ public final class ComponentSymbol {
         this.ownVariables = new Lazy<>(members::variables);
         this.ownAutomata = new Lazy<>(members::automata);
         this.ownTables = new Lazy<>(members::tables);
-        this.connectors = new Lazy<>(() -> Connectors.of(this));
         this.parameterScope = new Lazy<>(() -> emptyScope().with(parameters()));
         this.constantScope = new Lazy<>(() -> parameterScope.get().with(variables()));
     }
@@ -284,7 +278,16 @@ public final class ComponentSymbol {
      * and those that {@code autoconnect} makes.
      */
     public List<ConnectorSymbol> connectors() {
-        return connectors.get();
+        return connectors.get().all();
+    }
+
+    /**
+     * The first connector to a receiver.
+     *
+     * @param key {@code port} of this component, or {@code instance.port}
+     */
+    public Optional<ConnectorSymbol> connectorTo(String key) {
+        return connectors.get().to(key);
     }
 
     // ---- scopes ---------------------------------------------------------------------------
@@ -305,88 +308,12 @@ public final class ComponentSymbol {
 
     /** A type as written inside this component: type parameters come first. */
     public Resolution<TypeSymbol> resolveType(TypeReference reference) {
-        return TypeReferences.resolve(reference, this::resolveTypeName);
-    }
-
-    private Resolution<TypeSymbol> resolveTypeName(QualifiedName name) {
-        if (name.isSimple()) {
-            for (ComponentSymbol c = this; c != null; c = c.enclosing.orElse(null)) {
-                for (TypeVariable variable : c.typeParameters) {
-                    if (variable.text().equals(name.text())) {
-                        return new Resolution.Found<>(variable);
-                    }
-                }
-            }
-        }
-        return scope.type(name);
+        return TypeReferences.resolve(reference, name -> ComponentNames.type(this, name));
     }
 
     /** A component named inside this one: inner components, also of those around, come first. */
     public Resolution<ComponentSymbol> resolveComponent(QualifiedName name) {
-        for (ComponentSymbol c = this; c != null; c = c.enclosing.orElse(null)) {
-            for (ComponentSymbol level : c.lineage()) {
-                List<ComponentSymbol> found = level.innerByPath(name);
-                if (!found.isEmpty()) {
-                    return Resolution.of(found);
-                }
-            }
-        }
-        return scope.component(name);
-    }
-
-    private List<ComponentSymbol> innerByPath(QualifiedName name) {
-        if (inner.isEmpty()) {
-            return List.of();
-        }
-        List<ComponentSymbol> level = List.of(this);
-        for (arcomat.tree.Name part : name.parts()) {
-            List<ComponentSymbol> next = new ArrayList<>();
-            for (ComponentSymbol component : level) {
-                component.inner.stream()
-                        .filter(c -> c.name().equals(part.text()))
-                        .forEach(next::add);
-            }
-            level = next;
-        }
-        return level;
-    }
-
-    /** The component that a super clause names: not looked for inside the component itself. */
-    Resolution<ComponentSymbol> resolveSuper(QualifiedName name) {
-        return enclosing.map(e -> e.resolveInnerFirst(name)).orElseGet(() -> scope.component(name));
-    }
-
-    /** Like {@link #resolveComponent}, but without inherited inner components. */
-    private Resolution<ComponentSymbol> resolveInnerFirst(QualifiedName name) {
-        for (ComponentSymbol c = this; c != null; c = c.enclosing.orElse(null)) {
-            List<ComponentSymbol> found = c.innerByPath(name);
-            if (!found.isEmpty()) {
-                return Resolution.of(found);
-            }
-        }
-        return scope.component(name);
-    }
-
-    /** Its timing as written here, inherited timing aside. */
-    Timing ownTiming() {
-        return timing;
-    }
-
-    /** The automata of its elements in text order. */
-    List<Automaton> automatonNodes() {
-        List<Automaton> automata = new ArrayList<>();
-        for (Element element : node.elements()) {
-            if (element instanceof Automaton automaton) {
-                automata.add(automaton);
-            } else if (element instanceof Behaviour.Implementation implementation) {
-                automata.addAll(implementation.automata());
-            }
-        }
-        return automata;
-    }
-
-    List<IoTable> tableNodes() {
-        return node.elements(IoTable.class);
+        return ComponentNames.component(this, name);
     }
 
     @Override

@@ -8,7 +8,10 @@ import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
 
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Finds the connectors of a component and resolves their ends. */
@@ -16,18 +19,29 @@ final class Connectors {
     private final ComponentSymbol component;
     private final List<ConnectorSymbol> found = new ArrayList<>();
 
+    private final Map<String, ConnectorSymbol> byTarget = new HashMap<>();
+
     private Connectors(ComponentSymbol component) {
         this.component = component;
     }
 
-    static List<ConnectorSymbol> of(ComponentSymbol component) {
+    static Connectors of(ComponentSymbol component) {
         Connectors connectors = new Connectors(component);
         List<ComponentSymbol> lineage = component.lineage();
         for (int i = lineage.size() - 1; i >= 0; i--) {
             connectors.addWritten(lineage.get(i));
         }
         connectors.found.addAll(Autoconnection.of(component, connectors.found));
-        return List.copyOf(connectors.found);
+        connectors.found.forEach(c -> connectors.byTarget.putIfAbsent(c.target().key(), c));
+        return connectors;
+    }
+
+    List<ConnectorSymbol> all() {
+        return Collections.unmodifiableList(found);
+    }
+
+    Optional<ConnectorSymbol> to(String key) {
+        return Optional.ofNullable(byTarget.get(key));
     }
 
     private void addWritten(ComponentSymbol declaring) {

@@ -27,6 +27,7 @@ public final class Workspace {
     private final List<DiagramSymbol> diagrams = new ArrayList<>();
     private final List<AutomatonSymbol> bareAutomata = new ArrayList<>();
     private final List<TestSuiteSymbol> testSuites = new ArrayList<>();
+    private final Delays delays = new Delays();
 
     private Workspace(List<Unit> units, Set<String> brokenFiles) {
         this.units = List.copyOf(units);
@@ -136,5 +137,18 @@ public final class Workspace {
 
     public List<TestSuiteSymbol> testSuites() {
         return List.copyOf(testSuites);
+    }
+
+    /** Delays through compositions, and cycles without one. */
+    public Delays delays() {
+        return delays;
+    }
+
+    /**
+     * Components that contain themselves: per group of them one shortest cycle, the first component
+     * not repeated.
+     */
+    public List<List<ComponentSymbol>> subcomponentCycles() {
+        return Parts.cycles(components);
     }
 }
