@@ -16,11 +16,17 @@ import java.util.Optional;
 public final class Input {
     private final Value[] messages;
 
+    private Input(Value[] messages) {
+        this.messages = messages;
+    }
+
     /**
+     * An input that takes the array over.
+     *
      * @param messages one per input port, null where there is none; not to be changed afterwards
      */
-    Input(Value[] messages) {
-        this.messages = messages;
+    public static Input of(Value[] messages) {
+        return new Input(messages);
     }
 
     /** The messages of a letter on the input ports of a component. */

@@ -1,0 +1,98 @@
+package arcomat.simulate;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Execution;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Network;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Runs any well-formed model, an underspecified one as well: what is left open, a {@link Choice}
+ * decides.
+ *
+ * <p>Time-synchronous: a step is a slice. Its activities tell how the automata react to the input
+ * of this slice; the messages of a reaction are visible in the same slice on ports with delay 0,
+ * and in the next slice on ports with delay 1, which show their initial output in slice 0.
+ *
+ * <p>Event-driven: a step is one event and all that follows from it until every queue is empty. The
+ * first step begins with the initial outputs and what they cause. A letter without a message is a
+ * step without an event; a latched port takes its message without one.
+ */
+public final class Interpreter implements Execution {
+    /** The step that the run is in, or about to enter. */
+    private int number;
+
+    private final Network network;
+    private final Engine engine;
+    private final List<String> decisions = new ArrayList<>();
+
+    /** Time-synchronous or event-driven. */
+    interface Engine {
+        Trace.Step step(Letter input, int number);
+    }
+
+    /**
+     * @param arguments one per parameter of the component
+     */
+    public Interpreter(Component component, List<Value> arguments, Choice choice) {
+        network = Network.of(component, arguments);
+        List<Actor> actors = actors(network, new RememberedChoice(choice, decisions));
+        engine =
+                component.profile() == Component.Profile.TIME_SYNCHRONOUS
+                        ? new Slices(network, actors)
+                        : new Events(network, actors);
+    }
+
+    private static List<Actor> actors(Network network, Choice choice) {
+        Map<Component, Map<List<Value>, Behaviour>> behaviours = new IdentityHashMap<>();
+        List<Actor> actors = new ArrayList<>(network.instances().size());
+        for (Network.Instance instance : network.instances()) {
+            Behaviour behaviour =
+                    behaviours
+                            .computeIfAbsent(instance.component(), c -> new HashMap<>())
+                            .computeIfAbsent(
+                                    instance.arguments(),
+                                    a -> Behaviour.of(instance.component(), a));
+            actors.add(new Actor(instance, behaviour, choice));
+        }
+        return actors;
+    }
+
+    @Override
+    public Component component() {
+        return network.component();
+    }
+
+    /** The network that runs, with its external ports. */
+    public Network network() {
+        return network;
+    }
+
+    /** The real choices so far, one line each, such as {@code slice 3: driving -> waiting}. */
+    public List<String> decisions() {
+        return List.copyOf(decisions);
+    }
+
+    @Override
+    public Trace.Step step(Letter input) {
+        try {
+            return engine.step(input, number++);
+        } catch (Fault | ModelError problem) {
+            throw new ModelError(unit() + " " + (number - 1) + ": " + problem.getMessage());
+        }
+    }
+
+    private String unit() {
+        return component().profile() == Component.Profile.TIME_SYNCHRONOUS ? "slice" : "step";
+    }
+}

@@ -1,0 +1,74 @@
+package arcomat.simulate;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.rt.Choice;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Execution;
+import arcomat.semantics.Network;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Lets an execution run over letters, given or drawn. */
+public final class Simulation {
+    private Simulation() {}
+
+    /**
+     * Performs a step per letter. Where the model goes wrong the trace ends and says why.
+     *
+     * @param execution that has not stepped yet
+     */
+    public static Trace run(Execution execution, List<Letter> letters) {
+        List<Trace.Step> steps = new ArrayList<>(letters.size());
+        for (Letter letter : letters) {
+            try {
+                steps.add(execution.step(letter));
+            } catch (ModelError error) {
+                return new Trace(execution.component(), steps, Optional.of(error.getMessage()));
+            }
+        }
+        return new Trace(execution.component(), steps, Optional.empty());
+    }
+
+    /**
+     * Letters at random over the external inputs of a network, platform components included: in a
+     * slice a port carries a message with the given chance, and always if it is total; in the
+     * event-driven profile a letter is one event, and now and then a latched port changes.
+     *
+     * @param chance of a message on a port in a slice, in percent
+     */
+    public static List<Letter> randomLetters(Network network, int seed, int count, int chance) {
+        Choice generator = new Choice(seed);
+        boolean timed = network.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+        List<Letter> letters = new ArrayList<>(count);
+        for (int i = 0; i < count; i++) {
+            letters.add(timed ? slice(network, generator, chance) : event(network, generator));
+        }
+        return letters;
+    }
+
+    private static Letter slice(Network network, Choice generator, int chance) {
+        Map<String, Value> messages = new LinkedHashMap<>();
+        for (Network.External input : network.inputs()) {
+            if (input.port().total() || generator.next(100) < chance) {
+                messages.put(input.name(), RandomValues.draw(input.port().type(), generator));
+            }
+        }
+        return Letter.of(messages);
+    }
+
+    private static Letter event(Network network, Choice generator) {
+        if (network.inputs().isEmpty()) {
+            return Letter.SILENCE;
+        }
+        int chosen = generator.next(network.inputs().size());
+        Network.External input = network.inputs().get(chosen);
+        return Letter.of(Map.of(input.name(), RandomValues.draw(input.port().type(), generator)));
+    }
+}

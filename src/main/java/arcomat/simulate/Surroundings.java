@@ -1,0 +1,51 @@
+package arcomat.simulate;
+
+import arcomat.model.Letter;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Network;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/** The border of a network: only known ports, only messages of their types. */
+final class Surroundings {
+    private final Network network;
+    private final Map<String, Network.External> inputs = new HashMap<>();
+
+    Surroundings(Network network) {
+        this.network = network;
+        network.inputs().forEach(external -> inputs.put(external.name(), external));
+    }
+
+    /**
+     * @throws IllegalArgumentException for a port that does not exist
+     * @throws ModelError for a number outside the range of its port
+     */
+    void requireKnownPorts(Letter letter) {
+        letter.messages()
+                .forEach(
+                        (name, values) -> {
+                            Network.External external = inputs.get(name);
+                            if (external == null) {
+                                throw new IllegalArgumentException(
+                                        network.component().name() + " has no input " + name);
+                            }
+                            values.forEach(value -> requireRange(external, value));
+                        });
+    }
+
+    private static void requireRange(Network.External external, Value value) {
+        if (external.port().type() instanceof Type.IntegerType type
+                && value instanceof Value.IntegerValue number
+                && (number.value() < type.low() || number.value() > type.high())) {
+            throw new ModelError(
+                    external.name()
+                            + " = "
+                            + value
+                            + " from outside is not of type "
+                            + type.name());
+        }
+    }
+}
