@@ -1,0 +1,95 @@
+package arcomat.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.source.SourceFile;
+import arcomat.syntax.Parser;
+import arcomat.syntax.antlr.ArcomatLexer;
+import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.syntax.antlr.ArcomatParser.ExpressionUnitContext;
+
+import org.antlr.v4.runtime.CharStreams;
+import org.antlr.v4.runtime.CommonTokenStream;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.tree.ParseTree;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** The language reference tells the truth, and the whole of it. */
+class LanguageReferenceTest {
+    private static final Set<String> LANGUAGES = Set.of("arc", "cd", "ioautomaton", "mt");
+
+    private static List<Fence> examples;
+
+    @BeforeAll
+    static void readPage() throws IOException {
+        examples =
+                Fence.of(Path.of("docs/language.md")).stream()
+                        .filter(fence -> LANGUAGES.contains(fence.language()))
+                        .toList();
+    }
+
+    @Test
+    void everyExampleParses() {
+        for (Fence example : examples) {
+            assertThat(Parser.parse(file(example)).findings()).as(example.toString()).isEmpty();
+        }
+    }
+
+    /** An example for every production: none of the parser's rules and alternatives is missing. */
+    @Test
+    void everyProductionHasAnExample() {
+        Set<Class<?>> shown = new HashSet<>();
+        examples.forEach(example -> collect(tree(example), shown));
+
+        List<String> missing =
+                productions().stream()
+                        .filter(production -> !shown.contains(production))
+                        .map(Class::getSimpleName)
+                        .sorted()
+                        .toList();
+
+        assertThat(missing).isEmpty();
+    }
+
+    /** A record per rule or labelled alternative; a rule with labels is only their common type. */
+    private static List<Class<?>> productions() {
+        List<Class<?>> productions = new ArrayList<>(List.of(ArcomatParser.class.getClasses()));
+        Set<Class<?>> common = new HashSet<>();
+        productions.forEach(production -> common.add(production.getSuperclass()));
+        productions.removeAll(common);
+        productions.remove(ExpressionUnitContext.class); // an entry for tools, not part of a file
+        productions.removeIf(production -> !ParserRuleContext.class.isAssignableFrom(production));
+        return productions;
+    }
+
+    private static void collect(ParseTree tree, Set<Class<?>> shown) {
+        shown.add(tree.getClass());
+        for (int i = 0; i < tree.getChildCount(); i++) {
+            collect(tree.getChild(i), shown);
+        }
+    }
+
+    private static ParserRuleContext tree(Fence example) {
+        ArcomatLexer lexer = new ArcomatLexer(CharStreams.fromString(example.text()));
+        ArcomatParser parser = new ArcomatParser(new CommonTokenStream(lexer));
+        return switch (example.language()) {
+            case "arc" -> parser.arcUnit();
+            case "cd" -> parser.classDiagramUnit();
+            case "mt" -> parser.testSuiteUnit();
+            case "ioautomaton" -> parser.automatonUnit();
+            default -> throw new AssertionError(example.language());
+        };
+    }
+
+    private static SourceFile file(Fence example) {
+        return new SourceFile("line" + example.line() + "." + example.language(), example.text());
+    }
+}
