@@ -8,16 +8,29 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.function.Function;
+
 /** The command line without the process around it: arguments and a console in, exit status out. */
 public final class Cli {
     /** Set to any text, it shows the stack trace of an internal error. */
     static final String DEBUG = "ARCOMAT_DEBUG";
 
+    /** In the order of their use. */
+    private static final Map<String, Function<Console, Command>> COMMANDS = new LinkedHashMap<>();
+
+    static {
+        COMMANDS.put("check", CheckCommand::new);
+        COMMANDS.put("format", FormatCommand::new);
+        COMMANDS.put("explain", ExplainCommand::new);
+    }
+
     private Cli() {}
 
     public static int run(String[] args, Console console) {
         try {
-            return commandLine(console).execute(args);
+            return commandLine(args, console).execute(args);
         } catch (StackOverflowError | OutOfMemoryError e) {
             return internalError(e, console);
         } finally {
@@ -26,17 +39,20 @@ public final class Cli {
         }
     }
 
-    private static CommandLine commandLine(Console console) {
+    private static CommandLine commandLine(String[] arguments, Console console) {
         Ansi ansi = console.style() == Style.COLOURED ? Ansi.ON : Ansi.OFF;
-        return new CommandLine(new ArcomatCommand())
-                .addSubcommand(new CheckCommand(console))
-                .addSubcommand(new FormatCommand(console))
-                .addSubcommand(new ExplainCommand(console))
-                .setOut(console.out())
+        CommandLine line = new CommandLine(new ArcomatCommand());
+        Map<String, Function<Console, Command>> wanted = COMMANDS;
+        if (arguments.length > 0 && COMMANDS.containsKey(arguments[0])) {
+            // Reading the annotations of the other commands would double the time of a short run.
+            wanted = Map.of(arguments[0], COMMANDS.get(arguments[0]));
+        }
+        wanted.values().forEach(command -> line.addSubcommand(command.apply(console)));
+        return line.setOut(console.out())
                 .setErr(console.err())
                 .setColorScheme(CommandLine.Help.defaultColorScheme(ansi))
-                .setParameterExceptionHandler((e, arguments) -> wrongArguments(e, console))
-                .setExecutionExceptionHandler((e, line, parsed) -> failure(e, console));
+                .setParameterExceptionHandler((e, given) -> wrongArguments(e, console))
+                .setExecutionExceptionHandler((e, failed, parsed) -> failure(e, console));
     }
 
     private static int wrongArguments(ParameterException e, Console console) {

@@ -1,0 +1,19 @@
+#!/bin/sh
+# Starts Arcomat. JAVA_HOME names the Java to use, JAVA_OPTS adds options for it.
+app=$(CDPATH= cd -- "$(dirname -- "$(readlink -f -- "$0")")/.." && pwd -P)
+java=${JAVA_HOME:+$JAVA_HOME/bin/}java
+if ! command -v "$java" >/dev/null 2>&1; then
+    echo "arcomat: no Java found; install Java 17 or later, or set JAVA_HOME" >&2
+    exit 2
+fi
+
+# Commands that are over in a moment do not live to see the optimising compiler pay.
+case ${1-} in
+    simulate | test | generate) compiler= ;;
+    *) compiler=-XX:TieredStopAtLevel=1 ;;
+esac
+
+# Classes are mapped from an archive that was made with the installation. Another Java, or an
+# installation that was moved, starts without it, a little later; nobody needs to be told.
+exec "$java" -Xshare:auto -XX:SharedArchiveFile="$app/lib/arcomat.jsa" -Xlog:disable \
+    -XX:+UseSerialGC $compiler $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"
