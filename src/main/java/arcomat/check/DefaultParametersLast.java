@@ -1,0 +1,35 @@
+package arcomat.check;
+
+import arcomat.tree.Component;
+import arcomat.tree.Parameter;
+
+/**
+ * ARC0119: parameters with a default value stand behind those without, because arguments are matched
+ * from the left. (Wor16 MR)
+ */
+final class DefaultParametersLast implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0119");
+    }
+
+    @Override
+    public void check(Component component, Context context, Findings findings) {
+        Parameter withDefault = null;
+        for (Parameter parameter : component.parameters()) {
+            if (parameter.initial().isPresent()) {
+                withDefault = withDefault == null ? parameter : withDefault;
+            } else if (withDefault != null) {
+                findings.report(
+                                parameter.name(),
+                                "parameter '"
+                                        + parameter.name()
+                                        + "' has no default value but '"
+                                        + withDefault.name()
+                                        + "' before it has; move it to the front or give it one")
+                        .related(withDefault, "has a default value");
+            }
+        }
+    }
+}

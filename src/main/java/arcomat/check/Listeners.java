@@ -1,0 +1,79 @@
+package arcomat.check;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** The checks of one run, sorted by what they look at, each with the list of its findings. */
+final class Listeners {
+
+    record Listener<C extends Check>(C check, Findings findings) {}
+
+    private final List<Listener<Check>> all;
+    final List<Listener<Check.OnWorkspace>> onWorkspace;
+    final List<Listener<Check.OnUnit>> onUnit;
+    final List<Listener<Check.OnComponent>> onComponent;
+    final List<Listener<Check.OnPort>> onPort;
+    final List<Listener<Check.OnSubcomponent>> onSubcomponent;
+    final List<Listener<Check.OnAutomaton>> onAutomaton;
+    final List<Listener<Check.OnState>> onState;
+    final List<Listener<Check.OnInitial>> onInitial;
+    final List<Listener<Check.OnTransition>> onTransition;
+    final List<Listener<Check.OnBlock>> onBlock;
+    final List<Listener<Check.OnTable>> onTable;
+    final List<Listener<Check.OnExpression>> onExpression;
+    final List<Listener<Check.OnType>> onType;
+    final List<Listener<Check.OnVariable>> onVariable;
+    final List<Listener<Check.OnStereotypes>> onStereotypes;
+    final List<Listener<Check.OnClassDiagram>> onClassDiagram;
+    final List<Listener<Check.OnTestSuite>> onTestSuite;
+
+    /** The checks whose laws hold in a profile. */
+    Listeners(List<Check> checks, Profile profile) {
+        all = new ArrayList<>();
+        for (Check check : checks) {
+            Law law = check.law();
+            law.severity(profile)
+                    .ifPresent(
+                            severity ->
+                                    all.add(
+                                            new Listener<>(
+                                                    check, new Findings(law.code(), severity))));
+        }
+        onWorkspace = those(Check.OnWorkspace.class);
+        onUnit = those(Check.OnUnit.class);
+        onComponent = those(Check.OnComponent.class);
+        onPort = those(Check.OnPort.class);
+        onSubcomponent = those(Check.OnSubcomponent.class);
+        onAutomaton = those(Check.OnAutomaton.class);
+        onState = those(Check.OnState.class);
+        onInitial = those(Check.OnInitial.class);
+        onTransition = those(Check.OnTransition.class);
+        onBlock = those(Check.OnBlock.class);
+        onTable = those(Check.OnTable.class);
+        onExpression = those(Check.OnExpression.class);
+        onType = those(Check.OnType.class);
+        onVariable = those(Check.OnVariable.class);
+        onStereotypes = those(Check.OnStereotypes.class);
+        onClassDiagram = those(Check.OnClassDiagram.class);
+        onTestSuite = those(Check.OnTestSuite.class);
+    }
+
+    private <C extends Check> List<Listener<C>> those(Class<C> kind) {
+        List<Listener<C>> chosen = new ArrayList<>();
+        for (Listener<Check> listener : all) {
+            if (kind.isInstance(listener.check())) {
+                chosen.add(new Listener<>(kind.cast(listener.check()), listener.findings()));
+            }
+        }
+        return chosen;
+    }
+
+    /** What every check has found so far. */
+    List<Findings> findings() {
+        List<Findings> found = new ArrayList<>();
+        for (Listener<Check> listener : all) {
+            found.add(listener.findings());
+        }
+        return found;
+    }
+}

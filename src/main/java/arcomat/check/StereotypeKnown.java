@@ -1,0 +1,46 @@
+package arcomat.check;
+
+import arcomat.source.Fix;
+import arcomat.tree.Node;
+import arcomat.tree.Stereotype;
+
+import java.util.List;
+
+/** ARC0501: a stereotype is one of those that mean something. */
+final class StereotypeKnown implements Check.OnStereotypes {
+
+    @Override
+    public Law law() {
+        return Law.warning("ARC0501");
+    }
+
+    @Override
+    public void check(
+            List<Stereotype> stereotypes,
+            Carrier carrier,
+            Node owner,
+            Context context,
+            Findings findings) {
+        for (Stereotype stereotype : stereotypes) {
+            String name = stereotype.name().text();
+            if (KnownStereotype.find(name).isEmpty()) {
+                report(stereotype, name, findings);
+            }
+        }
+    }
+
+    private static void report(Stereotype stereotype, String name, Findings findings) {
+        List<String> known = KnownStereotype.names();
+        findings.report(
+                stereotype.name(),
+                "stereotype '" + name + "' means nothing here" + Spelling.hint(name, known));
+        Spelling.nearest(name, known)
+                .ifPresent(
+                        nearest ->
+                                findings.fix(
+                                        Fix.replace(
+                                                "Replace '" + name + "' by '" + nearest + "'",
+                                                stereotype.name().span(),
+                                                nearest)));
+    }
+}

@@ -1,0 +1,58 @@
+package arcomat.check;
+
+import arcomat.tree.Name;
+import arcomat.tree.Node;
+import arcomat.tree.Stereotype;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** ARC0506: who suppresses a finding names its code and a reason. */
+final class SuppressWellFormed implements Check.OnStereotypes {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0506");
+    }
+
+    @Override
+    public void check(
+            List<Stereotype> stereotypes,
+            Carrier carrier,
+            Node owner,
+            Context context,
+            Findings findings) {
+        for (Stereotype stereotype : stereotypes) {
+            if (stereotype.name().text().equals(Suppressions.STEREOTYPE)) {
+                check(stereotype, findings);
+            }
+        }
+    }
+
+    private static void check(Stereotype stereotype, Findings findings) {
+        Optional<Suppressions.Value> value =
+                stereotype.value().map(Name::text).flatMap(Suppressions.Value::parse);
+        if (value.isEmpty()) {
+            findings.report(
+                    stereotype,
+                    "'suppress' needs a code and a reason, as in <<suppress = \"ARC0108: reason\">>");
+            return;
+        }
+        String code = value.get().code();
+        List<String> codes = codes();
+        if (!codes.contains(code)) {
+            findings.report(
+                    stereotype.value().get(),
+                    "no check has the code '" + code + "'; 'suppress' takes the code of a finding");
+        }
+    }
+
+    private static List<String> codes() {
+        List<String> codes = new ArrayList<>();
+        for (Check check : Checks.ALL) {
+            codes.add(check.law().code());
+        }
+        return codes;
+    }
+}

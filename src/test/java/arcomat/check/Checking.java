@@ -1,0 +1,33 @@
+package arcomat.check;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
+import arcomat.syntax.Parsed;
+import arcomat.syntax.Parser;
+import arcomat.tree.Unit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** Text in, review out: what the tests of this room need of the rooms below. */
+final class Checking {
+    private Checking() {}
+
+    static Review review(List<SourceFile> files, Profile profile) {
+        List<Unit> units = new ArrayList<>();
+        for (SourceFile file : files) {
+            Parsed parsed = Parser.parse(file);
+            if (!parsed.findings().isEmpty()) {
+                throw new AssertionError(syntaxError(parsed.findings().get(0)));
+            }
+            units.add(parsed.unit().orElseThrow());
+        }
+        return Checks.review(Workspace.of(units, Set.of()), profile);
+    }
+
+    private static String syntaxError(Diagnostic finding) {
+        return finding.span() + ": " + finding.code() + " " + finding.message();
+    }
+}

@@ -1,0 +1,195 @@
+package arcomat.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import static java.util.Comparator.comparing;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.TextEdit;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+
+/**
+ * Each check against its data: {@code src/test/resources/check/PortUniqueSender.arc}, or all files
+ * of a folder of that name. What a file does not expect fails, and so does what it expects in vain.
+ */
+class ChecksTest {
+    private static final Path DATA = Path.of("src/test/resources/check");
+    private static final Path EXPLAIN = Path.of("src/main/resources/explain");
+    private static final Path ACTUAL = Path.of("build/check-actual");
+
+    @TestFactory
+    Stream<DynamicTest> findsWhatTheDataFilesExpect() {
+        return dataFiles(DATA).stream()
+                .map(path -> DynamicTest.dynamicTest(name(path), () -> compare(path)));
+    }
+
+    private static void compare(Path path) throws IOException {
+        DataFile data = DataFile.read(path);
+        List<Diagnostic> findings = Checking.review(data.files(), data.profile()).findings();
+        List<Expectation> actual = findings.stream().map(Expectation::of).toList();
+        if (!fits(data.expectations(), actual)) {
+            assertThat(actual(path, data.withExpectations(actual)))
+                    .as("expected findings of %s", path)
+                    .isEqualTo(data.withExpectations(data.expectations()));
+        }
+        for (Diagnostic finding : findings) {
+            checkFix(data, finding);
+        }
+    }
+
+    private static boolean fits(List<Expectation> expected, List<Expectation> actual) {
+        List<Expectation> open = new ArrayList<>(actual);
+        for (Expectation expectation : expected) {
+            Expectation met =
+                    open.stream().filter(expectation::isMetBy).findFirst().orElse(null);
+            if (!open.remove(met)) {
+                return false;
+            }
+        }
+        return open.isEmpty();
+    }
+
+    /** Keeps what was found, in the form of the data file, to be compared and copied. */
+    private static String actual(Path path, String text) throws IOException {
+        Path copy = ACTUAL.resolve(DATA.relativize(path));
+        Files.createDirectories(copy.getParent());
+        Files.writeString(copy, text);
+        return text;
+    }
+
+    private static void checkFix(DataFile data, Diagnostic finding) {
+        if (finding.fix().isEmpty()) {
+            return;
+        }
+        List<SourceFile> mended =
+                data.files().stream().map(f -> apply(finding.fix().get().edits(), f)).toList();
+        long before = count(data.files(), data.profile(), finding.code());
+        assertThat(count(mended, data.profile(), finding.code()))
+                .as("findings %s after: %s", finding.code(), finding.fix().get().title())
+                .isLessThan(before);
+    }
+
+    private static long count(List<SourceFile> files, Profile profile, String code) {
+        return Checking.review(files, profile).findings().stream()
+                .filter(f -> f.code().equals(code))
+                .count();
+    }
+
+    private static SourceFile apply(List<TextEdit> edits, SourceFile file) {
+        StringBuilder text = new StringBuilder(file.text());
+        edits.stream()
+                .filter(e -> e.span().file().path().equals(file.path()))
+                .sorted(comparing((TextEdit e) -> e.span().start()).reversed())
+                .forEach(e -> text.replace(e.span().start(), e.span().end(), e.text()));
+        return new SourceFile(file.path(), text.toString());
+    }
+
+    @TestFactory
+    Stream<DynamicTest> everyCheckIsComplete() {
+        return Checks.ALL.stream()
+                .map(check -> DynamicTest.dynamicTest(name(check), () -> checkComplete(check)));
+    }
+
+    private static void checkComplete(Check check) throws IOException {
+        String code = check.law().code();
+        assertThat(EXPLAIN.resolve(code + ".md")).content().startsWith("# " + code + " ");
+        List<DataFile> data = new ArrayList<>();
+        for (Path path : dataFilesOf(check)) {
+            data.add(DataFile.read(path));
+        }
+        assertThat(data).as("data files of %s", name(check)).isNotEmpty();
+        List<Expectation> expected =
+                data.stream()
+                        .flatMap(d -> d.expectations().stream())
+                        .filter(e -> e.code().equals(code))
+                        .toList();
+        assertThat(expected).as("bad examples of %s", name(check)).isNotEmpty();
+        assertThat(expected)
+                .as("one expectation of %s with its message", name(check))
+                .anyMatch(e -> !e.message().isEmpty());
+        assertThat(data.stream().flatMap(d -> d.files().stream()))
+                .as("good examples of %s", name(check))
+                .anyMatch(f -> isGood(f, expected));
+    }
+
+    private static boolean isGood(SourceFile file, List<Expectation> expected) {
+        return file.path().contains("Good")
+                && expected.stream().noneMatch(e -> e.path().equals(file.path()));
+    }
+
+    @Test
+    void everyCheckIsListedOnceInAlphabeticalOrder() throws IOException {
+        List<String> listed = Checks.ALL.stream().map(ChecksTest::name).toList();
+        assertThat(listed).isSorted().doesNotHaveDuplicates();
+        assertThat(new TreeSet<>(listed)).isEqualTo(new TreeSet<>(checkClasses()));
+    }
+
+    private static List<String> checkClasses() throws IOException {
+        try (Stream<Path> files = Files.list(Path.of("src/main/java/arcomat/check"))) {
+            return files.map(p -> p.getFileName().toString())
+                    .filter(n -> n.endsWith(".java"))
+                    .map(n -> n.substring(0, n.length() - ".java".length()))
+                    .filter(ChecksTest::isCheck)
+                    .toList();
+        }
+    }
+
+    private static boolean isCheck(String simpleName) {
+        try {
+            Class<?> type = Class.forName("arcomat.check." + simpleName);
+            return Check.class.isAssignableFrom(type) && !type.isInterface();
+        } catch (ClassNotFoundException e) {
+            return false;
+        }
+    }
+
+    @Test
+    void everyCodeIsUsedOnce() {
+        assertThat(Checks.ALL.stream().map(c -> c.law().code()))
+                .doesNotHaveDuplicates()
+                .allMatch(code -> code.matches("ARC\\d{4}"));
+    }
+
+    @Test
+    void everyDataFileBelongsToACheck() {
+        List<String> names = Checks.ALL.stream().map(ChecksTest::name).toList();
+        assertThat(dataFiles(DATA)).allMatch(path -> names.contains(owner(path)));
+    }
+
+    private static String name(Check check) {
+        return check.getClass().getSimpleName();
+    }
+
+    private static String name(Path path) {
+        return DATA.relativize(path).toString();
+    }
+
+    private static String owner(Path path) {
+        return DATA.relativize(path).getName(0).toString().replace(".arc", "");
+    }
+
+    private static List<Path> dataFilesOf(Check check) {
+        return dataFiles(DATA).stream().filter(p -> owner(p).equals(name(check))).toList();
+    }
+
+    private static List<Path> dataFiles(Path folder) {
+        try (Stream<Path> paths = Files.walk(folder)) {
+            return paths.filter(Files::isRegularFile).sorted(Comparator.naturalOrder()).toList();
+        } catch (IOException e) {
+            throw new java.io.UncheckedIOException(e);
+        }
+    }
+}
