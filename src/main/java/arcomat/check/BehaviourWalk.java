@@ -1,118 +1,129 @@
 package arcomat.check;
 
 import arcomat.check.Listeners.Listener;
-import arcomat.tree.Automaton;
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.InitialSymbol;
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.ItemSymbol.Side;
+import arcomat.symbols.ItemValue;
+import arcomat.symbols.PortSymbol;
+import arcomat.symbols.StateSymbol;
+import arcomat.symbols.TableSymbol;
+import arcomat.symbols.TransitionSymbol;
+import arcomat.symbols.VariableSymbol;
 import arcomat.tree.AutomatonElement;
+import arcomat.tree.AutomatonElement.Declaration;
 import arcomat.tree.Block;
-import arcomat.tree.IoTable;
-import arcomat.tree.Node;
-import arcomat.tree.Stereotype;
-import arcomat.tree.Variable;
 
 import java.util.List;
 
 /** The part of the walk that goes through automata and tables. */
 final class BehaviourWalk {
     private final Listeners listeners;
-    private final Suppressions suppressions;
+    private final StereotypeWalk stereotypes;
     private final ExpressionWalk expressions;
 
-    BehaviourWalk(Listeners listeners, Suppressions suppressions, ExpressionWalk expressions) {
+    BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, ExpressionWalk expressions) {
         this.listeners = listeners;
-        this.suppressions = suppressions;
+        this.stereotypes = stereotypes;
         this.expressions = expressions;
     }
 
-    void automaton(Automaton automaton, Context around) {
+    void automaton(AutomatonSymbol automaton, Context around) {
         Context context = around.in(automaton);
-        stereotypes(automaton.stereotypes(), Carrier.AUTOMATON, automaton, context);
+        stereotypes.visit(
+                automaton.node().stereotypes(), Carrier.AUTOMATON, automaton.node(), context);
         for (Listener<Check.OnAutomaton> each : listeners.onAutomaton) {
             each.check().check(automaton, context, each.findings());
         }
-        for (AutomatonElement element : automaton.elements()) {
-            element(element, context);
+        declarations(automaton, context);
+        for (StateSymbol state : automaton.states()) {
+            state(state, context);
         }
-    }
-
-    private void element(AutomatonElement element, Context context) {
-        if (element instanceof AutomatonElement.Transition transition) {
+        initials(automaton, context);
+        for (TransitionSymbol transition : automaton.transitions()) {
             transition(transition, context);
-        } else if (element instanceof AutomatonElement.States states) {
-            for (AutomatonElement.State state : states.states()) {
-                state(state, context);
-            }
-        } else if (element instanceof AutomatonElement.Initial initial) {
-            initial(initial, context);
-        } else if (element instanceof AutomatonElement.Declaration declaration) {
-            expressions.type(declaration.type(), context);
-            for (Variable variable : declaration.variables()) {
-                expressions.variable(variable, declaration.type(), context);
-            }
-        } else {
-            throw new AssertionError(element);
         }
     }
 
-    private void state(AutomatonElement.State state, Context context) {
-        stereotypes(state.stereotypes(), Carrier.STATE, state, context);
+    private void declarations(AutomatonSymbol automaton, Context context) {
+        for (Declaration declaration : automaton.node().elements(Declaration.class)) {
+            expressions.type(declaration.type(), context);
+        }
+        for (PortSymbol port : automaton.declaredPorts()) {
+            for (Listener<Check.OnPort> each : listeners.onPort) {
+                each.check().check(port, context, each.findings());
+            }
+        }
+        for (VariableSymbol variable : automaton.variables()) {
+            expressions.variable(variable, context);
+        }
+    }
+
+    private void state(StateSymbol state, Context context) {
+        stereotypes.visit(state.node().stereotypes(), Carrier.STATE, state.node(), context);
         for (Listener<Check.OnState> each : listeners.onState) {
             each.check().check(state, context, each.findings());
         }
     }
 
-    private void initial(AutomatonElement.Initial initial, Context context) {
-        for (Listener<Check.OnInitial> each : listeners.onInitial) {
-            each.check().check(initial, context, each.findings());
+    /** A clause that names several states has one block for all of them. */
+    private void initials(AutomatonSymbol automaton, Context context) {
+        AutomatonElement.Initial last = null;
+        for (InitialSymbol symbol : automaton.initials()) {
+            AutomatonElement.Initial initial = symbol.node();
+            if (initial != last) {
+                for (Listener<Check.OnInitial> each : listeners.onInitial) {
+                    each.check().check(initial, context, each.findings());
+                }
+                if (initial.output().isPresent()) {
+                    block(initial.output().get(), symbol.items(), context.in(Side.INITIAL));
+                }
+            }
+            last = initial;
         }
-        initial.output().ifPresent(block -> block(block, context.in(BlockSide.INITIAL)));
     }
 
-    private void transition(AutomatonElement.Transition transition, Context around) {
+    private void transition(TransitionSymbol transition, Context around) {
         Context context = around.in(transition);
         for (Listener<Check.OnTransition> each : listeners.onTransition) {
             each.check().check(transition, context, each.findings());
         }
-        transition.guard().ifPresent(guard -> expressions.one(guard.condition(), context));
-        transition.input().ifPresent(block -> block(block, context.in(BlockSide.INPUT)));
-        transition.output().ifPresent(block -> block(block, context.in(BlockSide.OUTPUT)));
+        expressions.optional(transition.guard(), context);
+        if (transition.node().input().isPresent()) {
+            block(transition.node().input().get(), transition.input(), context.in(Side.INPUT));
+        }
+        if (transition.node().output().isPresent()) {
+            block(transition.node().output().get(), transition.output(), context.in(Side.OUTPUT));
+        }
     }
 
-    private void block(Block block, Context context) {
+    private void block(Block block, List<ItemSymbol> items, Context context) {
         for (Listener<Check.OnBlock> each : listeners.onBlock) {
-            each.check().check(block, context, each.findings());
+            each.check().check(block, items, context, each.findings());
         }
-        for (Block.Item item : block.items()) {
-            if (item instanceof Block.Message message) {
-                expressions.value(message.value(), context);
-            } else if (item instanceof Block.Call call) {
-                expressions.one(call.expression(), context);
+        for (ItemSymbol item : items) {
+            for (Listener<Check.OnItem> each : listeners.onItem) {
+                each.check().check(item, context, each.findings());
             }
+            expressions.all(item.value().expressions(), context);
         }
     }
 
-    void table(IoTable table, Context context) {
-        stereotypes(table.stereotypes(), Carrier.TABLE, table, context);
+    void table(TableSymbol table, Context context) {
+        stereotypes.visit(table.node().stereotypes(), Carrier.TABLE, table.node(), context);
         for (Listener<Check.OnTable> each : listeners.onTable) {
             each.check().check(table, context, each.findings());
         }
-        for (IoTable.Row row : table.rows()) {
-            for (Block.Value value : row.inputs()) {
-                expressions.value(value, context.in(BlockSide.INPUT));
-            }
-            for (Block.Value value : row.outputs()) {
-                expressions.value(value, context.in(BlockSide.OUTPUT));
-            }
+        for (TableSymbol.Row row : table.rows()) {
+            cells(row.inputs(), context.in(Side.INPUT));
+            cells(row.outputs(), context.in(Side.OUTPUT));
         }
     }
 
-    void stereotypes(
-            List<Stereotype> stereotypes, Carrier carrier, Node owner, Context context) {
-        if (stereotypes.isEmpty()) {
-            return;
-        }
-        suppressions.add(stereotypes, owner);
-        for (Listener<Check.OnStereotypes> each : listeners.onStereotypes) {
-            each.check().check(stereotypes, carrier, owner, context, each.findings());
+    private void cells(List<ItemValue> cells, Context context) {
+        for (ItemValue cell : cells) {
+            expressions.all(cell.expressions(), context);
         }
     }
 }

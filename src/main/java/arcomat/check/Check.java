@@ -1,33 +1,40 @@
 package arcomat.check;
 
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.DiagramSymbol;
+import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.PortSymbol;
+import arcomat.symbols.StateSymbol;
+import arcomat.symbols.StreamTestSymbol;
+import arcomat.symbols.TableSymbol;
+import arcomat.symbols.TestSuiteSymbol;
+import arcomat.symbols.TransitionSymbol;
+import arcomat.symbols.Typed;
+import arcomat.symbols.VariableSymbol;
 import arcomat.symbols.Workspace;
-import arcomat.tree.Automaton;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.Block;
-import arcomat.tree.ClassDiagram;
-import arcomat.tree.Component;
-import arcomat.tree.Element;
-import arcomat.tree.Expression;
-import arcomat.tree.IoTable;
 import arcomat.tree.Node;
+import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
-import arcomat.tree.TestSuite;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
-import arcomat.tree.Variable;
 
 import java.util.List;
 
 /**
- * A context condition. A check implements the interfaces of the nodes that it wants to see; one
- * walk over the workspace, in text order, shows each node to the checks that asked for its kind. A
- * check has no state: what it needs to know beyond the node is in the context or in the symbols.
+ * A context condition. A check implements the interfaces of the things that it wants to see; one
+ * walk over the workspace shows each thing to the checks that asked for its kind, once and where it
+ * is declared, not where it is inherited. A check has no state: what it needs to know beyond the
+ * thing is in the context.
  */
 interface Check {
 
     Law law();
 
-    /** Called once, for laws about files or about the network of all components. */
+    /** Called once, for laws about all files together. */
     interface OnWorkspace extends Check {
         void check(Workspace workspace, Findings findings);
     }
@@ -38,58 +45,70 @@ interface Check {
 
     /** Called for top-level and inner components; the context's component is the visited one. */
     interface OnComponent extends Check {
-        void check(Component component, Context context, Findings findings);
+        void check(ComponentSymbol component, Context context, Findings findings);
     }
 
+    /** Called for the ports of components, and for the inputs and outputs of automata. */
     interface OnPort extends Check {
-        void check(Element.Port port, Context context, Findings findings);
+        void check(PortSymbol port, Context context, Findings findings);
     }
 
-    interface OnSubcomponent extends Check {
-        void check(Element.Subcomponent subcomponent, Context context, Findings findings);
+    interface OnInstance extends Check {
+        void check(InstanceSymbol instance, Context context, Findings findings);
     }
 
     interface OnAutomaton extends Check {
-        void check(Automaton automaton, Context context, Findings findings);
+        void check(AutomatonSymbol automaton, Context context, Findings findings);
     }
 
     interface OnState extends Check {
-        void check(AutomatonElement.State state, Context context, Findings findings);
+        void check(StateSymbol state, Context context, Findings findings);
     }
 
+    /** Called once for a clause, however many states it names. */
     interface OnInitial extends Check {
         void check(AutomatonElement.Initial initial, Context context, Findings findings);
     }
 
     interface OnTransition extends Check {
-        void check(AutomatonElement.Transition transition, Context context, Findings findings);
+        void check(TransitionSymbol transition, Context context, Findings findings);
     }
 
-    /** Called for the blocks of transitions and initial states; the context knows the side. */
+    /**
+     * Called for the blocks of transitions and initial states; the context knows the side. Calls
+     * and increments are in the block, but not among the items.
+     */
     interface OnBlock extends Check {
-        void check(Block block, Context context, Findings findings);
+        void check(Block block, List<ItemSymbol> items, Context context, Findings findings);
+    }
+
+    interface OnItem extends Check {
+        void check(ItemSymbol item, Context context, Findings findings);
     }
 
     interface OnTable extends Check {
-        void check(IoTable table, Context context, Findings findings);
+        void check(TableSymbol table, Context context, Findings findings);
     }
 
-    /** Called for every expression and every part of it, the whole before its parts. */
+    /**
+     * Called for every expression as a whole, with the problems of its parts: guards, item values,
+     * cells, initial values, arguments, messages of tests.
+     */
     interface OnExpression extends Check {
-        void check(Expression expression, Context context, Findings findings);
+        void check(Typed expression, Context context, Findings findings);
     }
 
-    /** Called for every type as written, type arguments included. */
+    /** Called for every message type as written, also as the type argument of a component. */
     interface OnType extends Check {
         void check(TypeReference type, Context context, Findings findings);
     }
 
-    /** Called for variables of components and automata, and for the fields of test suites. */
+    /** Called for variables of components and of automata. */
     interface OnVariable extends Check {
-        void check(Variable variable, TypeReference type, Context context, Findings findings);
+        void check(VariableSymbol variable, Context context, Findings findings);
     }
 
-    /** Called for every node that can carry stereotypes and does. */
+    /** Called for every node that carries stereotypes. */
     interface OnStereotypes extends Check {
         void check(
                 List<Stereotype> stereotypes,
@@ -99,11 +118,23 @@ interface Check {
                 Findings findings);
     }
 
+    /**
+     * Called behind a file with imports, with every name in it that an import may explain: of
+     * types, of components, and those in expressions.
+     */
+    interface OnNames extends Check {
+        void check(Unit unit, List<QualifiedName> names, Context context, Findings findings);
+    }
+
     interface OnClassDiagram extends Check {
-        void check(ClassDiagram diagram, Context context, Findings findings);
+        void check(DiagramSymbol diagram, Context context, Findings findings);
     }
 
     interface OnTestSuite extends Check {
-        void check(TestSuite suite, Context context, Findings findings);
+        void check(TestSuiteSymbol suite, Context context, Findings findings);
+    }
+
+    interface OnStreamTest extends Check {
+        void check(StreamTestSymbol test, Context context, Findings findings);
     }
 }

@@ -39,12 +39,11 @@ public final class Checks {
     public static Review review(Workspace workspace, Profile profile) {
         Listeners listeners = new Listeners(ALL, profile);
         Suppressions suppressions = new Suppressions();
-        new Walk(listeners, suppressions).walk(workspace);
+        new Walk(workspace, profile, listeners, suppressions).walk();
         return sort(listeners, suppressions, profile);
     }
 
-    private static Review sort(
-            Listeners listeners, Suppressions suppressions, Profile profile) {
+    private static Review sort(Listeners listeners, Suppressions suppressions, Profile profile) {
         TreeSet<Diagnostic> all = new TreeSet<>(Diagnostic.ORDER);
         for (Findings findings : listeners.findings()) {
             all.addAll(findings.diagnostics());

@@ -1,9 +1,14 @@
 package arcomat.check;
 
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.Resolution;
+import arcomat.symbols.TransitionSymbol;
+import arcomat.symbols.TypeSymbol;
+import arcomat.symbols.UnitScope;
 import arcomat.symbols.Workspace;
-import arcomat.tree.Automaton;
-import arcomat.tree.AutomatonElement;
-import arcomat.tree.Component;
+import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
 
 import java.util.Optional;
@@ -11,22 +16,24 @@ import java.util.Optional;
 /**
  * Where the walk is.
  *
- * @param component the innermost component around the node; empty in other files
- * @param automaton the automaton around the node
- * @param transition the transition around the node
- * @param side the side of the block around the node
+ * @param component the innermost component around the thing; empty in files about other things
+ * @param automaton the automaton around it
+ * @param transition the transition around it
+ * @param side the side of the block or of the table row around it
  */
 record Context(
         Workspace workspace,
+        Profile profile,
         Unit unit,
-        Optional<Component> component,
-        Optional<Automaton> automaton,
-        Optional<AutomatonElement.Transition> transition,
-        Optional<BlockSide> side) {
+        Optional<ComponentSymbol> component,
+        Optional<AutomatonSymbol> automaton,
+        Optional<TransitionSymbol> transition,
+        Optional<ItemSymbol.Side> side) {
 
-    static Context of(Workspace workspace, Unit unit) {
+    static Context of(Workspace workspace, Profile profile, Unit unit) {
         return new Context(
                 workspace,
+                profile,
                 unit,
                 Optional.empty(),
                 Optional.empty(),
@@ -34,9 +41,10 @@ record Context(
                 Optional.empty());
     }
 
-    Context in(Component inner) {
+    Context in(ComponentSymbol inner) {
         return new Context(
                 workspace,
+                profile,
                 unit,
                 Optional.of(inner),
                 Optional.empty(),
@@ -44,9 +52,10 @@ record Context(
                 Optional.empty());
     }
 
-    Context in(Automaton inner) {
+    Context in(AutomatonSymbol inner) {
         return new Context(
                 workspace,
+                profile,
                 unit,
                 component,
                 Optional.of(inner),
@@ -54,12 +63,29 @@ record Context(
                 Optional.empty());
     }
 
-    Context in(AutomatonElement.Transition inner) {
+    Context in(TransitionSymbol inner) {
         return new Context(
-                workspace, unit, component, automaton, Optional.of(inner), Optional.empty());
+                workspace,
+                profile,
+                unit,
+                component,
+                automaton,
+                Optional.of(inner),
+                Optional.empty());
     }
 
-    Context in(BlockSide inner) {
-        return new Context(workspace, unit, component, automaton, transition, Optional.of(inner));
+    Context in(ItemSymbol.Side inner) {
+        return new Context(
+                workspace, profile, unit, component, automaton, transition, Optional.of(inner));
+    }
+
+    /** What the names of the file reach. */
+    UnitScope scope() {
+        return workspace.scope(unit);
+    }
+
+    /** What a message type means here: type parameters of the component come first. */
+    Resolution<TypeSymbol> resolve(TypeReference type) {
+        return component.isPresent() ? component.get().resolveType(type) : scope().type(type);
     }
 }

@@ -1,11 +1,11 @@
 package arcomat.check;
 
-import arcomat.tree.Component;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.tree.Parameter;
 
 /**
- * ARC0119: parameters with a default value stand behind those without, because arguments are matched
- * from the left. (Wor16 MR)
+ * ARC0119: parameters with a default value stand behind those without, because arguments are
+ * matched from the left. (Wor16 MR)
  */
 final class DefaultParametersLast implements Check.OnComponent {
 
@@ -15,9 +15,9 @@ final class DefaultParametersLast implements Check.OnComponent {
     }
 
     @Override
-    public void check(Component component, Context context, Findings findings) {
+    public void check(ComponentSymbol component, Context context, Findings findings) {
         Parameter withDefault = null;
-        for (Parameter parameter : component.parameters()) {
+        for (Parameter parameter : component.node().parameters()) {
             if (parameter.initial().isPresent()) {
                 withDefault = withDefault == null ? parameter : withDefault;
             } else if (withDefault != null) {

@@ -1,104 +1,117 @@
 package arcomat.check;
 
 import arcomat.check.Listeners.Listener;
-import arcomat.tree.Block;
+import arcomat.symbols.Typed;
+import arcomat.symbols.VariableSymbol;
 import arcomat.tree.Expression;
-import arcomat.tree.TestSuite;
+import arcomat.tree.QualifiedName;
 import arcomat.tree.TypeArgument;
 import arcomat.tree.TypeReference;
-import arcomat.tree.Variable;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** The part of the walk that goes through expressions, values and types. */
+/** The part of the walk that goes through expressions and types, and collects their names. */
 final class ExpressionWalk {
     private final Listeners listeners;
+    private List<QualifiedName> names = new ArrayList<>();
 
     ExpressionWalk(Listeners listeners) {
         this.listeners = listeners;
     }
 
-    void variable(Variable variable, TypeReference type, Context context) {
+    /** The names since the last call. */
+    List<QualifiedName> takeNames() {
+        List<QualifiedName> taken = names;
+        names = new ArrayList<>();
+        return taken;
+    }
+
+    void name(QualifiedName name) {
+        names.add(name);
+    }
+
+    void variable(VariableSymbol variable, Context context) {
         for (Listener<Check.OnVariable> each : listeners.onVariable) {
-            each.check().check(variable, type, context, each.findings());
+            each.check().check(variable, context, each.findings());
         }
         optional(variable.initial(), context);
     }
 
-    void value(Block.Value value, Context context) {
-        if (value instanceof Block.Single single) {
-            one(single.expression(), context);
-        } else if (value instanceof Block.Sequence sequence) {
-            all(sequence.messages(), context);
-        } else if (value instanceof Block.Alternatives alternatives) {
-            for (Block.Value each : alternatives.values()) {
-                value(each, context);
-            }
-        }
-    }
-
-    void stream(List<TestSuite.StreamElement> elements, Context context) {
-        for (TestSuite.StreamElement element : elements) {
-            if (element instanceof TestSuite.Message message) {
-                one(message.expression(), context);
-            } else if (element instanceof TestSuite.Repeat repeat) {
-                stream(repeat.elements(), context);
-            }
-        }
-    }
-
-    void optional(Optional<Expression> expression, Context context) {
+    void optional(Optional<Typed> expression, Context context) {
         if (expression.isPresent()) {
             one(expression.get(), context);
         }
     }
 
-    void all(List<Expression> expressions, Context context) {
-        for (Expression expression : expressions) {
+    void all(List<Typed> expressions, Context context) {
+        for (Typed expression : expressions) {
             one(expression, context);
         }
     }
 
-    void one(Expression expression, Context context) {
+    private void one(Typed expression, Context context) {
         for (Listener<Check.OnExpression> each : listeners.onExpression) {
             each.check().check(expression, context, each.findings());
         }
-        if (expression instanceof Expression.Binary binary) {
-            one(binary.left(), context);
-            one(binary.right(), context);
+        parts(expression.expression().node(), context);
+    }
+
+    private void parts(Expression expression, Context context) {
+        if (expression instanceof Expression.Reference reference) {
+            name(reference.name());
+        } else if (expression instanceof Expression.Binary binary) {
+            parts(binary.left(), context);
+            parts(binary.right(), context);
         } else if (expression instanceof Expression.Unary unary) {
-            one(unary.operand(), context);
+            parts(unary.operand(), context);
         } else if (expression instanceof Expression.Absence absence) {
-            one(absence.operand(), context);
+            parts(absence.operand(), context);
         } else if (expression instanceof Expression.Conditional conditional) {
-            one(conditional.condition(), context);
-            one(conditional.then(), context);
-            one(conditional.otherwise(), context);
+            parts(conditional.condition(), context);
+            parts(conditional.then(), context);
+            parts(conditional.otherwise(), context);
         } else if (expression instanceof Expression.Membership membership) {
-            one(membership.element(), context);
-            all(membership.set(), context);
+            parts(membership.element(), context);
+            parts(membership.set(), context);
         } else if (expression instanceof Expression.Cast cast) {
             type(cast.type(), context);
-            one(cast.operand(), context);
+            parts(cast.operand(), context);
         } else if (expression instanceof Expression.InstanceOf test) {
-            one(test.operand(), context);
-            type(test.type(), context);
+            parts(test.operand(), context);
         } else if (expression instanceof Expression.Call call) {
-            optional(call.target(), context);
-            all(call.arguments(), context);
+            call(call, context);
         }
+    }
+
+    private void parts(List<Expression> expressions, Context context) {
+        for (Expression expression : expressions) {
+            parts(expression, context);
+        }
+    }
+
+    /** A call without a target makes an object of a class in stream tests: {@code Cup(5)}. */
+    private void call(Expression.Call call, Context context) {
+        if (call.target().isPresent()) {
+            parts(call.target().get(), context);
+        } else {
+            name(new QualifiedName(call.name().span(), List.of(call.name())));
+        }
+        parts(call.arguments(), context);
     }
 
     void type(TypeReference type, Context context) {
         for (Listener<Check.OnType> each : listeners.onType) {
             each.check().check(type, context, each.findings());
         }
+        componentType(type, context);
+    }
+
+    /** The type of a part or of an ancestor: of message types it has only its arguments. */
+    void componentType(TypeReference type, Context context) {
+        name(type.name());
         typeArguments(type.arguments(), context);
-        if (type.range().isPresent()) {
-            one(type.range().get().low(), context);
-            one(type.range().get().high(), context);
-        }
     }
 
     void typeArguments(List<TypeArgument> arguments, Context context) {

@@ -1,7 +1,7 @@
 package arcomat.check;
 
 import arcomat.source.Span;
-import arcomat.tree.Component;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.tree.Element;
 
 /**
@@ -16,8 +16,8 @@ final class JavaPartUnsupported implements Check.OnComponent {
     }
 
     @Override
-    public void check(Component component, Context context, Findings findings) {
-        for (Element.JavaPart part : component.elements(Element.JavaPart.class)) {
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        for (Element.JavaPart part : component.node().elements(Element.JavaPart.class)) {
             Span span = part.span();
             findings.report(
                     new Span(span.file(), span.start(), span.start() + part.keyword().length()),

@@ -13,19 +13,22 @@ final class Listeners {
     final List<Listener<Check.OnUnit>> onUnit;
     final List<Listener<Check.OnComponent>> onComponent;
     final List<Listener<Check.OnPort>> onPort;
-    final List<Listener<Check.OnSubcomponent>> onSubcomponent;
+    final List<Listener<Check.OnInstance>> onInstance;
     final List<Listener<Check.OnAutomaton>> onAutomaton;
     final List<Listener<Check.OnState>> onState;
     final List<Listener<Check.OnInitial>> onInitial;
     final List<Listener<Check.OnTransition>> onTransition;
     final List<Listener<Check.OnBlock>> onBlock;
+    final List<Listener<Check.OnItem>> onItem;
     final List<Listener<Check.OnTable>> onTable;
     final List<Listener<Check.OnExpression>> onExpression;
     final List<Listener<Check.OnType>> onType;
     final List<Listener<Check.OnVariable>> onVariable;
     final List<Listener<Check.OnStereotypes>> onStereotypes;
+    final List<Listener<Check.OnNames>> onNames;
     final List<Listener<Check.OnClassDiagram>> onClassDiagram;
     final List<Listener<Check.OnTestSuite>> onTestSuite;
+    final List<Listener<Check.OnStreamTest>> onStreamTest;
 
     /** The checks whose laws hold in a profile. */
     Listeners(List<Check> checks, Profile profile) {
@@ -43,19 +46,22 @@ final class Listeners {
         onUnit = those(Check.OnUnit.class);
         onComponent = those(Check.OnComponent.class);
         onPort = those(Check.OnPort.class);
-        onSubcomponent = those(Check.OnSubcomponent.class);
+        onInstance = those(Check.OnInstance.class);
         onAutomaton = those(Check.OnAutomaton.class);
         onState = those(Check.OnState.class);
         onInitial = those(Check.OnInitial.class);
         onTransition = those(Check.OnTransition.class);
         onBlock = those(Check.OnBlock.class);
+        onItem = those(Check.OnItem.class);
         onTable = those(Check.OnTable.class);
         onExpression = those(Check.OnExpression.class);
         onType = those(Check.OnType.class);
         onVariable = those(Check.OnVariable.class);
         onStereotypes = those(Check.OnStereotypes.class);
+        onNames = those(Check.OnNames.class);
         onClassDiagram = those(Check.OnClassDiagram.class);
         onTestSuite = those(Check.OnTestSuite.class);
+        onStreamTest = those(Check.OnStreamTest.class);
     }
 
     private <C extends Check> List<Listener<C>> those(Class<C> kind) {

@@ -8,8 +8,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * ARC0208: a file lies in the folder that its package names. Of a path as the user wrote it only the
- * folders that it names can be compared.
+ * ARC0208: a file lies in the folder that its package names. Of a path as the user wrote it only
+ * the folders that it names can be compared.
  */
 final class PackageIsFolder implements Check.OnUnit {
 

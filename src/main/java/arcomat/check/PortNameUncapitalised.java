@@ -1,7 +1,6 @@
 package arcomat.check;
 
-import arcomat.tree.Element;
-import arcomat.tree.Name;
+import arcomat.symbols.PortSymbol;
 
 /** ARC0210: names of ports start with a small letter, unlike those of types. (Hab16 CV2) */
 final class PortNameUncapitalised implements Check.OnPort {
@@ -12,12 +11,12 @@ final class PortNameUncapitalised implements Check.OnPort {
     }
 
     @Override
-    public void check(Element.Port port, Context context, Findings findings) {
-        for (Name name : port.names()) {
-            if (Character.isUpperCase(name.text().charAt(0))) {
-                findings.report(
-                        name, "port '" + name + "' should start with a small letter; rename it");
-            }
+    public void check(PortSymbol port, Context context, Findings findings) {
+        boolean capital = Character.isUpperCase(port.name().charAt(0));
+        if (capital && !port.implicit()) {
+            findings.report(
+                    port.nameSpan(),
+                    "port '" + port.name() + "' should start with a small letter; rename it");
         }
     }
 }

@@ -23,8 +23,7 @@ final class StereotypeInPlace implements Check.OnStereotypes {
         for (Stereotype stereotype : stereotypes) {
             KnownStereotype.find(stereotype.name().text())
                     .filter(known -> !known.carriers().contains(carrier))
-                    .ifPresent(
-                            known -> findings.report(stereotype, message(known, carrier)));
+                    .ifPresent(known -> findings.report(stereotype, message(known, carrier)));
         }
     }
 

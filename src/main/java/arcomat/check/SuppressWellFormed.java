@@ -36,7 +36,8 @@ final class SuppressWellFormed implements Check.OnStereotypes {
         if (value.isEmpty()) {
             findings.report(
                     stereotype,
-                    "'suppress' needs a code and a reason, as in <<suppress = \"ARC0108: reason\">>");
+                    "'suppress' needs a code and a reason, as in <<suppress = \"ARC0108:"
+                        + " reason\">>");
             return;
         }
         String code = value.get().code();

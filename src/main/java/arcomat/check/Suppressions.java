@@ -12,8 +12,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * What {@code <<suppress = "ARC0104: reason">>} declares to be meant: findings with that code inside
- * the element that carries it.
+ * What {@code <<suppress = "ARC0104: reason">>} declares to be meant: findings with that code
+ * inside the element that carries it.
  */
 final class Suppressions {
     static final String STEREOTYPE = "suppress";

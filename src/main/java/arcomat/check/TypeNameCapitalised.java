@@ -1,7 +1,8 @@
 package arcomat.check;
 
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
-import arcomat.tree.Component;
 import arcomat.tree.Name;
 import arcomat.tree.TypeParameter;
 
@@ -14,16 +15,16 @@ final class TypeNameCapitalised implements Check.OnComponent, Check.OnClassDiagr
     }
 
     @Override
-    public void check(Component component, Context context, Findings findings) {
-        check("component", component.name(), findings);
-        for (TypeParameter parameter : component.typeParameters()) {
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        check("component", component.node().name(), findings);
+        for (TypeParameter parameter : component.node().typeParameters()) {
             check("type parameter", parameter.name(), findings);
         }
     }
 
     @Override
-    public void check(ClassDiagram diagram, Context context, Findings findings) {
-        for (ClassDiagram.TypeDefinition type : diagram.types()) {
+    public void check(DiagramSymbol diagram, Context context, Findings findings) {
+        for (ClassDiagram.TypeDefinition type : diagram.node().types()) {
             check("type", type.name(), findings);
         }
     }

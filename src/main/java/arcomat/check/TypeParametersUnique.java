@@ -1,6 +1,6 @@
 package arcomat.check;
 
-import arcomat.tree.Component;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.tree.Name;
 import arcomat.tree.TypeParameter;
 
@@ -16,9 +16,9 @@ final class TypeParametersUnique implements Check.OnComponent {
     }
 
     @Override
-    public void check(Component component, Context context, Findings findings) {
+    public void check(ComponentSymbol component, Context context, Findings findings) {
         Map<String, Name> seen = new HashMap<>();
-        for (TypeParameter parameter : component.typeParameters()) {
+        for (TypeParameter parameter : component.node().typeParameters()) {
             Name first = seen.putIfAbsent(parameter.name().text(), parameter.name());
             if (first != null) {
                 findings.report(

@@ -53,8 +53,7 @@ class ChecksTest {
     private static boolean fits(List<Expectation> expected, List<Expectation> actual) {
         List<Expectation> open = new ArrayList<>(actual);
         for (Expectation expectation : expected) {
-            Expectation met =
-                    open.stream().filter(expectation::isMetBy).findFirst().orElse(null);
+            Expectation met = open.stream().filter(expectation::isMetBy).findFirst().orElse(null);
             if (!open.remove(met)) {
                 return false;
             }

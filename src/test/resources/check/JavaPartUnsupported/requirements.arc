@@ -1,0 +1,25 @@
+//// BadDoubler.arc
+component BadDoubler {
+  port in Integer i, out Integer o;
+
+  init Start {
+//~~~~ warning ARC0127
+    counter = 0;
+  }
+
+  compute {
+//~~~~~~~ warning ARC0127: Java code in 'compute' is not run; describe the behaviour with an automaton or a table, or mark the component <<platform>> and write its Java class by hand
+    o = 2 * i;
+  }
+}
+
+//// GoodDoubler.arc
+component GoodDoubler {
+  port in Integer i, out Integer o;
+
+  automaton {
+    state s;
+    initial s;
+    s {i == ?} / {o = i};
+  }
+}
