@@ -1,5 +1,7 @@
 package arcomat.pipeline;
 
+import arcomat.check.Profile;
+
 import java.nio.file.Path;
 import java.util.List;
 
@@ -22,7 +24,8 @@ public final class Pipeline {
      * @param executable also asks for what a model needs in order to run
      */
     public CheckResult check(List<String> paths, boolean executable) {
-        return CheckStep.run(paths, executable, names, progress);
+        Profile profile = executable ? Profile.EXECUTABLE : Profile.REQUIREMENTS;
+        return CheckedModels.check(paths, profile, names, progress).result();
     }
 
     /**

@@ -21,6 +21,17 @@ final class Scope {
     private final Map<String, Value> fixed = new HashMap<>();
     private final Map<String, Value> parameters = new HashMap<>();
 
+    private Scope() {}
+
+    /** Knows the first parameters of a component only: enough for the default of the next one. */
+    static Scope ofFirst(List<Parameter> declared, List<Value> arguments) {
+        Scope scope = new Scope();
+        for (int i = 0; i < arguments.size(); i++) {
+            scope.parameters.put(declared.get(i).name(), arguments.get(i));
+        }
+        return scope;
+    }
+
     /**
      * @param arguments one per parameter of the component
      */
