@@ -2,18 +2,24 @@ package arcomat.semantics;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.rt.ModelError;
 import arcomat.source.Span;
 
 /**
- * The model goes wrong in a step: a value outside its range, a division by zero, a forbidden input.
- * Whoever runs the model knows instance and slice and makes a {@link arcomat.rt.ModelError} of it.
- * It carries no stack trace: it says something about the model, not about this program.
+ * The model goes wrong in a step: a value outside its range, a division by zero. Whoever runs the
+ * model adds instance and slice. It carries no stack trace: it says something about the model, not
+ * about this program.
  */
-public final class Fault extends RuntimeException {
+public final class Fault extends ModelError {
     private static final long serialVersionUID = 1L;
 
     Fault(String message) {
-        super(message, null, false, false);
+        super(message);
+    }
+
+    @Override
+    public synchronized Throwable fillInStackTrace() {
+        return this;
     }
 
     static Fault divisionByZero() {

@@ -5,7 +5,6 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 
@@ -91,7 +90,7 @@ final class Events implements Interpreter.Engine {
     private void start(Mailbox mailbox) {
         try {
             send(mailbox, mailbox.actor.start());
-        } catch (Fault problem) {
+        } catch (ModelError problem) {
             throw Slices.at(mailbox.actor.instance(), problem);
         }
     }
@@ -124,7 +123,7 @@ final class Events implements Interpreter.Engine {
         List<List<Value>> sent;
         try {
             sent = mailbox.actor.react(Input.of(messages), number, activities);
-        } catch (Fault | ModelError problem) {
+        } catch (ModelError problem) {
             throw Slices.at(mailbox.actor.instance(), problem);
         }
         send(mailbox, sent);

@@ -7,7 +7,6 @@ import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Execution;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Network;
 
 import java.util.ArrayList;
@@ -87,7 +86,7 @@ public final class Interpreter implements Execution {
     public Trace.Step step(Letter input) {
         try {
             return engine.step(input, number++);
-        } catch (Fault | ModelError problem) {
+        } catch (ModelError problem) {
             throw new ModelError(unit() + " " + (number - 1) + ": " + problem.getMessage());
         }
     }

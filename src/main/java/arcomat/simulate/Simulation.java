@@ -39,12 +39,13 @@ public final class Simulation {
     /**
      * Letters at random over the external inputs of a network, platform components included: in a
      * slice a port carries a message with the given chance, and always if it is total; in the
-     * event-driven profile a letter is one event, and now and then a latched port changes.
+     * event-driven profile a letter is one event, and now and then a latched port changes. The seed
+     * may be that of the run's choices: letters are drawn independently of them.
      *
      * @param chance of a message on a port in a slice, in percent
      */
     public static List<Letter> randomLetters(Network network, int seed, int count, int chance) {
-        Choice generator = new Choice(seed);
+        Choice generator = new Choice(~seed);
         boolean timed = network.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         List<Letter> letters = new ArrayList<>(count);
         for (int i = 0; i < count; i++) {

@@ -5,7 +5,6 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 
@@ -85,7 +84,7 @@ final class Slices implements Interpreter.Engine {
     private static List<List<Value>> start(Actor actor) {
         try {
             return actor.start();
-        } catch (Fault | ModelError problem) {
+        } catch (ModelError problem) {
             throw at(actor.instance(), problem);
         }
     }
@@ -100,7 +99,7 @@ final class Slices implements Interpreter.Engine {
         }
         try {
             return actor.react(Input.of(messages), number, activities);
-        } catch (Fault | ModelError problem) {
+        } catch (ModelError problem) {
             throw at(instance, problem);
         }
     }

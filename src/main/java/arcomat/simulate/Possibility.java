@@ -1,0 +1,52 @@
+package arcomat.simulate;
+
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/** A world in the middle of a slice: some instances have reacted, the others have yet to. */
+final class Possibility {
+    final Sent[] visible;
+    final Sent[] registers;
+    final List<List<Configuration>> configurations;
+    private final List<List<Configuration>> before;
+    boolean vacuous;
+
+    Possibility(World world) {
+        before = world.configurations();
+        visible = world.registers().toArray(new Sent[0]);
+        registers = new Sent[visible.length];
+        Arrays.fill(registers, Sent.SILENCE);
+        configurations = new ArrayList<>(world.configurations());
+        vacuous = world.vacuous();
+    }
+
+    private Possibility(Possibility other) {
+        visible = other.visible.clone();
+        registers = other.registers.clone();
+        configurations = new ArrayList<>(other.configurations);
+        before = other.before;
+        vacuous = other.vacuous;
+    }
+
+    Possibility copy() {
+        return new Possibility(this);
+    }
+
+    /**
+     * Whether an instance promises nothing about the messages that it shows in this slice.
+     *
+     * @param delayed whether it has sent them a slice ago
+     */
+    boolean isChaotic(int instance, boolean delayed) {
+        List<Configuration> sender = (delayed ? before : configurations).get(instance);
+        return sender.contains(Configuration.CHAOS) || sender.isEmpty();
+    }
+
+    World finish() {
+        return new World(List.copyOf(configurations), List.of(registers), vacuous);
+    }
+}

@@ -1,0 +1,16 @@
+package arcomat.simulate;
+
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Sent;
+
+import java.util.List;
+
+/**
+ * A state of a network between two slices.
+ *
+ * @param configurations per instance, per automaton
+ * @param registers per signal what its next slice shows; silence for a signal without a register
+ * @param vacuous whether an output was allowed, or an input guessed, only since something is in
+ *     chaos
+ */
+record World(List<List<Configuration>> configurations, List<Sent> registers, boolean vacuous) {}
