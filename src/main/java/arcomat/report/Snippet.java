@@ -72,9 +72,10 @@ final class Snippet {
             last = Math.min(last - begin + before.length(), text.length());
         }
         String label = String.valueOf(number);
+        text = text.stripTrailing();
         out.append(" ".repeat(margin.length() - label.length()))
-                .append(style.quiet(label + " | "))
-                .append(text.stripTrailing())
+                .append(style.quiet(label + (text.isEmpty() ? " |" : " | ")))
+                .append(text)
                 .append('\n');
         out.append(margin)
                 .append(style.quiet(" | "))
