@@ -67,16 +67,9 @@ final class Slices implements Interpreter.Engine {
     }
 
     private void read(Letter input) {
-        surroundings.requireKnownPorts(input);
+        surroundings.requireSlice(input);
         for (Network.External external : network.inputs()) {
             List<Value> messages = input.messages(external.name());
-            if (messages.size() > 1) {
-                throw new IllegalArgumentException(
-                        "more than one message in a slice on " + external.name());
-            }
-            if (messages.isEmpty() && external.port().total()) {
-                throw new ModelError("no message on " + external.name() + ", which is <<total>>");
-            }
             visible[external.signal()] = messages.isEmpty() ? null : messages.get(0);
         }
     }

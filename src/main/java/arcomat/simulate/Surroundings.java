@@ -9,12 +9,15 @@ import arcomat.semantics.Network;
 import java.util.HashMap;
 import java.util.Map;
 
-/** The border of a network: only known ports, only messages of their types. */
-final class Surroundings {
+/**
+ * The border of a network: only known ports, only messages of their types. Every engine,
+ * interpreted or compiled, asks it the same questions.
+ */
+public final class Surroundings {
     private final Network network;
     private final Map<String, Network.External> inputs = new HashMap<>();
 
-    Surroundings(Network network) {
+    public Surroundings(Network network) {
         this.network = network;
         network.inputs().forEach(external -> inputs.put(external.name(), external));
     }
@@ -23,7 +26,7 @@ final class Surroundings {
      * @throws IllegalArgumentException for a port that does not exist
      * @throws ModelError for a number outside the range of its port
      */
-    void requireKnownPorts(Letter letter) {
+    public void requireKnownPorts(Letter letter) {
         letter.messages()
                 .forEach(
                         (name, values) -> {
@@ -34,6 +37,27 @@ final class Surroundings {
                             }
                             values.forEach(value -> requireRange(external, value));
                         });
+    }
+
+    /**
+     * What the surroundings owe to a time-synchronous network in every slice.
+     *
+     * @throws IllegalArgumentException for a port that does not exist or has several messages
+     * @throws ModelError for a total port without a message, or a number outside the range of its
+     *     port
+     */
+    public void requireSlice(Letter letter) {
+        requireKnownPorts(letter);
+        for (Network.External external : network.inputs()) {
+            int messages = letter.messages(external.name()).size();
+            if (messages > 1) {
+                throw new IllegalArgumentException(
+                        "more than one message in a slice on " + external.name());
+            }
+            if (messages == 0 && external.port().total()) {
+                throw new ModelError("no message on " + external.name() + ", which is <<total>>");
+            }
+        }
     }
 
     private static void requireRange(Network.External external, Value value) {

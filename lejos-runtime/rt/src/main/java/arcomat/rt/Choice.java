@@ -30,4 +30,29 @@ public final class Choice {
         state ^= state << 5;
         return (int) (((state & 0xFFFFFFFFL) * bound) >>> 32);
     }
+
+    /**
+     * One of the members of a set, drawn only where there are several.
+     *
+     * @param set a bit per member
+     * @return the position of the bit; -1 for the empty set
+     */
+    public int among(int set) {
+        return among(set & 0xFFFFFFFFL);
+    }
+
+    /** Like {@link #among(int)}, for larger sets. */
+    public int among(long set) {
+        int count = 0;
+        for (long rest = set; rest != 0; rest &= rest - 1) {
+            count++;
+        }
+        int skipped = count > 1 ? next(count) : 0;
+        for (int position = 0; position < 64; position++) {
+            if ((set >>> position & 1) != 0 && skipped-- == 0) {
+                return position;
+            }
+        }
+        return -1;
+    }
 }

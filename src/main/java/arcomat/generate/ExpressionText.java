@@ -1,0 +1,344 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Escapes;
+import arcomat.generate.language.Language;
+import arcomat.generate.language.Names;
+import arcomat.generate.language.References;
+import arcomat.generate.language.Text;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.Rewriting;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * Writes expressions in the target's language. How a form is spelt is a matter of the target's
+ * table; which forms there are is a matter of the model.
+ */
+final class ExpressionText {
+    private static final Type BOOLEAN = new Type.BooleanType();
+
+    private final Names names;
+    private final Language language;
+    private final References references;
+    private final Members members;
+
+    /** Where an expression stands, for the message of an error: transition or declaration. */
+    private String place = "";
+
+    /** Whether an operation that may go wrong has been written. */
+    private boolean checks;
+
+    ExpressionText(Names names, References references, Members members) {
+        this.names = names;
+        this.language = names.language();
+        this.references = references;
+        this.members = members;
+    }
+
+    boolean checks() {
+        return checks;
+    }
+
+    void at(String newPlace) {
+        place = newPlace;
+    }
+
+    Text of(Expression e) {
+        if (e instanceof Expression.Constant constant) {
+            return of(constant.value(), constant.type());
+        }
+        if (e instanceof Expression.PortRead read) {
+            return named("port", read.type(), members.of(read.port()));
+        }
+        if (e instanceof Expression.VariableRead read) {
+            return named("variable", read.type(), members.of(read.variable()));
+        }
+        if (e instanceof Expression.ParameterRead read) {
+            return named("parameter", read.type(), members.of(read.parameter()));
+        }
+        if (e instanceof Expression.AttributeRead read) {
+            return attribute(read);
+        }
+        if (e instanceof Expression.PortMatches matches) {
+            return text(new Formulas(this).of(matches));
+        }
+        if (e instanceof Expression.Unary unary) {
+            String key = unary.operator().name().toLowerCase(Locale.ROOT);
+            return language.express(key, unary.type(), Map.of(), List.of(of(unary.operand())));
+        }
+        if (e instanceof Expression.Binary binary) {
+            return binary(binary);
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return language.express(
+                    "conditional",
+                    choice.type(),
+                    Map.of(),
+                    List.of(of(choice.condition()), of(choice.then()), of(choice.otherwise())));
+        }
+        if (e instanceof Expression.IsIn isIn) {
+            return isIn(isIn);
+        }
+        if (e instanceof Expression.Cast cast) {
+            return language.express("cast", cast.type(), Map.of(), List.of(of(cast.operand())));
+        }
+        throw new AssertionError(e);
+    }
+
+    private Text named(String key, Type type, String name) {
+        return language.express(key, type, Map.of("name", name), List.of());
+    }
+
+    private Text attribute(Expression.AttributeRead read) {
+        Type.ClassType type = (Type.ClassType) read.object().type();
+        String name = names.attribute(type, read.index());
+        return language.express(
+                "attribute", read.type(), Map.of("name", name), List.of(of(read.object())));
+    }
+
+    private Text binary(Expression.Binary binary) {
+        List<Text> operands = List.of(of(binary.left()), of(binary.right()));
+        String key = binary.operator().name().toLowerCase(Locale.ROOT);
+        Type type = binary.left().type();
+        if (divides(binary)) {
+            checks = true;
+            String checked = "checked." + key;
+            return language.express(checked, type, Map.of("place", literal(place)), operands);
+        }
+        return language.express(key, type, Map.of(), operands);
+    }
+
+    /** Whether a division by zero has to be looked out for. */
+    private static boolean divides(Expression.Binary binary) {
+        return (binary.operator() == BinaryOperator.DIVIDE
+                        || binary.operator() == BinaryOperator.REMAINDER)
+                && binary.left().type() instanceof Type.IntegerType
+                && !isNonZero(binary.right());
+    }
+
+    private static boolean isNonZero(Expression e) {
+        return e instanceof Expression.Constant constant
+                && constant.value() instanceof Value.IntegerValue integer
+                && integer.value() != 0;
+    }
+
+    private Text isIn(Expression.IsIn isIn) {
+        List<Text> tests = new ArrayList<>();
+        for (Expression member : isIn.set()) {
+            tests.add(equal(isIn.element(), member));
+        }
+        return joined("or", tests, false);
+    }
+
+    Text equal(Expression left, Expression right) {
+        return binary(
+                new Expression.Binary(BinaryOperator.EQUAL, left, right, BOOLEAN, left.span()));
+    }
+
+    Text notEqual(Expression left, Expression right) {
+        return binary(
+                new Expression.Binary(BinaryOperator.NOT_EQUAL, left, right, BOOLEAN, left.span()));
+    }
+
+    /** A literal of the target. */
+    Text of(Value value, Type type) {
+        if (value instanceof Value.BooleanValue truth) {
+            return language.express("literal." + truth.value(), type, Map.of(), List.of());
+        }
+        if (value instanceof Value.IntegerValue integer) {
+            return number(integer.value() < 0, String.valueOf(integer.value()), type);
+        }
+        if (value instanceof Value.RealValue real) {
+            String digits = single(type) ? String.valueOf((float) real.value()) : real.toString();
+            return number(digits.startsWith("-"), digits, type);
+        }
+        if (value instanceof Value.EnumValue constant) {
+            return language.express(
+                    "literal",
+                    type,
+                    Map.of(
+                            "type", references.to(names.of(constant.type())),
+                            "code", names.constant(constant.type(), constant.ordinal()).code(),
+                            "number", String.valueOf(constant.ordinal() + 1)),
+                    List.of());
+        }
+        if (value instanceof Value.ObjectValue object) {
+            return object(object);
+        }
+        String content =
+                value instanceof Value.CharacterValue c
+                        ? Escapes.character(language, c.value())
+                        : Escapes.string(language, ((Value.StringValue) value).value());
+        return language.express("literal", type, Map.of("value", content), List.of());
+    }
+
+    private Text number(boolean negative, String digits, Type type) {
+        String key = negative ? "literal.negative" : "literal";
+        return language.express(key, type, Map.of("value", digits), List.of());
+    }
+
+    private static boolean single(Type type) {
+        return type instanceof Type.RealType real && real.single();
+    }
+
+    private Text object(Value.ObjectValue object) {
+        List<String> arguments = new ArrayList<>();
+        for (int i = 0; i < object.attributes().size(); i++) {
+            Type type = object.type().attributes().get(i).type();
+            arguments.add(of(object.attributes().get(i), type).text());
+        }
+        Map<String, String> filled =
+                Map.of(
+                        "type", references.to(names.of(object.type())),
+                        "arguments", String.join(", ", arguments));
+        return language.express("literal", object.type(), filled, List.of());
+    }
+
+    /** A string literal of the target. */
+    String literal(String content) {
+        String escaped = Escapes.string(language, content);
+        return language.express(
+                        "literal", new Type.StringType(), Map.of("value", escaped), List.of())
+                .text();
+    }
+
+    /** The name of a type. */
+    String type(Type type) {
+        return language.express("type", type, Map.of("type", reference(type)), List.of()).text();
+    }
+
+    private String reference(Type type) {
+        boolean named = type instanceof Type.EnumType || type instanceof Type.ClassType;
+        return named ? references.to(names.of(type)) : "";
+    }
+
+    /** That a port carries a message, or that it carries none. */
+    Text presence(Port port, boolean present) {
+        return language.express(
+                present ? "present" : "absent",
+                port.type(),
+                Map.of(
+                        "name", members.of(port),
+                        "flag", members.flag(port),
+                        "type", reference(port.type())),
+                List.of());
+    }
+
+    boolean mayBeAbsent(Port port) {
+        return port.type() instanceof Type.EnumType ? !port.total() : !members.flag(port).isEmpty();
+    }
+
+    /** A value checked against the range of what it is for. */
+    Text inRange(Expression value, Type wanted, String what) {
+        Text text = of(value);
+        if (!(wanted instanceof Type.IntegerType range) || !range.ranged() || fits(value, range)) {
+            return text;
+        }
+        checks = true;
+        return language.express(
+                "checked.range",
+                wanted,
+                Map.of(
+                        "low", number(range.low() < 0, "" + range.low(), wanted).text(),
+                        "high", number(range.high() < 0, "" + range.high(), wanted).text(),
+                        "place", literal(place + ": " + what)),
+                List.of(text));
+    }
+
+    private static boolean fits(Expression value, Type.IntegerType range) {
+        if (value instanceof Expression.Constant constant
+                && constant.value() instanceof Value.IntegerValue integer) {
+            return range.low() <= integer.value() && integer.value() <= range.high();
+        }
+        boolean keepsItsRange =
+                value instanceof Expression.VariableRead
+                        || value instanceof Expression.PortRead
+                        || value instanceof Expression.ParameterRead;
+        return keepsItsRange
+                && value.type() instanceof Type.IntegerType known
+                && known.ranged()
+                && range.low() <= known.low()
+                && known.high() <= range.high();
+    }
+
+    /** A condition in the target's language. */
+    Text text(Formula formula) {
+        if (formula instanceof Formula.Truth truth) {
+            return of(new Value.BooleanValue(truth.value()), BOOLEAN);
+        }
+        if (formula instanceof Formula.Carries carries) {
+            return presence(carries.port(), carries.something());
+        }
+        if (formula instanceof Formula.Is is) {
+            return is.text();
+        }
+        if (formula instanceof Formula.Test test) {
+            return test.text();
+        }
+        if (formula instanceof Formula.Not not) {
+            return language.express("not", BOOLEAN, Map.of(), List.of(text(not.operand())));
+        }
+        if (formula instanceof Formula.And and) {
+            return joined("and", and.operands().stream().map(this::text).toList(), true);
+        }
+        Formula.Or or = (Formula.Or) formula;
+        return joined("or", or.operands().stream().map(this::text).toList(), false);
+    }
+
+    private Text joined(String operator, List<Text> operands, boolean ifNone) {
+        return operands.stream()
+                .reduce((a, b) -> language.express(operator, BOOLEAN, Map.of(), List.of(a, b)))
+                .orElseGet(() -> of(new Value.BooleanValue(ifNone), BOOLEAN));
+    }
+
+    /** Whether a value may divide by zero or lie outside the range of what it is for. */
+    boolean mayFail(Expression value, Type wanted) {
+        boolean[] found = {
+            wanted instanceof Type.IntegerType range && range.ranged() && !fits(value, range)
+        };
+        Rewriting.visit(
+                value, e -> found[0] |= e instanceof Expression.Binary binary && divides(binary));
+        return found[0];
+    }
+
+    /** The field of a port as the target of an assignment. */
+    String target(Port port) {
+        return named("port", port.type(), members.of(port)).text();
+    }
+
+    String flagTarget(Port port) {
+        return named("flag", BOOLEAN, members.flag(port)).text();
+    }
+
+    String target(Variable variable) {
+        return named("variable", variable.type(), members.of(variable)).text();
+    }
+
+    String truth(boolean value) {
+        return of(new Value.BooleanValue(value), BOOLEAN).text();
+    }
+
+    /**
+     * A field of a part.
+     *
+     * @param part empty for the component itself
+     */
+    String member(String part, String name) {
+        String key = part.isEmpty() ? "port" : "member";
+        return language.express(key, BOOLEAN, Map.of("part", part, "name", name), List.of()).text();
+    }
+
+    /** The code of no message. */
+    Text silence(Port port) {
+        String type = references.to(names.of(port.type()));
+        return language.express("silence", port.type(), Map.of("type", type), List.of());
+    }
+}

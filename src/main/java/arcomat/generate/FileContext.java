@@ -1,0 +1,55 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Names;
+import arcomat.generate.language.References;
+import arcomat.generate.language.Scope;
+import arcomat.generate.language.TypeName;
+import arcomat.model.Component;
+import arcomat.model.Type;
+import arcomat.semantics.Composition;
+
+import java.util.Arrays;
+import java.util.Optional;
+
+/** What is needed to write the file of one component: its names and how it names others. */
+record FileContext(
+        Component component,
+        Optional<Composition> composition,
+        Names names,
+        TypeName self,
+        References references,
+        Members members,
+        ExpressionText expressions) {
+
+    static FileContext of(Component component, Optional<Composition> composition, Names names) {
+        TypeName self = names.of(component);
+        References references = new References(names.language(), self);
+        for (Type type : MentionedTypes.of(component, composition)) {
+            references.to(names.of(type));
+        }
+        composition.ifPresent(
+                c -> c.nodes().forEach(node -> references.to(names.of(node.component()))));
+        Members members = new Members(component, composition, visible(names, references));
+        return new FileContext(
+                component,
+                composition,
+                names,
+                self,
+                references,
+                members,
+                new ExpressionText(names, references, members));
+    }
+
+    /** No member may be called as a type that the file mentions, or as a reserved word. */
+    private static Members.Names visible(Names names, References references) {
+        Scope scope = Scope.of(names.language().reserved());
+        Arrays.asList(names.language().words("reserved.members")).forEach(scope::claim);
+        for (String name : references.briefNames()) {
+            scope.claim(name);
+            for (String suffix : names.language().words("companions")) {
+                scope.claim(name + suffix);
+            }
+        }
+        return new Members.Names(names.language(), scope);
+    }
+}

@@ -1,0 +1,17 @@
+package arcomat.generate;
+
+import arcomat.source.Diagnostic;
+
+import java.util.List;
+
+/**
+ * What a generator gives: files, or findings that say why there are none.
+ *
+ * @param layout where the parts of the model are found in the generated code
+ */
+public record Generation(List<GeneratedFile> files, List<Diagnostic> findings, Layout layout) {
+    public Generation {
+        files = List.copyOf(files);
+        findings = List.copyOf(findings);
+    }
+}

@@ -1,0 +1,54 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Language;
+import arcomat.generate.language.Names;
+import arcomat.generate.language.TemplateEngine;
+import arcomat.generate.language.TemplateFailure;
+import arcomat.source.Diagnostic;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Writes a model in the language of a target. Pure: nothing is written to disk, and the same
+ * request gives the same files, byte for byte.
+ */
+public final class Generator {
+    private Generator() {}
+
+    /**
+     * Generates components with all that they are made of.
+     *
+     * @return files, or findings that say why there are none: {@code ARC0802} template that cannot
+     *     be filled in, {@code ARC0803} description of the target that lacks something, {@code
+     *     ARC0804} file that would leave the output folder or be written twice
+     */
+    public static Generation generate(Request request, Target target) {
+        TargetFindings findings = new TargetFindings(target);
+        try {
+            Map<String, String> entries = target.entries();
+            Program program =
+                    new Program(
+                            new Names(new Language(entries)),
+                            request.choosing(),
+                            request.components());
+            Output output =
+                    new Output(
+                            target, new TemplateEngine(target.files()), program.names(), findings);
+            MessageTypes types = new MessageTypes(program);
+            new Views(program, types, request.programs()).all(output);
+            return new Generation(
+                    findings.all().isEmpty() ? output.files() : List.of(),
+                    findings.all(),
+                    Layouts.of(program, types));
+        } catch (Language.MissingEntry e) {
+            return failed(findings.missing(e.getMessage()));
+        } catch (TemplateFailure e) {
+            return failed(findings.template(e));
+        }
+    }
+
+    private static Generation failed(Diagnostic finding) {
+        return new Generation(List.of(), List.of(finding), Layout.NONE);
+    }
+}

@@ -1,0 +1,55 @@
+package arcomat.generate;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Where the parts of a model are found in the generated code, for those who drive it.
+ *
+ * @param components by qualified name of the model component
+ * @param classes by qualified name of the class of a class diagram
+ */
+public record Layout(Map<String, Place> components, Map<String, MessageClass> classes) {
+    /** Of nothing. */
+    static final Layout NONE = new Layout(Map.of(), Map.of());
+
+    public Layout {
+        components = Map.copyOf(components);
+        classes = Map.copyOf(classes);
+    }
+
+    /**
+     * A class of messages; its constructor takes the attributes.
+     *
+     * @param attributes fields in the order of the model
+     */
+    public record MessageClass(String className, List<String> attributes) {}
+
+    /**
+     * The class of a component.
+     *
+     * @param className qualified
+     * @param draws whether its constructor takes the generator of choices first
+     * @param senses whether it has a method {@code sense} to be called before the slice is looked
+     *     at: a platform component with outputs is inside
+     * @param messages field with the message of a port, by the name of the port
+     * @param presences field that says whether there is a message; missing for enums and total
+     *     ports
+     * @param events method that takes an event, by the name of an input port; event-driven only
+     * @param variables field by the name of the variable
+     * @param state field with the code of the state; empty where there is no automaton
+     * @param taken field with the index of the transition last taken, -1 for a completion
+     * @param parts fields that lead to a node, by its path
+     */
+    public record Place(
+            String className,
+            boolean draws,
+            boolean senses,
+            Map<String, String> messages,
+            Map<String, String> presences,
+            Map<String, String> events,
+            Map<String, String> variables,
+            String state,
+            String taken,
+            Map<String, String> parts) {}
+}

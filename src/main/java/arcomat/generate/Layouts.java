@@ -1,0 +1,59 @@
+package arcomat.generate;
+
+import arcomat.generate.view.ClassView;
+import arcomat.model.Component;
+import arcomat.semantics.Composition;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Tells those who drive generated code where things are. */
+final class Layouts {
+    private Layouts() {}
+
+    static Layout of(Program program, MessageTypes types) {
+        Map<String, Layout.Place> places = new LinkedHashMap<>();
+        for (FileContext context : program.contexts()) {
+            places.put(context.component().qualifiedName(), place(context, program));
+        }
+        Map<String, Layout.MessageClass> classes = new LinkedHashMap<>();
+        for (ClassView view : types.classes()) {
+            String qualified =
+                    (view.packageName().isEmpty() ? "" : view.packageName() + ".") + view.name();
+            List<String> attributes =
+                    view.attributes().stream().map(ClassView.AttributeView::name).toList();
+            classes.put(view.model(), new Layout.MessageClass(qualified, attributes));
+        }
+        return new Layout(places, classes);
+    }
+
+    private static Layout.Place place(FileContext context, Program program) {
+        Component component = context.component();
+        Members members = context.members();
+        boolean automaton = Members.automaton(component).isPresent();
+        return new Layout.Place(
+                context.self().qualified(),
+                program.draws(component),
+                program.senses(component),
+                Map.copyOf(members.ports()),
+                Map.copyOf(members.flags()),
+                Map.of(),
+                Map.copyOf(members.variables()),
+                automaton ? members.state() : "",
+                automaton ? members.taken() : "",
+                parts(context));
+    }
+
+    private static Map<String, String> parts(FileContext context) {
+        Map<String, String> parts = new LinkedHashMap<>();
+        Optional<Composition> composition = context.composition();
+        if (composition.isPresent()) {
+            for (Composition.Node node : composition.get().nodes()) {
+                parts.put(node.path(), context.members().part(node.path()));
+            }
+        }
+        return parts;
+    }
+}

@@ -1,0 +1,92 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Names;
+import arcomat.generate.language.TemplateEngine;
+import arcomat.generate.language.TemplateFailure;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** Fills the templates of a target in and collects the files. */
+final class Output {
+    private static final Set<String> SUBJECTS =
+            new TreeSet<>(
+                    List.of(
+                            "atomic",
+                            "composite",
+                            "event",
+                            "network",
+                            "platform",
+                            "enum",
+                            "class",
+                            "program"));
+
+    private final Map<String, Target.Rule> rules;
+    private final TemplateEngine engine;
+    private final TargetFindings findings;
+    private final List<GeneratedFile> files = new ArrayList<>();
+    private final Set<String> paths = new HashSet<>();
+
+    Output(Target target, TemplateEngine engine, Names names, TargetFindings findings) {
+        this.rules = target.rules();
+        this.engine = engine;
+        this.findings = findings;
+        for (Target.Rule rule : rules.values()) {
+            if (!SUBJECTS.contains(rule.subject())) {
+                findings.subject(rule.template(), rule.subject(), SUBJECTS);
+            }
+        }
+    }
+
+    List<GeneratedFile> files() {
+        return files;
+    }
+
+    /** Writes every file that the target makes for a subject. */
+    void write(String subject, String folder, String prefix, String name, Record view)
+            throws TemplateFailure {
+        for (Target.Rule rule : rules.values()) {
+            if (rule.subject().equals(subject)) {
+                String path =
+                        rule.path()
+                                .replace("{folder}", folder)
+                                .replace("{prefix}", prefix)
+                                .replace("{name}", name);
+                if (isFine(rule.template(), path)) {
+                    files.add(new GeneratedFile(path, engine.render(rule.template(), view)));
+                }
+            }
+        }
+    }
+
+    private boolean isFine(String template, String path) {
+        if (!isInside(path)) {
+            findings.path(template, path, "is not a place inside the output folder");
+            return false;
+        }
+        if (!paths.add(path.toLowerCase(Locale.ROOT))) {
+            findings.path(
+                    template, path, "is written already; put {prefix} or {name} into its path");
+            return false;
+        }
+        return true;
+    }
+
+    /** Relative, made of plain names only. */
+    static boolean isInside(String path) {
+        if (path.isEmpty() || path.indexOf('\\') >= 0 || path.indexOf(':') >= 0) {
+            return false;
+        }
+        for (String segment : path.split("/", -1)) {
+            if (segment.isEmpty() || segment.equals(".") || segment.equals("..")) {
+                return false;
+            }
+        }
+        return path.chars().noneMatch(Character::isISOControl);
+    }
+}

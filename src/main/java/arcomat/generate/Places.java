@@ -1,0 +1,32 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Escapes;
+import arcomat.source.Span;
+
+/** Where something is written in the models, for comments. */
+final class Places {
+    private static final int LONGEST = 120;
+
+    private Places() {}
+
+    static int line(Span span) {
+        return span == null ? 0 : span.startPosition().line();
+    }
+
+    static String file(Span span) {
+        return span == null ? "" : Escapes.comment(span.file().path());
+    }
+
+    /** {@code line 12: driving -> waiting {frontUS == tooClose}}. */
+    static String quote(Span span) {
+        return span == null || span.text().isEmpty()
+                ? ""
+                : "line " + line(span) + ": " + text(span);
+    }
+
+    /** The text of a declaration on one line, cut where it is long. */
+    static String text(Span span) {
+        String text = Escapes.comment(span.text());
+        return text.length() <= LONGEST ? text : text.substring(0, LONGEST).stripTrailing() + " ..";
+    }
+}

@@ -1,0 +1,132 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Names;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.semantics.Composition;
+import arcomat.semantics.Source;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** All components that are generated together, each known by its qualified name. */
+final class Program {
+    private final Names names;
+    private final Choosing choosing;
+    private final Map<String, FileContext> contexts = new LinkedHashMap<>();
+    private final Map<String, Boolean> senses = new HashMap<>();
+    private final Map<String, Boolean> draws = new HashMap<>();
+
+    Program(Names names, Choosing choosing, List<Component> roots) {
+        this.names = names;
+        this.choosing = choosing;
+        Map<String, Component> all = new LinkedHashMap<>();
+        roots.forEach(root -> collect(root, all));
+        all.values().forEach(names::of);
+        for (Component component : all.values()) {
+            contexts.put(
+                    component.qualifiedName(),
+                    FileContext.of(component, composition(component), names));
+        }
+    }
+
+    /** Parts before what they are part of. */
+    private static void collect(Component component, Map<String, Component> all) {
+        if (all.containsKey(component.qualifiedName())) {
+            return;
+        }
+        if (component.body() instanceof Component.Composite body && !component.platform()) {
+            body.parts().forEach(part -> collect(part.component(), all));
+        }
+        all.put(component.qualifiedName(), component);
+    }
+
+    private static Optional<Composition> composition(Component component) {
+        return component.isComposite() && !component.platform()
+                ? Optional.of(Composition.of(component))
+                : Optional.empty();
+    }
+
+    Names names() {
+        return names;
+    }
+
+    Choosing choosing() {
+        return choosing;
+    }
+
+    Iterable<FileContext> contexts() {
+        return contexts.values();
+    }
+
+    FileContext context(Component component) {
+        return contexts.get(component.qualifiedName());
+    }
+
+    Members members(Component component) {
+        return context(component).members();
+    }
+
+    /** Whether a component has to sample something when a slice starts. */
+    boolean senses(Component component) {
+        Boolean known = senses.get(component.qualifiedName());
+        if (known == null) {
+            Optional<Composition> inside = context(component).composition();
+            known =
+                    component.platform()
+                            ? !component.outputs().isEmpty()
+                            : inside.isPresent()
+                                    && inside.get().nodes().stream()
+                                            .anyMatch(node -> senses(node.component()));
+            senses.put(component.qualifiedName(), known);
+        }
+        return known;
+    }
+
+    /** Whether a message on the port of a node comes straight from a sensor. */
+    boolean isSensed(Composition.Node node, Port port) {
+        if (node.component().platform()) {
+            return true;
+        }
+        if (node.inside().isEmpty()) {
+            return false;
+        }
+        for (Composition.Output output : node.inside().get().outputs()) {
+            if (output.port().name().equals(port.name())
+                    && output.source() instanceof Source.FromNode from) {
+                return isSensed(node.inside().get().nodes().get(from.node()), from.port());
+            }
+        }
+        return false;
+    }
+
+    /** What a part does at its place in the schedule. */
+    String call(Component component) {
+        if (!component.platform()) {
+            return "step";
+        }
+        return component.inputs().isEmpty() ? "" : "act";
+    }
+
+    /** Whether a component needs the generator of choices. */
+    boolean draws(Component component) {
+        Boolean known = draws.get(component.qualifiedName());
+        if (known == null) {
+            known = choosing == Choosing.RANDOM && drawsAnywhere(component);
+            draws.put(component.qualifiedName(), known);
+        }
+        return known;
+    }
+
+    private boolean drawsAnywhere(Component component) {
+        Optional<Composition> inside = context(component).composition();
+        if (inside.isPresent()) {
+            return inside.get().nodes().stream().anyMatch(node -> draws(node.component()));
+        }
+        return Members.automaton(component).isPresent()
+                && new AtomicViews(context(component), choosing).draws();
+    }
+}

@@ -1,0 +1,38 @@
+package arcomat.generate;
+
+import arcomat.model.Component;
+import arcomat.model.Model;
+
+import java.util.List;
+
+/**
+ * What is to be generated.
+ *
+ * @param components with all their parts
+ * @param programs those of them that get a main program: they take no arguments
+ */
+public record Request(List<Component> components, List<Component> programs, Choosing choosing) {
+    public Request {
+        components = List.copyOf(components);
+        programs = List.copyOf(programs);
+    }
+
+    /** Every component of a model, and a program for each that is to be deployed. */
+    public static Request all(Model model, Choosing choosing) {
+        List<Component> programs =
+                model.components().stream()
+                        .filter(c -> c.deploy() && c.parameters().isEmpty())
+                        .toList();
+        return new Request(model.components(), programs, choosing);
+    }
+
+    /** One component with its parts and a program for it. */
+    public static Request program(Component main, Choosing choosing) {
+        return new Request(List.of(main), List.of(main), choosing);
+    }
+
+    /** One component with its parts, to be driven from outside. */
+    public static Request library(Component component, Choosing choosing) {
+        return new Request(List.of(component), List.of(), choosing);
+    }
+}

@@ -1,0 +1,104 @@
+package arcomat.generate;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.StringReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Properties;
+import java.util.TreeMap;
+
+/**
+ * What code is made for: a description and templates. Shipped with the tool, or a user's own
+ * folder; both are the same kind of folder.
+ *
+ * @param name of a shipped target or path of a folder, as findings show it
+ * @param files texts by file name; {@value #DESCRIPTION} is the description
+ */
+public record Target(String name, Map<String, String> files) {
+    public static final String DESCRIPTION = "target.properties";
+    private static final String TEMPLATE = "template.";
+
+    public Target {
+        files = Map.copyOf(files);
+    }
+
+    /** A target that travels with the tool; empty where there is none of that name. */
+    public static Optional<Target> shipped(String name) {
+        if (!name.matches("[a-z][a-z0-9-]*")) {
+            return Optional.empty();
+        }
+        return resource(name, DESCRIPTION).map(text -> new Target(name, withTemplates(name, text)));
+    }
+
+    private static Map<String, String> withTemplates(String name, String description) {
+        Map<String, String> files = new LinkedHashMap<>();
+        files.put(DESCRIPTION, description);
+        Map<String, String> entries = entries(description);
+        for (String key : entries.keySet()) {
+            if (key.startsWith(TEMPLATE)) {
+                read(name, key.substring(TEMPLATE.length()), files);
+            }
+        }
+        for (String library : entries.getOrDefault("libraries", "").split("\\s+")) {
+            if (!library.isEmpty()) {
+                read(name, library, files);
+            }
+        }
+        return files;
+    }
+
+    private static void read(String name, String file, Map<String, String> files) {
+        resource(name, file).ifPresent(text -> files.put(file, text));
+    }
+
+    private static Optional<String> resource(String target, String file) {
+        String path = "/templates/" + target + "/" + file;
+        try (InputStream stream = Target.class.getResourceAsStream(path)) {
+            return stream == null
+                    ? Optional.empty()
+                    : Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    /** The entries of the description, ordered by key; empty where there is no description. */
+    Map<String, String> entries() {
+        return entries(files.getOrDefault(DESCRIPTION, ""));
+    }
+
+    private static Map<String, String> entries(String description) {
+        Properties properties = new Properties();
+        try {
+            properties.load(new StringReader(description));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        Map<String, String> entries = new TreeMap<>();
+        properties.stringPropertyNames().forEach(k -> entries.put(k, properties.getProperty(k)));
+        return entries;
+    }
+
+    /** What a template is filled in with, and where the result goes. */
+    record Rule(String template, String subject, String path) {}
+
+    /** {@code template.atomic.ftl = atomic | {folder}{name}.java}. */
+    Map<String, Rule> rules() {
+        Map<String, Rule> rules = new TreeMap<>();
+        entries()
+                .forEach(
+                        (key, line) -> {
+                            if (key.startsWith(TEMPLATE)) {
+                                String template = key.substring(TEMPLATE.length());
+                                String[] parts = line.split("\\|", 2);
+                                String path = parts.length > 1 ? parts[1].strip() : "";
+                                rules.put(template, new Rule(template, parts[0].strip(), path));
+                            }
+                        });
+        return rules;
+    }
+}

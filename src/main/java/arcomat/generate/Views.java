@@ -1,0 +1,71 @@
+package arcomat.generate;
+
+import arcomat.generate.language.TemplateFailure;
+import arcomat.generate.language.TypeName;
+import arcomat.generate.view.ClassView;
+import arcomat.generate.view.EnumView;
+import arcomat.generate.view.HeadView;
+import arcomat.generate.view.PlatformView;
+import arcomat.generate.view.ProgramView;
+import arcomat.model.Component;
+
+import java.util.List;
+
+/** Everything that files are made for, in a fixed order. */
+final class Views {
+    private final Program program;
+    private final MessageTypes types;
+    private final List<Component> programs;
+
+    Views(Program program, MessageTypes types, List<Component> programs) {
+        this.program = program;
+        this.types = types;
+        this.programs = programs;
+    }
+
+    void all(Output output) throws TemplateFailure {
+        for (EnumView view : types.enums()) {
+            output.write("enum", view.folder(), view.prefix(), view.name(), view);
+        }
+        for (ClassView view : types.classes()) {
+            output.write("class", view.folder(), view.prefix(), view.name(), view);
+        }
+        for (FileContext context : program.contexts()) {
+            component(context, output);
+        }
+        for (Component main : programs) {
+            program(main, output);
+        }
+    }
+
+    private void component(FileContext context, Output output) throws TemplateFailure {
+        Component component = context.component();
+        HeadView head = Heads.of(context, program.draws(component));
+        if (component.platform()) {
+            write(
+                    "platform",
+                    head,
+                    new PlatformView(
+                            head, !component.outputs().isEmpty(), !component.inputs().isEmpty()),
+                    output);
+        } else if (context.composition().isPresent()) {
+            write("composite", head, new CompositeViews(context, program).view(head), output);
+        } else if (Members.automaton(component).isPresent()) {
+            write("atomic", head, new AtomicViews(context, program.choosing()).view(head), output);
+        }
+    }
+
+    private static void write(String subject, HeadView head, Record view, Output output)
+            throws TemplateFailure {
+        output.write(subject, head.folder(), head.prefix(), head.name(), view);
+    }
+
+    private void program(Component main, Output output) throws TemplateFailure {
+        TypeName name = program.names().beside(main, "Program");
+        HeadView head = Heads.of(program.context(main), program.draws(main));
+        ProgramView view =
+                new ProgramView(
+                        head, name.packageName(), name.prefix(), name.folder(), name.name());
+        output.write("program", name.folder(), name.prefix(), name.name(), view);
+    }
+}

@@ -1,0 +1,126 @@
+package arcomat.generate.language;
+
+import arcomat.model.Component;
+import arcomat.model.Type;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/**
+ * The identifiers of a generated program: every name of the model becomes a legal, unique name of
+ * the target, the same one each time. Components live in the package of the model and their layer,
+ * message types in the package of their class diagram.
+ */
+public final class Names {
+    private final Language language;
+    private final Map<String, Scope> packages = new HashMap<>();
+    private final Map<String, TypeName> types = new HashMap<>();
+    private final Map<Type.ClassType, List<String>> attributes = new HashMap<>();
+    private final Map<Type.EnumType, Map<Integer, EnumConstant>> constants = new HashMap<>();
+
+    /**
+     * @param name of the object of an enum
+     * @param code name of the number that stands for it
+     */
+    public record EnumConstant(String name, String code) {}
+
+    public Names(Language language) {
+        this.language = language;
+    }
+
+    public Language language() {
+        return language;
+    }
+
+    /** The name of a component's class; asked first for what comes first in the model. */
+    public TypeName of(Component component) {
+        String layer = component.layer().name().toLowerCase(Locale.ROOT);
+        return types.computeIfAbsent(
+                "component " + component.qualifiedName(),
+                key -> type(component.packageName() + "." + layer, component.name()));
+    }
+
+    /** The name of an enum or class of a class diagram. */
+    public TypeName of(Type type) {
+        String qualified = type.name();
+        int dot = qualified.lastIndexOf('.');
+        String diagram = dot < 0 ? "types" : qualified.substring(0, dot);
+        int inner = diagram.lastIndexOf('.') + 1;
+        String home = home(diagram.substring(0, inner), diagram.substring(inner));
+        return types.computeIfAbsent(
+                "type " + qualified, key -> type(home, qualified.substring(dot + 1)));
+    }
+
+    /** {@code coffee.types.Types} and {@code coffee.Types} are both at home in coffee.types. */
+    private static String home(String packageName, String diagram) {
+        String own = Words.uncapitalised(diagram);
+        boolean said = packageName.equals(own + ".") || packageName.endsWith("." + own + ".");
+        return said ? packageName : packageName + own;
+    }
+
+    /** A further name beside a component's class. */
+    public TypeName beside(Component component, String suffix) {
+        TypeName self = of(component);
+        return types.computeIfAbsent(
+                "beside " + component.qualifiedName() + " " + suffix,
+                key -> type(self.packageName(), self.name() + suffix));
+    }
+
+    private TypeName type(String packageName, String name) {
+        String home =
+                Arrays.stream(packageName.split("\\."))
+                        .filter(segment -> !segment.isEmpty())
+                        .map(this::segment)
+                        .collect(Collectors.joining("."));
+        Scope scope = packages.computeIfAbsent(home, key -> Scope.ofFiles(reservedTypes()));
+        return new TypeName(home, scope.claimAll(Words.type(name), language.words("companions")));
+    }
+
+    private String segment(String name) {
+        String identifier = Words.identifier(name);
+        return language.reserved().contains(identifier) ? identifier + "_" : identifier;
+    }
+
+    private Set<String> reservedTypes() {
+        Set<String> words = new TreeSet<>(language.reserved());
+        words.addAll(Arrays.asList(language.words("reserved.types")));
+        return words;
+    }
+
+    /** The name of an attribute of a class. */
+    public String attribute(Type.ClassType type, int index) {
+        return attributes.computeIfAbsent(type, this::attributes).get(index);
+    }
+
+    private List<String> attributes(Type.ClassType type) {
+        Scope scope = Scope.of(language.reserved());
+        return type.attributes().stream()
+                .map(a -> scope.claim(Words.identifier(a.name())))
+                .toList();
+    }
+
+    /** The names of an enum's constants, by position. */
+    public EnumConstant constant(Type.EnumType type, int ordinal) {
+        return constants.computeIfAbsent(type, this::constants).get(ordinal);
+    }
+
+    private Map<Integer, EnumConstant> constants(Type.EnumType type) {
+        Scope objects = Scope.of(language.reserved());
+        Arrays.asList(language.words("reserved.constants")).forEach(objects::claim);
+        Scope codes = Scope.of(language.reserved());
+        codes.claim("SILENCE");
+        Map<Integer, EnumConstant> names = new HashMap<>();
+        for (String constant : type.constants()) {
+            String object = objects.claim(Words.identifier(constant));
+            String code = codes.claim(Words.constant(constant));
+            names.put(names.size(), new EnumConstant(object, code));
+        }
+        return names;
+    }
+}

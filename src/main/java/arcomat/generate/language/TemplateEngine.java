@@ -1,0 +1,89 @@
+package arcomat.generate.language;
+
+import freemarker.cache.StringTemplateLoader;
+import freemarker.core.ParseException;
+import freemarker.core.TemplateClassResolver;
+import freemarker.template.Configuration;
+import freemarker.template.Template;
+import freemarker.template.TemplateException;
+import freemarker.template.TemplateExceptionHandler;
+import freemarker.template.TemplateNotFoundException;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * The only place that knows FreeMarker. Templates come from memory, cannot create objects, cannot
+ * reach the JVM, and print the same text whatever the machine's locale and time zone.
+ */
+public final class TemplateEngine {
+    private final Configuration configuration;
+
+    /**
+     * @param templates texts by name
+     */
+    public TemplateEngine(Map<String, String> templates) {
+        StringTemplateLoader loader = new StringTemplateLoader();
+        templates.forEach(loader::putTemplate);
+        configuration = new Configuration(Configuration.VERSION_2_3_34);
+        configuration.setTemplateLoader(loader);
+        configuration.setObjectWrapper(new ViewWrapper());
+        configuration.setNewBuiltinClassResolver(TemplateClassResolver.ALLOWS_NOTHING_RESOLVER);
+        configuration.setAPIBuiltinEnabled(false);
+        configuration.setLocalizedLookup(false);
+        configuration.setLocale(Locale.ROOT);
+        configuration.setNumberFormat("computer");
+        configuration.setTemplateExceptionHandler(TemplateExceptionHandler.RETHROW_HANDLER);
+        configuration.setLogTemplateExceptions(false);
+        configuration.setWrapUncheckedExceptions(true);
+    }
+
+    /**
+     * Fills a template in.
+     *
+     * @param view what the template sees, its components by name
+     */
+    public String render(String template, Record view) throws TemplateFailure {
+        try {
+            Template parsed = configuration.getTemplate(template);
+            StringWriter text = new StringWriter();
+            parsed.process(view, text);
+            return text.toString().replace("\r\n", "\n");
+        } catch (ParseException e) {
+            throw new TemplateFailure(
+                    nameOr(e.getTemplateName(), template),
+                    e.getLineNumber(),
+                    e.getColumnNumber(),
+                    firstParagraph(e.getEditorMessage()));
+        } catch (TemplateException e) {
+            throw new TemplateFailure(
+                    nameOr(e.getTemplateSourceName(), template),
+                    orZero(e.getLineNumber()),
+                    orZero(e.getColumnNumber()),
+                    firstParagraph(e.getMessageWithoutStackTop()));
+        } catch (TemplateNotFoundException e) {
+            throw new TemplateFailure(template, 0, 0, "there is no such template");
+        } catch (IOException e) {
+            throw new TemplateFailure(template, 0, 0, firstParagraph(e.getMessage()));
+        }
+    }
+
+    private static String nameOr(String name, String otherwise) {
+        return name == null ? otherwise : name;
+    }
+
+    private static int orZero(Integer number) {
+        return number == null ? 0 : number;
+    }
+
+    /** What FreeMarker adds after the first paragraph are hints for its own users. */
+    private static String firstParagraph(String message) {
+        String text = message == null ? "" : message.strip();
+        int end = text.indexOf("\n\n");
+        int hint = text.indexOf("\n----");
+        int cut = end < 0 ? hint : hint < 0 ? end : Math.min(end, hint);
+        return (cut < 0 ? text : text.substring(0, cut)).replaceAll("\\s+", " ");
+    }
+}

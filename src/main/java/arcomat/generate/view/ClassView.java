@@ -1,0 +1,25 @@
+package arcomat.generate.view;
+
+import java.util.List;
+
+/**
+ * A class of a class diagram: messages with attributes.
+ *
+ * @param model qualified name in the model
+ */
+public record ClassView(
+        String packageName,
+        String prefix,
+        String folder,
+        String name,
+        String model,
+        List<TypeView> mentions,
+        List<AttributeView> attributes) {
+
+    /**
+     * An attribute.
+     *
+     * @param kind of its type: {@code int}, {@code string}, {@code enum} ..
+     */
+    public record AttributeView(String type, String name, String kind) {}
+}

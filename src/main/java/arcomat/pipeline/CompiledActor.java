@@ -1,0 +1,74 @@
+package arcomat.pipeline;
+
+import arcomat.generate.Layout;
+import arcomat.model.Automaton;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.Network;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/** One instance of compiled code, as a trace shows it. */
+final class CompiledActor {
+    /** Written before a step, so that it shows afterwards who has not taken its own. */
+    private static final int NOT_YET = Integer.MIN_VALUE;
+
+    private final String path;
+    private final Automaton automaton;
+    private final Slot state;
+    private final Slot taken;
+    private final Map<Variable, Slot> variables = new LinkedHashMap<>();
+    private final Messages messages;
+    private int before;
+
+    CompiledActor(
+            Network.Instance instance,
+            Automaton automaton,
+            Object object,
+            Layout.Place place,
+            Messages messages) {
+        this.path = instance.path();
+        this.automaton = automaton;
+        this.messages = messages;
+        this.state = new Slot(object, place.state());
+        this.taken = new Slot(object, place.taken());
+        for (Variable variable : automaton.variables()) {
+            variables.put(variable, new Slot(object, place.variables().get(variable.name())));
+        }
+    }
+
+    String path() {
+        return path;
+    }
+
+    void begin() {
+        before = state.getInt();
+        taken.set(NOT_YET);
+    }
+
+    boolean hasStepped() {
+        return taken.getInt() != NOT_YET;
+    }
+
+    Trace.Activity activity() {
+        int index = taken.getInt();
+        Trace.Cause cause =
+                index < 0
+                        ? new Trace.Completed(automaton.completion())
+                        : new Trace.Taken(index, automaton.transitions().get(index));
+        Map<String, Value> values = new LinkedHashMap<>();
+        variables.forEach(
+                (variable, slot) ->
+                        values.put(
+                                variable.name(), messages.fromJava(slot.get(), variable.type())));
+        return new Trace.Activity(
+                path,
+                automaton.name(),
+                automaton.states().get(before),
+                automaton.states().get(state.getInt()),
+                cause,
+                values);
+    }
+}
