@@ -173,6 +173,15 @@ public final class ComponentSymbol {
                 .toList();
     }
 
+    /** What the type parameters of its ancestors stand for in it. */
+    public TypeSubstitution inheritedArguments() {
+        TypeSubstitution all = TypeSubstitution.NONE;
+        for (Inheritance.Ancestor ancestor : inheritance.get().nearestFirst()) {
+            all = all.and(ancestor.substitution());
+        }
+        return all;
+    }
+
     /** Whether it extends itself over any number of steps. */
     public boolean isItsOwnAncestor() {
         return inheritance.get().isCyclic(this);

@@ -108,9 +108,11 @@ public final class InstanceSymbol {
 
     /** Its ports as seen from outside: type arguments are in place. */
     public List<PortSymbol> ports() {
-        return component()
-                .map(c -> c.ports().stream().map(p -> p.with(type.substitution())).toList())
-                .orElse(List.of());
+        List<PortSymbol> inside = component().map(ComponentSymbol::ports).orElse(List.of());
+        TypeSubstitution substitution = type.substitution();
+        return substitution.arguments().isEmpty()
+                ? inside
+                : inside.stream().map(port -> port.with(substitution)).toList();
     }
 
     public Optional<PortSymbol> port(String portName) {

@@ -34,8 +34,32 @@ public record TypeSubstitution(Map<TypeVariable, TypeSymbol> arguments) {
 
     /** First this one, then another. */
     public TypeSubstitution then(TypeSubstitution next) {
+        if (arguments.isEmpty()) {
+            return next;
+        }
         Map<TypeVariable, TypeSymbol> map = new HashMap<>(next.arguments);
         arguments.forEach((variable, type) -> map.put(variable, next.apply(type)));
         return new TypeSubstitution(map);
+    }
+
+    /** This one, and what another says about further parameters. */
+    public TypeSubstitution and(TypeSubstitution other) {
+        if (other.arguments.isEmpty()) {
+            return this;
+        }
+        Map<TypeVariable, TypeSymbol> map = new HashMap<>(other.arguments);
+        map.putAll(arguments);
+        return new TypeSubstitution(map);
+    }
+
+    /** What it says about some parameters. */
+    public TypeSubstitution only(List<TypeVariable> parameters) {
+        Map<TypeVariable, TypeSymbol> map = new HashMap<>();
+        for (TypeVariable parameter : parameters) {
+            if (arguments.containsKey(parameter)) {
+                map.put(parameter, arguments.get(parameter));
+            }
+        }
+        return map.isEmpty() ? NONE : new TypeSubstitution(map);
     }
 }

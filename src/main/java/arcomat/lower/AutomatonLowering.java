@@ -1,0 +1,133 @@
+package arcomat.lower;
+
+import arcomat.model.Automaton;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Variable;
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.InitialSymbol;
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.ParameterSymbol;
+import arcomat.symbols.PortSymbol;
+import arcomat.symbols.StateSymbol;
+import arcomat.symbols.TransitionSymbol;
+import arcomat.symbols.ValueSymbol;
+import arcomat.symbols.VariableSymbol;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** One automaton: names resolved, conditions on variables moved into guards. */
+final class AutomatonLowering {
+    private final AutomatonSymbol symbol;
+    private final Environment environment;
+    private final List<Variable> variables;
+    private final ExpressionLowering expressions;
+    private final ValueLowering values;
+
+    /**
+     * @param outer what the component around it gives: ports, parameters, constants
+     */
+    AutomatonLowering(AutomatonSymbol symbol, Environment outer) {
+        this.symbol = symbol;
+        this.variables = VariableLowering.lower(symbol.variables(), outer);
+        this.environment = outer.withVariables(variables);
+        this.expressions = new ExpressionLowering(environment);
+        this.values = new ValueLowering(expressions);
+    }
+
+    Automaton lower() {
+        return new Automaton(
+                symbol.name(),
+                Stereotypes.completion(symbol.stereotype("completion")),
+                Stereotypes.omitted(symbol.stereotype("omitted")),
+                symbol.states().stream().map(StateSymbol::name).toList(),
+                variables,
+                symbol.initials().stream().map(this::initial).toList(),
+                symbol.transitions().stream().map(this::transition).toList(),
+                symbol.node().span());
+    }
+
+    private Automaton.Initial initial(InitialSymbol initial) {
+        return new Automaton.Initial(
+                initial.state().orElseThrow().index(),
+                sends(initial.items()),
+                assignments(initial.items()),
+                initial.node().span());
+    }
+
+    private Automaton.Transition transition(TransitionSymbol transition) {
+        List<Automaton.Match> matches = new ArrayList<>();
+        List<Expression> guards = new ArrayList<>();
+        transition.guard().ifPresent(g -> guards.add(expressions.lower(g.expression())));
+        for (ItemSymbol item : transition.input()) {
+            addCondition(item, matches, guards);
+        }
+        return new Automaton.Transition(
+                transition.source().orElseThrow().index(),
+                transition.target().orElseThrow().index(),
+                guards.isEmpty() ? Optional.empty() : Optional.of(Formulas.conjunction(guards)),
+                matches,
+                sends(transition.output()),
+                assignments(transition.output()),
+                transition.node().span());
+    }
+
+    private void addCondition(
+            ItemSymbol item, List<Automaton.Match> matches, List<Expression> guards) {
+        ValueSymbol target = target(item);
+        if (target instanceof PortSymbol port) {
+            Optional<PortCondition> condition = values.condition(port(port), item.value());
+            condition.flatMap(PortCondition::match).ifPresent(matches::add);
+            condition
+                    .filter(c -> c.match().isEmpty())
+                    .ifPresent(c -> guards.add(c.guard()));
+        } else {
+            guards.add(values.comparison(read(target, item), item.value()));
+        }
+    }
+
+    private Expression read(ValueSymbol target, ItemSymbol item) {
+        if (target instanceof VariableSymbol variable) {
+            return new Expression.VariableRead(
+                    expressions.variable(variable), item.node().span());
+        }
+        String name = ((ParameterSymbol) target).name();
+        return new Expression.ParameterRead(
+                environment.parameters().get(name), item.node().span());
+    }
+
+    private List<Automaton.Send> sends(List<ItemSymbol> items) {
+        List<Automaton.Send> sends = new ArrayList<>();
+        for (ItemSymbol item : items) {
+            if (target(item) instanceof PortSymbol port) {
+                values.send(port(port), item.value()).ifPresent(sends::add);
+            }
+        }
+        return sends;
+    }
+
+    private List<Automaton.Assignment> assignments(List<ItemSymbol> items) {
+        List<Automaton.Assignment> assignments = new ArrayList<>();
+        for (ItemSymbol item : items) {
+            if (target(item) instanceof VariableSymbol symbolOfVariable) {
+                Variable variable = expressions.variable(symbolOfVariable);
+                assignments.add(
+                        new Automaton.Assignment(
+                                variable,
+                                expressions.lower(
+                                        item.value().expressions().get(0), variable.type())));
+            }
+        }
+        return assignments;
+    }
+
+    private static ValueSymbol target(ItemSymbol item) {
+        return Resolved.get(item.target(), item.node().span());
+    }
+
+    private Port port(PortSymbol port) {
+        return environment.ports().get(port.name());
+    }
+}

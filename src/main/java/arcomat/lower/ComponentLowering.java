@@ -1,0 +1,198 @@
+package arcomat.lower;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Parameter;
+import arcomat.model.Port;
+import arcomat.model.Variable;
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Delays;
+import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.ParameterSymbol;
+import arcomat.symbols.PortSymbol;
+import arcomat.symbols.TypeSubstitution;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Components, each instantiation once, parts before wholes. */
+final class ComponentLowering {
+    private final Delays delays;
+    private final Map<Instantiation, Component> lowered = new LinkedHashMap<>();
+    private final Map<Instantiation, Environment> environments = new HashMap<>();
+
+    ComponentLowering(Delays delays) {
+        this.delays = delays;
+    }
+
+    Collection<Component> lowered() {
+        return lowered.values();
+    }
+
+    /** The component of an instantiation; lowers what it is made of first, without recursion. */
+    Component lower(Instantiation wanted) {
+        Deque<Instantiation> open = new ArrayDeque<>();
+        open.push(wanted);
+        while (!open.isEmpty()) {
+            Instantiation current = open.peek();
+            int before = open.size();
+            if (!lowered.containsKey(current)) {
+                pushMissingParts(current, open);
+            }
+            if (open.size() == before) {
+                open.pop();
+                if (!lowered.containsKey(current)) {
+                    lowered.put(current, build(current));
+                }
+            }
+        }
+        return lowered.get(wanted);
+    }
+
+    private void pushMissingParts(Instantiation whole, Deque<Instantiation> open) {
+        for (InstanceSymbol instance : whole.component().instances()) {
+            Instantiation part = whole.of(instance);
+            if (!lowered.containsKey(part)) {
+                open.push(part);
+            }
+        }
+    }
+
+    /** The names inside a lowered component. */
+    Environment environment(Instantiation instantiation) {
+        return environments.get(instantiation);
+    }
+
+    Component lowered(Instantiation instantiation) {
+        return lowered.get(instantiation);
+    }
+
+    private Component build(Instantiation instantiation) {
+        ComponentSymbol symbol = instantiation.component();
+        List<Port> ports = ports(instantiation);
+        Environment types = Environment.of(instantiation.substitution());
+        List<Parameter> parameters = parameters(symbol.parameters(), types);
+        Environment outer = types.withParameters(parameters);
+        List<Variable> constants = VariableLowering.lower(symbol.variables(), outer);
+        Environment inside = outer.withConstants(constants).withPorts(ports);
+        environments.put(instantiation, inside);
+        List<Automaton> automata = automata(symbol, inside);
+        boolean decomposed = symbol.isDecomposed();
+        return new Component(
+                symbol.unit().packageText(),
+                instantiation.name(),
+                Stereotypes.layer(symbol.layer()),
+                symbol.isPlatform(),
+                symbol.isDeploy(),
+                profile(symbol),
+                Stereotypes.queueCapacity(symbol),
+                parameters,
+                constants,
+                ports,
+                decomposed
+                        ? new CompositionLowering(this, instantiation, inside).lower()
+                        : new Component.Atomic(automata),
+                decomposed ? automata : List.of(),
+                refines(symbol),
+                symbol.node().span());
+    }
+
+    private static List<Automaton> automata(ComponentSymbol symbol, Environment environment) {
+        List<Automaton> automata = new ArrayList<>();
+        symbol.automata().forEach(a -> automata.add(new AutomatonLowering(a, environment).lower()));
+        symbol.tables().forEach(t -> automata.add(new TableLowering(t, environment).lower()));
+        return automata;
+    }
+
+    private static List<String> refines(ComponentSymbol symbol) {
+        return symbol.refines().stream()
+                .map(r -> Resolved.get(r.resolution(), r.node()).qualifiedName())
+                .toList();
+    }
+
+    private static Component.Profile profile(ComponentSymbol symbol) {
+        return symbol.timing().eventDriven()
+                ? Component.Profile.EVENT_DRIVEN
+                : Component.Profile.TIME_SYNCHRONOUS;
+    }
+
+    /** Inherited ports that are declared again stand where they stood. */
+    private List<Port> ports(Instantiation instantiation) {
+        Map<String, Port> ports = new LinkedHashMap<>();
+        Environment types = Environment.of(instantiation.substitution());
+        for (PortSymbol port : instantiation.component().ports()) {
+            int delay = port.isInput() ? 0 : delays.effective(instantiation.component(), port);
+            ports.put(port.name(), port(port, types, delay));
+        }
+        return List.copyOf(ports.values());
+    }
+
+    private static Port port(PortSymbol symbol, Environment types, int delay) {
+        return new Port(
+                symbol.name(),
+                symbol.isInput() ? Port.Direction.IN : Port.Direction.OUT,
+                types.type(symbol.type()),
+                symbol.isTotal(),
+                delay,
+                symbol.isLatched(),
+                symbol.nameSpan());
+    }
+
+    private static List<Parameter> parameters(
+            List<ParameterSymbol> symbols, Environment environment) {
+        List<Parameter> parameters = new ArrayList<>();
+        Environment current = environment;
+        for (ParameterSymbol symbol : symbols) {
+            ExpressionLowering expressions = new ExpressionLowering(current);
+            var type = current.type(symbol.type());
+            Parameter parameter =
+                    new Parameter(
+                            symbol.name(),
+                            type,
+                            symbol.initial().map(initial -> expressions.lower(initial, type)));
+            parameters.add(parameter);
+            current = current.withParameters(List.of(parameter));
+        }
+        return parameters;
+    }
+
+    /** A bare automaton as an atomic component of its own. */
+    Component bare(AutomatonSymbol symbol) {
+        Environment types = Environment.of(TypeSubstitution.NONE);
+        List<Port> ports =
+                symbol.ports().stream().map(p -> port(p, types, p.delay())).toList();
+        Environment inside = types.withPorts(ports);
+        return new Component(
+                symbol.unit().packageText(),
+                symbol.name().isEmpty() ? fileName(symbol) : symbol.name(),
+                Component.Layer.LOGIC,
+                false,
+                false,
+                Component.Profile.TIME_SYNCHRONOUS,
+                Stereotypes.DEFAULT_CAPACITY,
+                List.of(),
+                List.of(),
+                ports,
+                new Component.Atomic(List.of(new AutomatonLowering(symbol, inside).lower())),
+                List.of(),
+                List.of(),
+                symbol.node().span());
+    }
+
+    private static String fileName(AutomatonSymbol symbol) {
+        String path = symbol.unit().file().path();
+        String name = path.substring(path.lastIndexOf('/') + 1);
+        return Optional.of(name.indexOf('.'))
+                .filter(dot -> dot > 0)
+                .map(dot -> name.substring(0, dot))
+                .orElse(name);
+    }
+}

@@ -1,0 +1,130 @@
+package arcomat.lower;
+
+import arcomat.model.Expression;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+/** The values of expressions that read nothing: messages and arguments of stream tests. */
+final class ConstantEvaluation {
+    private ConstantEvaluation() {}
+
+    static Value value(Expression expression) {
+        if (expression instanceof Expression.Constant constant) {
+            return constant.value();
+        }
+        if (expression instanceof Expression.Cast cast) {
+            return Conversion.convert(value(cast.operand()), cast.type());
+        }
+        if (expression instanceof Expression.Unary unary) {
+            return unary(unary);
+        }
+        if (expression instanceof Expression.Binary binary) {
+            return binary(binary);
+        }
+        if (expression instanceof Expression.Conditional conditional) {
+            return value(
+                    isTrue(conditional.condition())
+                            ? conditional.then()
+                            : conditional.otherwise());
+        }
+        if (expression instanceof Expression.IsIn membership) {
+            Value element = value(membership.element());
+            return truth(membership.set().stream().anyMatch(e -> value(e).equals(element)));
+        }
+        throw new IllegalStateException("not constant at " + expression.span());
+    }
+
+    private static boolean isTrue(Expression expression) {
+        return ((Value.BooleanValue) value(expression)).value();
+    }
+
+    private static Value truth(boolean value) {
+        return new Value.BooleanValue(value);
+    }
+
+    private static Value unary(Expression.Unary unary) {
+        Value operand = value(unary.operand());
+        return switch (unary.operator()) {
+            case NOT -> truth(!((Value.BooleanValue) operand).value());
+            case NEGATE ->
+                    operand instanceof Value.RealValue real
+                            ? new Value.RealValue(-real.value())
+                            : whole(-number(operand), unary.type());
+            case COMPLEMENT -> whole(~number(operand), unary.type());
+        };
+    }
+
+    private static Value binary(Expression.Binary binary) {
+        return switch (binary.operator()) {
+            case AND -> truth(isTrue(binary.left()) && isTrue(binary.right()));
+            case OR -> truth(isTrue(binary.left()) || isTrue(binary.right()));
+            case IMPLIES -> truth(!isTrue(binary.left()) || isTrue(binary.right()));
+            case EQUIVALENT -> truth(isTrue(binary.left()) == isTrue(binary.right()));
+            case EQUAL -> truth(value(binary.left()).equals(value(binary.right())));
+            case NOT_EQUAL -> truth(!value(binary.left()).equals(value(binary.right())));
+            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL -> truth(compare(binary));
+            case MULTIPLY, DIVIDE, REMAINDER, PLUS, MINUS -> arithmetic(binary);
+        };
+    }
+
+    private static boolean compare(Expression.Binary binary) {
+        Value left = value(binary.left());
+        Value right = value(binary.right());
+        int order =
+                left instanceof Value.RealValue
+                        ? Double.compare(Conversion.real(left), Conversion.real(right))
+                        : Long.compare(number(left), number(right));
+        return switch (binary.operator()) {
+            case LESS -> order < 0;
+            case LESS_OR_EQUAL -> order <= 0;
+            case GREATER -> order > 0;
+            case GREATER_OR_EQUAL -> order >= 0;
+            default -> throw new AssertionError(binary.operator());
+        };
+    }
+
+    private static Value arithmetic(Expression.Binary binary) {
+        Value left = value(binary.left());
+        Value right = value(binary.right());
+        if (left instanceof Value.StringValue text) {
+            return new Value.StringValue(text.value() + ((Value.StringValue) right).value());
+        }
+        if (binary.type() instanceof Type.RealType) {
+            double result =
+                    real(binary, Conversion.real(left), Conversion.real(right));
+            return Conversion.convert(new Value.RealValue(result), binary.type());
+        }
+        return whole(whole(binary, number(left), number(right)), binary.type());
+    }
+
+    private static double real(Expression.Binary binary, double left, double right) {
+        return switch (binary.operator()) {
+            case MULTIPLY -> left * right;
+            case DIVIDE -> left / right;
+            case REMAINDER -> left % right;
+            case PLUS -> left + right;
+            case MINUS -> left - right;
+            default -> throw new AssertionError(binary.operator());
+        };
+    }
+
+    private static long whole(Expression.Binary binary, long left, long right) {
+        return switch (binary.operator()) {
+            case MULTIPLY -> left * right;
+            case DIVIDE -> left / right;
+            case REMAINDER -> left % right;
+            case PLUS -> left + right;
+            case MINUS -> left - right;
+            default -> throw new AssertionError(binary.operator());
+        };
+    }
+
+    private static long number(Value value) {
+        return ((Value.IntegerValue) value).value();
+    }
+
+    private static Value whole(long value, Type type) {
+        return new Value.IntegerValue(
+                Conversion.wrap(value, ((Type.IntegerType) type).width()));
+    }
+}

@@ -1,0 +1,62 @@
+package arcomat.lower;
+
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.model.StreamTest;
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.TestSuiteSymbol;
+import arcomat.symbols.Workspace;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+
+/** Turns what was written into what was meant. */
+public final class Lowering {
+    private final Workspace workspace;
+    private final ComponentLowering components;
+
+    private Lowering(Workspace workspace) {
+        this.workspace = workspace;
+        this.components = new ComponentLowering(workspace.delays());
+    }
+
+    /**
+     * The model of a set of files.
+     *
+     * @throws IllegalStateException where the files have error findings, which the caller rules out
+     */
+    public static Model lower(Workspace workspace) {
+        return new Lowering(workspace).model();
+    }
+
+    private Model model() {
+        for (ComponentSymbol component : workspace.components()) {
+            if (!isGenericInside(component)) {
+                components.lower(Instantiation.plain(component));
+            }
+        }
+        List<Component> all = new ArrayList<>(components.lowered());
+        for (AutomatonSymbol automaton : workspace.bareAutomata()) {
+            all.add(components.bare(automaton));
+        }
+        all.sort(Comparator.comparing(Component::qualifiedName));
+        return new Model(all, tests());
+    }
+
+    /** Whether it, or a component around it, needs type arguments. */
+    private static boolean isGenericInside(ComponentSymbol component) {
+        return component.isGeneric()
+                || component.enclosing().map(Lowering::isGenericInside).orElse(false);
+    }
+
+    private List<StreamTest> tests() {
+        StreamTestLowering lowering = new StreamTestLowering(components, workspace.delays());
+        List<StreamTest> tests = new ArrayList<>();
+        for (TestSuiteSymbol suite : workspace.testSuites()) {
+            tests.addAll(lowering.lower(suite));
+        }
+        return tests;
+    }
+}

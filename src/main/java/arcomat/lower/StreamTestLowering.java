@@ -1,0 +1,178 @@
+package arcomat.lower;
+
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Letter;
+import arcomat.model.Parameter;
+import arcomat.model.StreamTest;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Delays;
+import arcomat.symbols.InstancePath;
+import arcomat.symbols.PortSymbol;
+import arcomat.symbols.StreamTestSymbol;
+import arcomat.symbols.StreamTestSymbol.StreamSymbol;
+import arcomat.symbols.TestSuiteSymbol;
+import arcomat.symbols.Typed;
+import arcomat.symbols.TypeSubstitution;
+import arcomat.tree.Name;
+import arcomat.tree.TestSuite;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Stream tests, laid out in slices or as a sequence of events. */
+final class StreamTestLowering {
+    private final ComponentLowering components;
+    private final Delays delays;
+    private final ExpressionLowering expressions =
+            new ExpressionLowering(Environment.of(TypeSubstitution.NONE));
+
+    StreamTestLowering(ComponentLowering components, Delays delays) {
+        this.components = components;
+        this.delays = delays;
+    }
+
+    List<StreamTest> lower(TestSuiteSymbol suite) {
+        ComponentSymbol symbol = Resolved.get(suite.component(), suite.node().component());
+        Instantiation instantiation = Instantiation.plain(symbol);
+        Component component = components.lower(instantiation);
+        List<Value> arguments = arguments(suite, instantiation, component.parameters());
+        List<StreamTest> tests = new ArrayList<>();
+        for (StreamTestSymbol test : suite.tests()) {
+            tests.add(
+                    symbol.timing().eventDriven()
+                            ? eventDriven(suite, test, component, arguments)
+                            : timeSynchronous(suite, test, component, arguments));
+        }
+        return tests;
+    }
+
+    private List<Value> arguments(
+            TestSuiteSymbol suite, Instantiation instantiation, List<Parameter> parameters) {
+        List<Expression> given = new ArrayList<>();
+        List<Typed> written = suite.arguments();
+        for (int i = 0; i < written.size(); i++) {
+            given.add(expressions.lower(written.get(i), parameters.get(i).type()));
+        }
+        return Arguments.complete(
+                        given,
+                        instantiation.component().parameters(),
+                        parameters,
+                        components.environment(instantiation))
+                .stream()
+                .map(ConstantEvaluation::value)
+                .toList();
+    }
+
+    // ---- time-synchronous -----------------------------------------------------------------
+
+    private StreamTest timeSynchronous(
+            TestSuiteSymbol suite,
+            StreamTestSymbol test,
+            Component component,
+            List<Value> arguments) {
+        ComponentSymbol symbol = suite.component().found().orElseThrow();
+        Map<String, List<List<Value>>> inputs = new LinkedHashMap<>();
+        Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
+        Map<String, Integer> delayOf = new LinkedHashMap<>();
+        int length = 0;
+        for (StreamSymbol stream : test.streams()) {
+            String port = stream.node().port().text();
+            List<List<Value>> slices = StreamLayout.slices(stream.node().elements(), values(stream));
+            if (stream.kind() == TestSuite.Kind.EXPECT) {
+                int delay = delay(symbol, stream);
+                delayOf.put(port, delay);
+                expected.put(port, slices);
+                length = Math.max(length, slices.size() - delay);
+            } else {
+                inputs.put(port, slices);
+                length = Math.max(length, slices.size());
+            }
+        }
+        int slices = length;
+        expected.replaceAll((port, written) -> padded(written, slices + delayOf.get(port)));
+        return new StreamTest(
+                suite.name(),
+                test.name(),
+                component,
+                arguments,
+                letters(inputs, slices),
+                Collections.unmodifiableMap(expected),
+                test.node().span());
+    }
+
+    private static List<List<Value>> padded(List<List<Value>> slices, int length) {
+        List<List<Value>> all = new ArrayList<>(slices);
+        while (all.size() < length) {
+            all.add(List.of());
+        }
+        return Collections.unmodifiableList(all);
+    }
+
+    private static List<Letter> letters(Map<String, List<List<Value>>> streams, int length) {
+        List<Letter> letters = new ArrayList<>();
+        for (int slice = 0; slice < length; slice++) {
+            Map<String, List<Value>> messages = new LinkedHashMap<>();
+            for (Map.Entry<String, List<List<Value>>> stream : streams.entrySet()) {
+                if (slice < stream.getValue().size() && !stream.getValue().get(slice).isEmpty()) {
+                    messages.put(stream.getKey(), stream.getValue().get(slice));
+                }
+            }
+            letters.add(messages.isEmpty() ? Letter.SILENCE : new Letter(messages));
+        }
+        return letters;
+    }
+
+    /** How much later a checked port shows what the last input slice caused. */
+    private int delay(ComponentSymbol component, StreamSymbol stream) {
+        List<String> path =
+                stream.node().port().parts().stream().map(Name::text).toList();
+        if (path.size() == 1) {
+            PortSymbol port = Resolved.get(stream.port(), stream.node().port());
+            return port.isInput() ? 0 : delays.effective(component, port);
+        }
+        return InstancePath.delayInto(component, path, delays);
+    }
+
+    // ---- event-driven ---------------------------------------------------------------------
+
+    private StreamTest eventDriven(
+            TestSuiteSymbol suite,
+            StreamTestSymbol test,
+            Component component,
+            List<Value> arguments) {
+        List<Letter> events = new ArrayList<>();
+        Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
+        for (StreamSymbol stream : test.streams()) {
+            String port = stream.node().port().text();
+            List<Value> messages =
+                    StreamLayout.messages(stream.node().elements(), values(stream));
+            if (stream.kind() == TestSuite.Kind.EXPECT) {
+                expected.put(port, List.of(messages));
+            } else {
+                messages.forEach(m -> events.add(Letter.of(Map.of(port, m))));
+            }
+        }
+        return new StreamTest(
+                suite.name(),
+                test.name(),
+                component,
+                arguments,
+                events,
+                Collections.unmodifiableMap(expected),
+                test.node().span());
+    }
+
+    private List<Value> values(StreamSymbol stream) {
+        PortSymbol port = Resolved.get(stream.port(), stream.node().port());
+        Type type = TypeLowering.lower(port.type());
+        return stream.messages().stream()
+                .map(m -> ConstantEvaluation.value(expressions.lower(m, type)))
+                .toList();
+    }
+}

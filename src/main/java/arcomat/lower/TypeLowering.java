@@ -1,0 +1,67 @@
+package arcomat.lower;
+
+import arcomat.model.Type;
+import arcomat.symbols.BuiltinType;
+import arcomat.symbols.ClassSymbol;
+import arcomat.symbols.EnumSymbol;
+import arcomat.symbols.RangeType;
+import arcomat.symbols.TypeSymbol;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Types of the text as types of the model. */
+final class TypeLowering {
+    private TypeLowering() {}
+
+    /** Type parameters must have been replaced before. */
+    static Type lower(TypeSymbol type) {
+        if (type instanceof BuiltinType builtin) {
+            return builtin(builtin);
+        }
+        if (type instanceof RangeType range) {
+            return new Type.IntegerType(width(range.carrier()), range.low(), range.high(), true);
+        }
+        if (type instanceof EnumSymbol enumeration) {
+            return enumeration(enumeration);
+        }
+        if (type instanceof ClassSymbol object) {
+            return object(object);
+        }
+        throw new IllegalStateException("no type of the model: " + type.text());
+    }
+
+    static Type.EnumType enumeration(EnumSymbol symbol) {
+        return new Type.EnumType(symbol.qualifiedName(), symbol.constants());
+    }
+
+    static Type.ClassType object(ClassSymbol symbol) {
+        List<Type.Attribute> attributes = new ArrayList<>();
+        for (ClassSymbol.AttributeSymbol attribute : symbol.attributes()) {
+            attributes.add(new Type.Attribute(attribute.name(), lower(attribute.type())));
+        }
+        return new Type.ClassType(symbol.qualifiedName(), attributes);
+    }
+
+    private static Type builtin(BuiltinType type) {
+        return switch (type) {
+            case BOOLEAN -> new Type.BooleanType();
+            case BYTE, SHORT, INTEGER, LONG -> Type.IntegerType.of(width(type));
+            case CHARACTER -> new Type.CharacterType();
+            case FLOAT -> new Type.RealType(true);
+            case DOUBLE -> new Type.RealType(false);
+            case STRING -> new Type.StringType();
+        };
+    }
+
+    private static Type.Width width(BuiltinType type) {
+        return switch (type) {
+            case BYTE -> Type.Width.BYTE;
+            case SHORT -> Type.Width.SHORT;
+            case INTEGER -> Type.Width.INT;
+            case LONG -> Type.Width.LONG;
+            case BOOLEAN, CHARACTER, FLOAT, DOUBLE, STRING ->
+                    throw new IllegalStateException("no whole numbers: " + type);
+        };
+    }
+}

@@ -1,0 +1,88 @@
+package arcomat.lower;
+
+import arcomat.model.Automaton;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.symbols.ItemValue;
+import arcomat.symbols.Typed;
+import arcomat.tree.Block;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Right-hand sides of items, and cells of tables. */
+final class ValueLowering {
+    private final ExpressionLowering expressions;
+
+    ValueLowering(ExpressionLowering expressions) {
+        this.expressions = expressions;
+    }
+
+    /** What a value on the input side asks of a port; empty for {@code *}. */
+    Optional<PortCondition> condition(Port port, ItemValue value) {
+        if (value.node() instanceof Block.DontCare) {
+            return Optional.empty();
+        }
+        return Optional.of(
+                new PortCondition(port, patterns(port.type(), value), value.node().span()));
+    }
+
+    private List<Automaton.Pattern> patterns(Type type, ItemValue value) {
+        List<Expression> values = new ArrayList<>();
+        List<Automaton.Pattern> marks = new ArrayList<>();
+        collect(type, value, values, marks);
+        List<Automaton.Pattern> patterns = new ArrayList<>();
+        if (!values.isEmpty()) {
+            patterns.add(new Automaton.OneOf(values));
+        }
+        patterns.addAll(marks);
+        return patterns;
+    }
+
+    private void collect(
+            Type type, ItemValue value, List<Expression> values, List<Automaton.Pattern> marks) {
+        if (value instanceof ItemValue.Alternatives alternatives) {
+            alternatives.values().forEach(v -> collect(type, v, values, marks));
+        } else if (value.node() instanceof Block.NoMessage) {
+            marks.add(new Automaton.Absent());
+        } else if (value.node() instanceof Block.AnyMessage) {
+            marks.add(new Automaton.Present());
+        } else {
+            value.expressions().forEach(e -> values.add(expressions.lower(e, type)));
+        }
+    }
+
+    /** What a value on the input side asks of a variable. */
+    Expression comparison(Expression variable, ItemValue value) {
+        List<Expression> equal = new ArrayList<>();
+        for (Typed typed : value.expressions()) {
+            equal.add(
+                    Formulas.equal(variable, expressions.lower(typed, variable.type())));
+        }
+        return Formulas.disjunction(equal);
+    }
+
+    /** What a value on the output side sends; empty for {@code *}, which leaves the port out. */
+    Optional<Automaton.Send> send(Port port, ItemValue value) {
+        return emission(port.type(), value).map(e -> new Automaton.Send(port, e));
+    }
+
+    private Optional<Automaton.Emission> emission(Type type, ItemValue value) {
+        if (value.node() instanceof Block.DontCare) {
+            return Optional.empty();
+        }
+        if (value.node() instanceof Block.NoMessage) {
+            return Optional.of(new Automaton.Silence());
+        }
+        if (value.node() instanceof Block.AnyMessage) {
+            return Optional.of(new Automaton.AnyMessage());
+        }
+        return Optional.of(
+                new Automaton.Messages(
+                        value.expressions().stream()
+                                .map(e -> expressions.lower(e, type))
+                                .toList()));
+    }
+}
