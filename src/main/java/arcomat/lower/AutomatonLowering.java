@@ -80,9 +80,7 @@ final class AutomatonLowering {
         if (target instanceof PortSymbol port) {
             Optional<PortCondition> condition = values.condition(port(port), item.value());
             condition.flatMap(PortCondition::match).ifPresent(matches::add);
-            condition
-                    .filter(c -> c.match().isEmpty())
-                    .ifPresent(c -> guards.add(c.guard()));
+            condition.filter(c -> c.match().isEmpty()).ifPresent(c -> guards.add(c.guard()));
         } else {
             guards.add(values.comparison(read(target, item), item.value()));
         }
@@ -90,12 +88,10 @@ final class AutomatonLowering {
 
     private Expression read(ValueSymbol target, ItemSymbol item) {
         if (target instanceof VariableSymbol variable) {
-            return new Expression.VariableRead(
-                    expressions.variable(variable), item.node().span());
+            return new Expression.VariableRead(expressions.variable(variable), item.node().span());
         }
         String name = ((ParameterSymbol) target).name();
-        return new Expression.ParameterRead(
-                environment.parameters().get(name), item.node().span());
+        return new Expression.ParameterRead(environment.parameters().get(name), item.node().span());
     }
 
     private List<Automaton.Send> sends(List<ItemSymbol> items) {

@@ -167,8 +167,7 @@ final class ComponentLowering {
     /** A bare automaton as an atomic component of its own. */
     Component bare(AutomatonSymbol symbol) {
         Environment types = Environment.of(TypeSubstitution.NONE);
-        List<Port> ports =
-                symbol.ports().stream().map(p -> port(p, types, p.delay())).toList();
+        List<Port> ports = symbol.ports().stream().map(p -> port(p, types, p.delay())).toList();
         Environment inside = types.withPorts(ports);
         return new Component(
                 symbol.unit().packageText(),

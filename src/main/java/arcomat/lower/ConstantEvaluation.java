@@ -23,9 +23,7 @@ final class ConstantEvaluation {
         }
         if (expression instanceof Expression.Conditional conditional) {
             return value(
-                    isTrue(conditional.condition())
-                            ? conditional.then()
-                            : conditional.otherwise());
+                    isTrue(conditional.condition()) ? conditional.then() : conditional.otherwise());
         }
         if (expression instanceof Expression.IsIn membership) {
             Value element = value(membership.element());
@@ -90,8 +88,7 @@ final class ConstantEvaluation {
             return new Value.StringValue(text.value() + ((Value.StringValue) right).value());
         }
         if (binary.type() instanceof Type.RealType) {
-            double result =
-                    real(binary, Conversion.real(left), Conversion.real(right));
+            double result = real(binary, Conversion.real(left), Conversion.real(right));
             return Conversion.convert(new Value.RealValue(result), binary.type());
         }
         return whole(whole(binary, number(left), number(right)), binary.type());
@@ -124,7 +121,6 @@ final class ConstantEvaluation {
     }
 
     private static Value whole(long value, Type type) {
-        return new Value.IntegerValue(
-                Conversion.wrap(value, ((Type.IntegerType) type).width()));
+        return new Value.IntegerValue(Conversion.wrap(value, ((Type.IntegerType) type).width()));
     }
 }

@@ -46,8 +46,7 @@ record Environment(
     }
 
     Environment withArguments(Map<String, Expression> values) {
-        return new Environment(
-                types, ports, parameters, Map.copyOf(values), constants, variables);
+        return new Environment(types, ports, parameters, Map.copyOf(values), constants, variables);
     }
 
     Environment withConstants(List<Variable> more) {

@@ -109,8 +109,7 @@ final class ExpressionLowering {
         Expression argument = environment.arguments().get(name);
         return argument != null
                 ? argument
-                : new Expression.ParameterRead(
-                        known(environment.parameters(), name), span(read));
+                : new Expression.ParameterRead(known(environment.parameters(), name), span(read));
     }
 
     private Expression literal(TypedExpression.Literal literal) {
@@ -150,8 +149,7 @@ final class ExpressionLowering {
         return switch (unary.node().operator()) {
             case PLUS -> operand;
             case NOT ->
-                    new Expression.Unary(
-                            Expression.UnaryOperator.NOT, operand, type, span(unary));
+                    new Expression.Unary(Expression.UnaryOperator.NOT, operand, type, span(unary));
             case COMPLEMENT ->
                     new Expression.Unary(
                             Expression.UnaryOperator.COMPLEMENT, operand, type, span(unary));
@@ -214,7 +212,6 @@ final class ExpressionLowering {
                             type.attributes().get(i).type(), lower(object.arguments().get(i)));
             attributes.add(ConstantEvaluation.value(argument));
         }
-        return new Expression.Constant(
-                new Value.ObjectValue(type, attributes), type, span(object));
+        return new Expression.Constant(new Value.ObjectValue(type, attributes), type, span(object));
     }
 }

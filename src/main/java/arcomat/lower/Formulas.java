@@ -22,8 +22,7 @@ final class Formulas {
     }
 
     static Expression not(Expression operand) {
-        return new Expression.Unary(
-                Expression.UnaryOperator.NOT, operand, BOOLEAN, operand.span());
+        return new Expression.Unary(Expression.UnaryOperator.NOT, operand, BOOLEAN, operand.span());
     }
 
     static Expression equal(Expression left, Expression right) {

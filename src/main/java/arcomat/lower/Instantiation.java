@@ -38,7 +38,8 @@ record Instantiation(ComponentSymbol component, TypeSubstitution arguments) {
     String name() {
         String packageName = component.unit().packageText();
         String qualified = component.qualifiedName();
-        String name = packageName.isEmpty() ? qualified : qualified.substring(packageName.length() + 1);
+        String name =
+                packageName.isEmpty() ? qualified : qualified.substring(packageName.length() + 1);
         List<TypeVariable> variables = typeVariables(component);
         if (variables.isEmpty()) {
             return name;

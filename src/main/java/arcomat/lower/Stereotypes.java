@@ -16,10 +16,7 @@ final class Stereotypes {
     private Stereotypes() {}
 
     static Automaton.Completion completion(Optional<String> value) {
-        return value.map(
-                        v ->
-                                Automaton.Completion.valueOf(
-                                        v.toUpperCase(java.util.Locale.ROOT)))
+        return value.map(v -> Automaton.Completion.valueOf(v.toUpperCase(java.util.Locale.ROOT)))
                 .orElse(Automaton.Completion.CHAOS);
     }
 

@@ -8,8 +8,8 @@ import java.util.Iterator;
 import java.util.List;
 
 /**
- * Lays a stream out in slices: k {@code Tk} end k slices, and what stands behind the last one is one
- * slice more.
+ * Lays a stream out in slices: k {@code Tk} end k slices, and what stands behind the last one is
+ * one slice more.
  */
 final class StreamLayout {
     private final List<List<Value>> slices = new ArrayList<>();
@@ -20,8 +20,7 @@ final class StreamLayout {
     /**
      * @param messages values of the messages in the order in which they are written, each once
      */
-    static List<List<Value>> slices(
-            List<TestSuite.StreamElement> elements, List<Value> messages) {
+    static List<List<Value>> slices(List<TestSuite.StreamElement> elements, List<Value> messages) {
         StreamLayout layout = new StreamLayout();
         layout.add(elements, messages.iterator());
         if (!layout.open.isEmpty()) {
@@ -31,8 +30,7 @@ final class StreamLayout {
     }
 
     /** All messages of a stream in order, whatever slices they are in. */
-    static List<Value> messages(
-            List<TestSuite.StreamElement> elements, List<Value> messages) {
+    static List<Value> messages(List<TestSuite.StreamElement> elements, List<Value> messages) {
         List<Value> all = new ArrayList<>();
         slices(elements, messages).forEach(all::addAll);
         return all;

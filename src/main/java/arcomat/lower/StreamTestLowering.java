@@ -14,8 +14,8 @@ import arcomat.symbols.PortSymbol;
 import arcomat.symbols.StreamTestSymbol;
 import arcomat.symbols.StreamTestSymbol.StreamSymbol;
 import arcomat.symbols.TestSuiteSymbol;
-import arcomat.symbols.Typed;
 import arcomat.symbols.TypeSubstitution;
+import arcomat.symbols.Typed;
 import arcomat.tree.Name;
 import arcomat.tree.TestSuite;
 
@@ -83,7 +83,8 @@ final class StreamTestLowering {
         int length = 0;
         for (StreamSymbol stream : test.streams()) {
             String port = stream.node().port().text();
-            List<List<Value>> slices = StreamLayout.slices(stream.node().elements(), values(stream));
+            List<List<Value>> slices =
+                    StreamLayout.slices(stream.node().elements(), values(stream));
             if (stream.kind() == TestSuite.Kind.EXPECT) {
                 int delay = delay(symbol, stream);
                 delayOf.put(port, delay);
@@ -130,8 +131,7 @@ final class StreamTestLowering {
 
     /** How much later a checked port shows what the last input slice caused. */
     private int delay(ComponentSymbol component, StreamSymbol stream) {
-        List<String> path =
-                stream.node().port().parts().stream().map(Name::text).toList();
+        List<String> path = stream.node().port().parts().stream().map(Name::text).toList();
         if (path.size() == 1) {
             PortSymbol port = Resolved.get(stream.port(), stream.node().port());
             return port.isInput() ? 0 : delays.effective(component, port);
@@ -150,8 +150,7 @@ final class StreamTestLowering {
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         for (StreamSymbol stream : test.streams()) {
             String port = stream.node().port().text();
-            List<Value> messages =
-                    StreamLayout.messages(stream.node().elements(), values(stream));
+            List<Value> messages = StreamLayout.messages(stream.node().elements(), values(stream));
             if (stream.kind() == TestSuite.Kind.EXPECT) {
                 expected.put(port, List.of(messages));
             } else {

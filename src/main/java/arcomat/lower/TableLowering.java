@@ -37,9 +37,7 @@ final class TableLowering {
                 Stereotypes.omitted(stereotype("omitted")),
                 List.of(STATE),
                 List.of(),
-                List.of(
-                        new Automaton.Initial(
-                                0, List.of(), List.of(), table.node().span())),
+                List.of(new Automaton.Initial(0, List.of(), List.of(), table.node().span())),
                 transitions(),
                 table.node().span());
     }
@@ -77,9 +75,7 @@ final class TableLowering {
         List<Automaton.Match> matches = new ArrayList<>();
         List<Expression> guards = new ArrayList<>();
         for (PortCondition condition : conditions) {
-            condition
-                    .match()
-                    .ifPresentOrElse(matches::add, () -> guards.add(condition.guard()));
+            condition.match().ifPresentOrElse(matches::add, () -> guards.add(condition.guard()));
         }
         for (List<PortCondition> other : earlier) {
             if (canMeet(conditions, other)) {
@@ -108,8 +104,7 @@ final class TableLowering {
                     new arcomat.model.Type.BooleanType(),
                     place.node().span());
         }
-        return Formulas.not(
-                Formulas.conjunction(row.stream().map(PortCondition::guard).toList()));
+        return Formulas.not(Formulas.conjunction(row.stream().map(PortCondition::guard).toList()));
     }
 
     private List<Automaton.Send> sends(TableSymbol.Row row) {

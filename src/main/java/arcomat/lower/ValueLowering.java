@@ -58,8 +58,7 @@ final class ValueLowering {
     Expression comparison(Expression variable, ItemValue value) {
         List<Expression> equal = new ArrayList<>();
         for (Typed typed : value.expressions()) {
-            equal.add(
-                    Formulas.equal(variable, expressions.lower(typed, variable.type())));
+            equal.add(Formulas.equal(variable, expressions.lower(typed, variable.type())));
         }
         return Formulas.disjunction(equal);
     }

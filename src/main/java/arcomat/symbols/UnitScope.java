@@ -1,5 +1,6 @@
 package arcomat.symbols;
 
+import arcomat.tree.ClassDiagram;
 import arcomat.tree.Expression;
 import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
@@ -16,13 +17,14 @@ import java.util.Set;
 import java.util.function.Function;
 
 /**
- * What the names in one file reach. A name is looked for, and the first place that has it wins:
- * imports of that very name, the package of the file, the built-in types, the name as fully
- * qualified, imports with a wildcard. For {@code a.b.C} the first part decides.
+ * What the names in one file reach. A name is looked for, and the first place that has it wins: the
+ * class diagram itself, imports of that very name, the package of the file, the built-in types, the
+ * name as fully qualified, imports with a wildcard. For {@code a.b.C} the first part decides.
  */
 public final class UnitScope {
     private final Unit unit;
     private final Index index;
+    private final String home;
     private final Lazy<Map<String, List<Import>>> singleImports = new Lazy<>(this::singleImports);
     private final Lazy<List<Import>> wildcardImports = new Lazy<>(this::wildcardImports);
     private final Lazy<Boolean> leadsNowhere = new Lazy<>(this::someWildcardLeadsNowhere);
@@ -30,6 +32,14 @@ public final class UnitScope {
     UnitScope(Unit unit, Index index) {
         this.unit = unit;
         this.index = index;
+        this.home = home(unit);
+    }
+
+    /** Where the siblings of the types of a class diagram are; else the package. */
+    private static String home(Unit unit) {
+        return unit.definition() instanceof ClassDiagram diagram
+                ? Names.join(unit.packageText(), diagram.name().text())
+                : unit.packageText();
     }
 
     public Unit unit() {
@@ -120,7 +130,7 @@ public final class UnitScope {
     }
 
     private boolean isDefinedHere(QualifiedName name) {
-        return !index.types(Names.join(unit.packageText(), name.text())).isEmpty()
+        return !index.types(Names.join(home, name.text())).isEmpty()
                 || singleImports.get().getOrDefault(name.text(), List.of()).stream()
                         .anyMatch(i -> !index.types(i.name().text()).isEmpty());
     }
@@ -129,8 +139,13 @@ public final class UnitScope {
         String text = name.text();
         Set<S> found = new LinkedHashSet<>();
         List<Import> single = singleImports.get().getOrDefault(Names.first(name), List.of());
-        for (Import imported : single) {
-            found.addAll(table.apply(imported.name().text() + Names.afterFirst(name)));
+        if (unit.definition() instanceof ClassDiagram) {
+            found.addAll(table.apply(Names.join(home, text)));
+        }
+        if (found.isEmpty()) {
+            for (Import imported : single) {
+                found.addAll(table.apply(imported.name().text() + Names.afterFirst(name)));
+            }
         }
         if (found.isEmpty()) {
             found.addAll(table.apply(Names.join(unit.packageText(), text)));

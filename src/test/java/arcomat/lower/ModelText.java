@@ -77,11 +77,7 @@ final class ModelText {
     }
 
     private static String variable(Variable variable) {
-        return variable.name()
-                + ": "
-                + variable.type().name()
-                + " = "
-                + show(variable.initial());
+        return variable.name() + ": " + variable.type().name() + " = " + show(variable.initial());
     }
 
     private static String port(Port port) {
@@ -195,8 +191,13 @@ final class ModelText {
             return "(" + show(b.left()) + " " + b.operator() + " " + show(b.right()) + ")";
         }
         if (expression instanceof Expression.Conditional c) {
-            return "(" + show(c.condition()) + " ? " + show(c.then()) + " : "
-                    + show(c.otherwise()) + ")";
+            return "("
+                    + show(c.condition())
+                    + " ? "
+                    + show(c.then())
+                    + " : "
+                    + show(c.otherwise())
+                    + ")";
         }
         if (expression instanceof Expression.IsIn in) {
             return "(" + show(in.element()) + " isin {" + join(in.set(), ModelText::show) + "})";
