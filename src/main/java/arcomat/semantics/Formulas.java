@@ -77,6 +77,13 @@ final class Formulas {
         return new Expression.Unary(UnaryOperator.NOT, e, BOOLEAN, e.span());
     }
 
+    /** The same, with a negation at the top carried out. */
+    static Expression folded(Expression e) {
+        boolean negation =
+                e instanceof Expression.Unary unary && unary.operator() == UnaryOperator.NOT;
+        return negation ? not(((Expression.Unary) e).operand()) : e;
+    }
+
     private static Expression with(Expression.Binary binary, BinaryOperator operator) {
         return new Expression.Binary(
                 operator, binary.left(), binary.right(), BOOLEAN, binary.span());

@@ -69,7 +69,7 @@ public final class Guards {
             return twoValued(matches);
         }
         if (formulas.isStrict(e)) {
-            return and(formulas.present(e), e);
+            return and(formulas.present(e), Formulas.folded(e));
         }
         if (e instanceof Expression.Unary unary) {
             return certainlyFalse(unary.operand());
