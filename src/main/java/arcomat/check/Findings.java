@@ -7,6 +7,7 @@ import arcomat.source.Span;
 import arcomat.tree.Node;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 
@@ -21,7 +22,10 @@ final class Findings {
         this.severity = severity;
     }
 
-    /** Reports a finding. The message names the thing and says what to do. */
+    /**
+     * Reports a finding. The message names the thing and says what to do; it starts with a small
+     * letter, puts names in single quotes and ends without a full stop.
+     */
     Findings report(Node place, String message) {
         return report(place.span(), message);
     }
@@ -30,6 +34,27 @@ final class Findings {
         diagnostics.add(
                 new Diagnostic(code, severity, place, message, List.of(), Optional.empty()));
         return this;
+    }
+
+    /**
+     * Reports a name that nothing has. If one of the candidates is close, the message asks for it
+     * and a fix puts it in place.
+     *
+     * @param otherwise what to do where none is close
+     */
+    Findings reportUnknown(
+            Span place,
+            String message,
+            String name,
+            Collection<String> candidates,
+            String otherwise) {
+        Optional<String> nearest = Spelling.nearest(name, candidates);
+        if (nearest.isEmpty()) {
+            return report(place, message + "; " + otherwise);
+        }
+        report(place, message + "; did you mean '" + nearest.get() + "'?");
+        String title = "Replace '" + name + "' by '" + nearest.get() + "'";
+        return fix(Fix.replace(title, place, nearest.get()));
     }
 
     /** Adds a related place to the latest finding. */

@@ -30,11 +30,6 @@ final class Spelling {
         return unique ? Optional.ofNullable(best) : Optional.empty();
     }
 
-    /** {@code "; did you mean 'frontUS'?"}, or nothing. */
-    static String hint(String name, Collection<String> candidates) {
-        return nearest(name, candidates).map(n -> "; did you mean '" + n + "'?").orElse("");
-    }
-
     private static String lower(String text) {
         return text.toLowerCase(Locale.ROOT);
     }

@@ -1,6 +1,5 @@
 package arcomat.check;
 
-import arcomat.source.Fix;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 
@@ -30,17 +29,11 @@ final class StereotypeKnown implements Check.OnStereotypes {
     }
 
     private static void report(Stereotype stereotype, String name, Findings findings) {
-        List<String> known = KnownStereotype.names();
-        findings.report(
-                stereotype.name(),
-                "stereotype '" + name + "' means nothing here" + Spelling.hint(name, known));
-        Spelling.nearest(name, known)
-                .ifPresent(
-                        nearest ->
-                                findings.fix(
-                                        Fix.replace(
-                                                "Replace '" + name + "' by '" + nearest + "'",
-                                                stereotype.name().span(),
-                                                nearest)));
+        findings.reportUnknown(
+                stereotype.name().span(),
+                "stereotype '" + name + "' means nothing here",
+                name,
+                KnownStereotype.names(),
+                "delete it, or suppress this finding if another tool needs it");
     }
 }

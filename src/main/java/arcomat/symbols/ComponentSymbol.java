@@ -36,6 +36,8 @@ public final class ComponentSymbol {
     private final Lazy<List<VariableSymbol>> ownVariables;
     private final Lazy<List<AutomatonSymbol>> ownAutomata;
     private final Lazy<List<TableSymbol>> ownTables;
+    private final Lazy<List<InstanceSymbol>> ownInstances =
+            new Lazy<>(() -> Instances.declared(this));
     private final Lazy<Instances> instances = new Lazy<>(() -> Instances.of(this));
     private final Lazy<Connectors> connectors = new Lazy<>(() -> Connectors.of(this));
     private final Lazy<ValueScope> parameterScope;
@@ -275,7 +277,7 @@ public final class ComponentSymbol {
 
     /** The instances that this component adds to the inherited ones. */
     public List<InstanceSymbol> ownInstances() {
-        return instances.get().own();
+        return ownInstances.get();
     }
 
     public Optional<InstanceSymbol> instance(String name) {

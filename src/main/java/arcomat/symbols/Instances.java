@@ -14,32 +14,21 @@ import java.util.Set;
 
 /** Finds the instances of a component: declared ones in text order, then automatic ones. */
 final class Instances {
-    private final List<InstanceSymbol> own;
     private final List<InstanceSymbol> all;
     private final Map<String, InstanceSymbol> byName = new HashMap<>();
 
-    private Instances(List<InstanceSymbol> own, List<InstanceSymbol> all) {
-        this.own = List.copyOf(own);
+    private Instances(List<InstanceSymbol> all) {
         this.all = List.copyOf(all);
         all.forEach(instance -> byName.putIfAbsent(instance.name(), instance));
     }
 
     static Instances of(ComponentSymbol component) {
-        List<InstanceSymbol> own = declared(component);
         List<ComponentSymbol> lineage = component.lineage();
-        if (lineage.size() == 1) {
-            return new Instances(own, own);
-        }
         List<InstanceSymbol> all = new ArrayList<>();
-        for (int i = lineage.size() - 1; i > 0; i--) {
+        for (int i = lineage.size() - 1; i >= 0; i--) {
             all.addAll(lineage.get(i).ownInstances());
         }
-        all.addAll(own);
-        return new Instances(own, all);
-    }
-
-    List<InstanceSymbol> own() {
-        return own;
+        return new Instances(all);
     }
 
     List<InstanceSymbol> all() {
@@ -50,7 +39,8 @@ final class Instances {
         return Optional.ofNullable(byName.get(name));
     }
 
-    private static List<InstanceSymbol> declared(ComponentSymbol owner) {
+    /** What a component adds to the inherited ones; asks nothing of its ancestors. */
+    static List<InstanceSymbol> declared(ComponentSymbol owner) {
         List<InstanceSymbol> instances = new ArrayList<>();
         Map<Component, ComponentSymbol> inner = new HashMap<>();
         owner.innerComponents().forEach(c -> inner.put(c.node(), c));
@@ -64,7 +54,7 @@ final class Instances {
         if (!inner.isEmpty() && instantiatesAutomatically(owner)) {
             addAutomatic(owner, instances);
         }
-        return instances;
+        return List.copyOf(instances);
     }
 
     private static void addDeclared(

@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * Test data for a check: several model files in one, each below a line {@code //// path/Name.arc}.
@@ -65,13 +66,16 @@ record DataFile(Path path, Profile profile, List<SourceFile> files) {
 
     /** The data file with other expectations, as it would have to look to pass. */
     String withExpectations(List<Expectation> expectations) {
-        StringBuilder text = new StringBuilder();
-        text.append(profile == Profile.EXECUTABLE ? "// profile: executable\n" : "");
-        for (SourceFile file : files) {
-            text.append(SEPARATOR).append(file.path()).append('\n');
-            for (int line = 1; line <= file.lineCount(); line++) {
-                appendLine(text, file, line, expectations);
-            }
+        String header = profile == Profile.EXECUTABLE ? "// profile: executable\n" : "";
+        return files.stream()
+                .map(file -> withExpectations(file, expectations))
+                .collect(Collectors.joining("\n", header, ""));
+    }
+
+    private static String withExpectations(SourceFile file, List<Expectation> expectations) {
+        StringBuilder text = new StringBuilder(SEPARATOR).append(file.path()).append('\n');
+        for (int line = 1; line <= file.lineCount(); line++) {
+            appendLine(text, file, line, expectations);
         }
         return text.toString().stripTrailing() + "\n";
     }

@@ -1,0 +1,33 @@
+package arcomat.check;
+
+import arcomat.symbols.ComponentSymbol;
+import arcomat.tree.Element;
+
+/** ARC0125: before code is made, each component says what it does. */
+final class BehaviourPresent implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.executableError("ARC0125");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        boolean hasBehaviour =
+                component.isDecomposed()
+                        || component.isPlatform()
+                        || !component.automata().isEmpty()
+                        || !component.tables().isEmpty();
+        boolean isExcused =
+                Connections.lacksAncestor(component)
+                        || !component.node().elements(Element.JavaPart.class).isEmpty();
+        if (!hasBehaviour && !isExcused) {
+            findings.report(
+                    component.nameSpan(),
+                    "component '"
+                            + component.name()
+                            + "' has no behaviour; add an automaton or a table, decompose it, or"
+                            + " mark it <<platform>> if the target brings it");
+        }
+    }
+}

@@ -1,0 +1,92 @@
+package arcomat.check;
+
+import arcomat.source.Span;
+import arcomat.symbols.ComponentReference;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.Resolution;
+import arcomat.tree.Element;
+import arcomat.tree.TypeReference;
+
+import java.util.List;
+
+/**
+ * ARC0111: a component that is used or extended exists, and it is clear which one is meant. (Hab16
+ * R3, R4)
+ */
+final class ComponentExists implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0111");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        if (component.superComponent().isPresent()) {
+            TypeReference written = component.node().superComponent().orElseThrow();
+            check(component.superComponent().get(), written, component, context, findings);
+        }
+        Element.Subcomponent last = null;
+        for (InstanceSymbol instance : component.ownInstances()) {
+            if (instance.node() instanceof Element.Subcomponent node && node != last) {
+                check(instance.type(), node.type(), component, context, findings);
+                last = node;
+            }
+        }
+    }
+
+    private static void check(
+            ComponentReference reference,
+            TypeReference written,
+            ComponentSymbol place,
+            Context context,
+            Findings findings) {
+        Span span = written.name().span();
+        Resolution<ComponentSymbol> resolution = reference.resolution();
+        if (resolution.isAmbiguous()) {
+            if (areDuplicates(resolution.candidates())) {
+                return;
+            }
+            findings.report(
+                    span,
+                    "'"
+                            + reference.name()
+                            + "' could mean several components; write the full name of one");
+            for (ComponentSymbol candidate : resolution.candidates()) {
+                findings.related(candidate.nameSpan(), candidate.qualifiedName());
+            }
+        } else if (resolution.isUnknown()) {
+            reportUnknown(reference.name(), written, span, place, context, findings);
+        }
+    }
+
+    /** Definitions of one full name are the business of {@link JavaClassUnique}. */
+    private static boolean areDuplicates(List<ComponentSymbol> candidates) {
+        for (ComponentSymbol candidate : candidates) {
+            if (!candidate.qualifiedName().equals(candidates.get(0).qualifiedName())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static void reportUnknown(
+            String name,
+            TypeReference written,
+            Span span,
+            ComponentSymbol place,
+            Context context,
+            Findings findings) {
+        if (context.scope().type(written.name()).isFound()) {
+            findings.report(span, "'" + name + "' is a type of messages; a part needs a component");
+            return;
+        }
+        findings.reportUnknown(
+                span,
+                "there is no component '" + name + "'",
+                name,
+                VisibleNames.components(place, context),
+                "declare or import it");
+    }
+}

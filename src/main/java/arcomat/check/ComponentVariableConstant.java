@@ -1,0 +1,48 @@
+package arcomat.check;
+
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.ItemSymbol.Side;
+import arcomat.symbols.ValueSymbol;
+import arcomat.symbols.VariableSymbol;
+import arcomat.symbols.VariableSymbol.Kind;
+
+/**
+ * ARC0128: a variable beside the automata of a component is a constant that they share: it has a
+ * value, and nobody assigns it.
+ */
+final class ComponentVariableConstant implements Check.OnVariable, Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0128");
+    }
+
+    @Override
+    public void check(VariableSymbol variable, Context context, Findings findings) {
+        if (variable.kind() == Kind.COMPONENT && variable.node().initial().isEmpty()) {
+            findings.report(
+                    variable.nameSpan(),
+                    "'"
+                            + variable.name()
+                            + "' is a constant and needs a value; if it changes, declare it as a"
+                            + " 'variable' of the automaton");
+        }
+    }
+
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        ValueSymbol target = item.target().found().orElse(null);
+        if (item.hasName()
+                && context.side().orElseThrow() != Side.INPUT
+                && target instanceof VariableSymbol variable
+                && variable.kind() == Kind.COMPONENT) {
+            findings.report(
+                            item.node().name().orElseThrow(),
+                            "'"
+                                    + variable.name()
+                                    + "' is a constant of the component and cannot be assigned;"
+                                    + " declare it as a 'variable' of the automaton")
+                    .related(variable.nameSpan(), "the constant");
+        }
+    }
+}

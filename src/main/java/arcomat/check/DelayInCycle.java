@@ -1,0 +1,37 @@
+package arcomat.check;
+
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.ConnectorSymbol;
+import arcomat.symbols.DelayCycle;
+
+import java.util.List;
+
+/** ARC0124: in each circle of messages some port is delayed. (Hab16 CG1) */
+final class DelayInCycle implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0124");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        for (DelayCycle cycle : context.workspace().delays().cycles(component)) {
+            report(cycle, findings);
+        }
+    }
+
+    private static void report(DelayCycle cycle, Findings findings) {
+        List<ConnectorSymbol> connectors = cycle.connectors();
+        findings.report(
+                connectors.get(0).span(),
+                "messages run in a circle without delay: "
+                        + cycle.text()
+                        + "; let one of these parts react a slice later");
+        for (ConnectorSymbol connector : connectors.subList(1, connectors.size())) {
+            findings.related(
+                    connector.span(),
+                    "'" + connector.source().text() + "' to '" + connector.target().text() + "'");
+        }
+    }
+}

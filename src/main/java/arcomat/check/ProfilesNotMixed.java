@@ -1,0 +1,101 @@
+package arcomat.check;
+
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.InstanceSymbol;
+
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * ARC0129: the components of a network are all time-synchronous or all event-driven. A decomposed
+ * component is what its parts are; platform components adapt to what they are connected with.
+ */
+final class ProfilesNotMixed implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0129");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        InstanceSymbol first = null;
+        for (InstanceSymbol instance : component.instances()) {
+            Optional<Boolean> eventDriven = isEventDriven(instance);
+            if (eventDriven.isEmpty()) {
+                continue;
+            }
+            if (first == null) {
+                first = instance;
+            } else if (!eventDriven.equals(isEventDriven(first))) {
+                report(instance, first, eventDriven.get(), findings);
+                return;
+            }
+        }
+        if (first != null) {
+            compareWithOwnTiming(component, first, findings);
+        }
+    }
+
+    private static void report(
+            InstanceSymbol instance, InstanceSymbol first, boolean eventDriven, Findings findings) {
+        findings.report(
+                        instance.nameSpan(),
+                        "'"
+                                + instance.name()
+                                + "' is "
+                                + words(eventDriven)
+                                + ", but '"
+                                + first.name()
+                                + "' is "
+                                + words(!eventDriven)
+                                + "; give all parts the same kind of timing")
+                .related(first.nameSpan(), "'" + first.name() + "' is " + words(!eventDriven));
+    }
+
+    private static void compareWithOwnTiming(
+            ComponentSymbol component, InstanceSymbol first, Findings findings) {
+        boolean own = component.timing().eventDriven();
+        boolean parts = isEventDriven(first).orElseThrow();
+        if (component.timing().node().isPresent() && own != parts) {
+            findings.report(
+                    component.timing().node().get(),
+                    "'"
+                            + component.name()
+                            + "' is declared to be "
+                            + words(own)
+                            + ", but its part '"
+                            + first.name()
+                            + "' is "
+                            + words(parts)
+                            + "; delete this clause or change the parts");
+        }
+    }
+
+    private static String words(boolean eventDriven) {
+        return eventDriven ? "event-driven" : "time-synchronous";
+    }
+
+    private static Optional<Boolean> isEventDriven(InstanceSymbol instance) {
+        return instance.component().flatMap(c -> isEventDriven(c, new HashSet<>()));
+    }
+
+    /** Decided by the first atomic component inside that is no platform component. */
+    private static Optional<Boolean> isEventDriven(
+            ComponentSymbol component, Set<ComponentSymbol> seen) {
+        if (component.isPlatform() || !seen.add(component)) {
+            return Optional.empty();
+        }
+        if (!component.isDecomposed()) {
+            return Optional.of(component.timing().eventDriven());
+        }
+        for (InstanceSymbol instance : component.instances()) {
+            Optional<Boolean> found = instance.component().flatMap(c -> isEventDriven(c, seen));
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,52 @@
+package arcomat.check;
+
+import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.PortSymbol;
+
+import java.util.List;
+
+/**
+ * ARC0109: the ports of a part are connected. Of a total input, and before code is made of every
+ * input, other laws take care. (Hab16 CV6)
+ */
+final class SubcomponentPortConnected implements Check.OnInstance {
+
+    @Override
+    public Law law() {
+        return Law.warning("ARC0109");
+    }
+
+    @Override
+    public void check(InstanceSymbol instance, Context context, Findings findings) {
+        List<PortSymbol> open = OpenPorts.of(instance);
+        List<String> outputs = OpenPorts.names(open, PortSymbol::isOutput);
+        if (context.profile() == Profile.REQUIREMENTS) {
+            List<String> inputs = OpenPorts.names(open, p -> p.isInput() && !p.isTotal());
+            report("input", inputs, "receives nothing", "receive nothing", instance, findings);
+        }
+        report("output", outputs, "is read by nobody", "are read by nobody", instance, findings);
+    }
+
+    private static void report(
+            String kind,
+            List<String> ports,
+            String one,
+            String several,
+            InstanceSymbol instance,
+            Findings findings) {
+        if (!ports.isEmpty()) {
+            boolean single = ports.size() == 1;
+            findings.report(
+                    instance.nameSpan(),
+                    kind
+                            + (single ? " " : "s ")
+                            + Wording.quoted(ports)
+                            + " of '"
+                            + instance.name()
+                            + "' "
+                            + (single ? one : several)
+                            + "; connect "
+                            + (single ? "it" : "them"));
+        }
+    }
+}

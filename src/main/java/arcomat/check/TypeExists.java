@@ -1,0 +1,65 @@
+package arcomat.check;
+
+import arcomat.symbols.DefinedType;
+import arcomat.symbols.Resolution;
+import arcomat.symbols.TypeSymbol;
+import arcomat.symbols.UnsupportedType;
+import arcomat.tree.TypeReference;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** ARC0120: a type is one that messages can have, and it is clear which one is meant. */
+final class TypeExists implements Check.OnType {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0120");
+    }
+
+    @Override
+    public void check(TypeReference type, Context context, Findings findings) {
+        Resolution<TypeSymbol> resolution = context.resolve(type);
+        if (resolution.isUnknown()) {
+            reportUnknown(type, context, findings);
+        } else if (resolution.isAmbiguous() && !areDuplicates(resolution.candidates())) {
+            findings.report(
+                    type.name(),
+                    "'" + type.name() + "' could mean several types; write the full name of one");
+            for (TypeSymbol candidate : resolution.candidates()) {
+                if (candidate instanceof DefinedType defined) {
+                    findings.related(defined.nameSpan(), defined.qualifiedName());
+                }
+            }
+        } else if (resolution.found().orElse(null) instanceof UnsupportedType unsupported) {
+            findings.report(
+                    type,
+                    "'" + unsupported.text() + "' is no message type; " + unsupported.advice());
+        }
+    }
+
+    /** Definitions of one full name are the business of {@link JavaClassUnique}. */
+    private static boolean areDuplicates(List<TypeSymbol> candidates) {
+        Set<String> names = new HashSet<>();
+        for (TypeSymbol candidate : candidates) {
+            names.add(candidate instanceof DefinedType d ? d.qualifiedName() : candidate.text());
+        }
+        return names.size() == 1;
+    }
+
+    private static void reportUnknown(TypeReference type, Context context, Findings findings) {
+        findings.reportUnknown(
+                type.name().span(),
+                "there is no type '" + type.name() + "'",
+                type.name().text(),
+                VisibleNames.types(context),
+                advice(type, context));
+    }
+
+    private static String advice(TypeReference type, Context context) {
+        return context.scope().component(type.name()).isFound()
+                ? "a component is no type of messages"
+                : "define it in a class diagram, or import it";
+    }
+}
