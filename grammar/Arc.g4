@@ -100,7 +100,7 @@ autoinstantiate
     ;
 
 invariant
-    : kind = name? 'inv' title = name ':' invariantBody ';'
+    : kind = ID? 'inv' title = name ':' invariantBody ';'
     ;
 
 invariantBody

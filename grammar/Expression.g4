@@ -14,7 +14,7 @@ expression
     : operand                                                               # operandExpression
     | operator = ('!' | '-' | '+' | '~') expression                         # unaryExpression
     | '(' primitiveType ')' expression                                      # primitiveCastExpression
-    | '(' type ')' castOperand                                              # castExpression
+    | '(' objectType ')' castOperand                                            # castExpression
     | expression operator = ('*' | '/' | '%') expression                    # binaryExpression
     | expression operator = ('+' | '-') expression                          # binaryExpression
     | expression operator = ('<' | '<=' | '>' | '>=') expression            # binaryExpression
@@ -52,7 +52,7 @@ castOperand
     : operand                                                               # plainOperand
     | operator = ('!' | '~') castOperand                                    # unaryOperand
     | '(' primitiveType ')' castOperand                                     # primitiveCastOperand
-    | '(' type ')' castOperand                                              # typeCastOperand
+    | '(' objectType ')' castOperand                                            # typeCastOperand
     ;
 
 arguments
@@ -62,6 +62,11 @@ arguments
 creator
     : name ('.' name)* typeArguments? (arguments | ('[' expression ']')+)
     | primitiveType ('[' expression ']')+
+    ;
+
+// No primitive type: a cast to one has a production of its own, and two would be ambiguous.
+objectType
+    : qualifiedName typeArguments?
     ;
 
 instanceType

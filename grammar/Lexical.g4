@@ -42,6 +42,12 @@ javaBlock
     : '{' (javaBlock | ~('{' | '}'))* '}'
     ;
 
+// Named for the code that balances brackets; the grammars write them as they are.
+LESS : '<' ;
+OPEN_BRACE : '{' ;
+CLOSE_BRACE : '}' ;
+SEMICOLON : ';' ;
+
 ID
     : LETTER (LETTER | [0-9])*
     ;

@@ -7,22 +7,29 @@ import org.antlr.v4.runtime.ParserRuleContext;
 
 /** The languages with their entry rules; the ending of a path tells which. */
 enum Language {
-    COMPONENT(".arc", "a component"),
-    AUTOMATON(".ioautomaton", "an automaton"),
-    CLASS_DIAGRAM(".cd", "a class diagram"),
-    STREAM_TEST(".mt", "a test suite");
+    COMPONENT(".arc", "a component", "component Name { }"),
+    AUTOMATON(".ioautomaton", "an automaton", "automaton Name { }"),
+    CLASS_DIAGRAM(".cd", "a class diagram", "classdiagram Name { }"),
+    STREAM_TEST(".mt", "a test suite", "testsuite Name for Component { }");
 
     private final String ending;
     private final String definition;
+    private final String example;
 
-    Language(String ending, String definition) {
+    Language(String ending, String definition, String example) {
         this.ending = ending;
         this.definition = definition;
+        this.example = example;
     }
 
     /** What a file of this language is about, with its article. */
     String definition() {
         return definition;
+    }
+
+    /** The shortest text of such a definition. */
+    String example() {
+        return example;
     }
 
     static Language of(SourceFile file) {

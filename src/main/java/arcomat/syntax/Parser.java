@@ -16,11 +16,14 @@ public final class Parser {
     private Parser() {}
 
     public static Parsed parse(SourceFile file) {
-        Reading reading = Reading.of(file);
+        return Reading.use(file, Parser::parsed);
+    }
+
+    private static Parsed parsed(Reading reading) {
         if (!reading.findings().isEmpty()) {
             return new Parsed(Optional.empty(), reading.findings());
         }
-        Unit unit = UnitBuilder.unit(file, reading.root(), reading.comments());
+        Unit unit = UnitBuilder.unit(reading.file(), reading.root(), reading.comments());
         return new Parsed(Optional.of(unit), List.of());
     }
 }

@@ -15,6 +15,7 @@ import org.antlr.v4.runtime.misc.ParseCancellationException;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
 
 /**
  * A file as ANTLR sees it: tokens, comments, parse tree. With findings there is no parse tree.
@@ -22,24 +23,36 @@ import java.util.List;
  * @param root what the entry rule of the file's language returned; null with findings
  */
 record Reading(
+        SourceFile file,
         CommonTokenStream tokens,
         List<Comment> comments,
         ParserRuleContext root,
         List<Diagnostic> findings) {
 
-    static Reading of(SourceFile file) {
+    /** From this depth on parse trees are built and walked on a stack of their own. */
+    private static final int DEEP = 100;
+
+    /** Reads a file and gives the reading to a task that may recurse as deep as the text nests. */
+    static <T> T use(SourceFile file, Function<Reading, T> task) {
         CommonTokenStream tokens = tokens(file);
-        List<Diagnostic> findings = TokenChecks.check(file, tokens.getTokens());
+        TokenChecks checks = TokenChecks.of(file, tokens.getTokens());
+        if (checks.depth() < DEEP || !checks.findings().isEmpty()) {
+            return task.apply(of(file, tokens, checks.findings()));
+        }
+        return DeepStack.call(() -> task.apply(of(file, tokens, checks.findings())));
+    }
+
+    private static Reading of(
+            SourceFile file, CommonTokenStream tokens, List<Diagnostic> findings) {
         ParserRuleContext root = null;
         if (findings.isEmpty()) {
             root = parseFast(file, tokens);
+            if (root == null) {
+                // It rejects every text with a syntax error, and might reject a good one.
+                root = SyntaxErrors.parse(file, tokens, findings);
+            }
         }
-        if (findings.isEmpty() && root == null) {
-            // The fast mode rejects every text with a syntax error, and could reject a good one.
-            findings = new ArrayList<>();
-            root = SyntaxErrors.parse(file, tokens, findings);
-        }
-        return new Reading(tokens, comments(file, tokens), root, findings);
+        return new Reading(file, tokens, comments(file, tokens), root, findings);
     }
 
     private static CommonTokenStream tokens(SourceFile file) {

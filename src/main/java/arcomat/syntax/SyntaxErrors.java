@@ -4,41 +4,28 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatParser;
 
-import org.antlr.v4.runtime.BaseErrorListener;
 import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.ParserRuleContext;
-import org.antlr.v4.runtime.RecognitionException;
-import org.antlr.v4.runtime.Recognizer;
-import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.atn.PredictionMode;
 
 import java.util.List;
 
+/** The second, slow way through a text that the fast one rejected: it finds the syntax errors. */
 final class SyntaxErrors {
     private SyntaxErrors() {}
 
+    /**
+     * Adds what is wrong, in text order.
+     *
+     * @return the parse tree if nothing is wrong after all, else null
+     */
     static ParserRuleContext parse(
             SourceFile file, CommonTokenStream tokens, List<Diagnostic> findings) {
         tokens.seek(0);
         ArcomatParser parser = new ArcomatParser(tokens);
         parser.removeErrorListeners();
-        parser.addErrorListener(
-                new BaseErrorListener() {
-                    @Override
-                    public void syntaxError(
-                            Recognizer<?, ?> recognizer,
-                            Object symbol,
-                            int line,
-                            int column,
-                            String message,
-                            RecognitionException e) {
-                        Token t = (Token) symbol;
-                        findings.add(
-                                Diagnostic.error(
-                                        "ARC0001",
-                                        file.span(t.getStartIndex(), t.getStartIndex()),
-                                        message));
-                    }
-                });
+        parser.setErrorHandler(new Recovery(file, findings));
+        parser.getInterpreter().setPredictionMode(PredictionMode.LL);
         ParserRuleContext root = Language.of(file).enter(parser);
         return findings.isEmpty() ? root : null;
     }

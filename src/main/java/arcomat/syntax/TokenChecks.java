@@ -2,16 +2,74 @@ package arcomat.syntax;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.syntax.antlr.ArcomatLexer;
 
 import org.antlr.v4.runtime.Token;
 
 import java.util.ArrayList;
 import java.util.List;
 
-final class TokenChecks {
-    private TokenChecks() {}
+/**
+ * What can be said of a text before it is parsed. With a finding here it is not parsed at all.
+ *
+ * @param depth a bound for the nesting
+ */
+record TokenChecks(List<Diagnostic> findings, int depth) {
 
-    static List<Diagnostic> check(SourceFile file, List<Token> tokens) {
-        return new ArrayList<>();
+    /**
+     * @param tokens all tokens of the file, the end of the file included
+     */
+    static TokenChecks of(SourceFile file, List<Token> tokens) {
+        NestingGuard guard = new NestingGuard();
+        List<Diagnostic> findings = check(file, tokens, guard);
+        return new TokenChecks(findings, guard.deepest());
+    }
+
+    private static List<Diagnostic> check(SourceFile file, List<Token> tokens, NestingGuard guard) {
+        List<Diagnostic> findings = new ArrayList<>(0);
+        boolean empty = true;
+        for (Token token : tokens) {
+            if (token.getChannel() != Token.DEFAULT_CHANNEL || token.getType() == Token.EOF) {
+                continue;
+            }
+            empty = false;
+            if (guard.isTooDeep(token)) {
+                findings.add(tooDeep(file, token));
+                return findings;
+            }
+            if (token.getType() == ArcomatLexer.UNCLOSED_STRING) {
+                findings.add(unclosedString(file, token));
+            } else if (token.getType() == ArcomatLexer.UNCLOSED_COMMENT) {
+                findings.add(unclosedComment(file, token));
+            }
+        }
+        if (empty) {
+            findings.add(FileErrors.nothingDefined(file, 0));
+        }
+        return findings;
+    }
+
+    private static Diagnostic tooDeep(SourceFile file, Token token) {
+        return Diagnostic.error(
+                Codes.NESTING,
+                file.span(token.getStartIndex(), token.getStopIndex() + 1),
+                "This is nested more than 1,000 levels deep. Split it: name the parts of a long"
+                        + " expression by variables, or a component's parts by components of their"
+                        + " own.");
+    }
+
+    private static Diagnostic unclosedString(SourceFile file, Token token) {
+        return Diagnostic.error(
+                Codes.SYNTAX,
+                file.span(token.getStartIndex(), token.getStopIndex() + 1),
+                "This string is not closed. Put '\"' behind its last character, on the same line.");
+    }
+
+    /** The token reaches to the end of the file; its beginning is the place to mend. */
+    private static Diagnostic unclosedComment(SourceFile file, Token token) {
+        return Diagnostic.error(
+                Codes.SYNTAX,
+                file.span(token.getStartIndex(), token.getStartIndex() + 2),
+                "This comment is not closed. Put '*/' at its end.");
     }
 }

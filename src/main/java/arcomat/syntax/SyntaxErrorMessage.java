@@ -1,0 +1,173 @@
+package arcomat.syntax;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.Fix;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatLexer;
+import arcomat.syntax.antlr.ArcomatParser;
+
+import org.antlr.v4.runtime.Parser;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.RecognitionException;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.TokenStream;
+import org.antlr.v4.runtime.misc.IntervalSet;
+
+import java.util.List;
+
+/** From an error of ANTLR's to a finding in the user's terms. */
+final class SyntaxErrorMessage {
+    private static final int LONGEST_QUOTE = 30;
+
+    private final SourceFile file;
+    private final Parser parser;
+    private final RecognitionException error;
+    private final Token found;
+    private final IntervalSet expected;
+
+    SyntaxErrorMessage(SourceFile file, Parser parser, RecognitionException error) {
+        this.file = file;
+        this.parser = parser;
+        this.error = error;
+        this.found = error.getOffendingToken();
+        this.expected = Expectation.types(error);
+    }
+
+    Diagnostic finding() {
+        if (isDefinitionMissing()) {
+            return FileErrors.nothingDefined(file, found.getStartIndex());
+        }
+        if (isSemicolonMissing(parser, error)) {
+            return semicolonMissing();
+        }
+        if (found.getType() == Token.EOF) {
+            return endOfFile();
+        }
+        return Diagnostic.error(Codes.SYNTAX, span(found), message());
+    }
+
+    private boolean isDefinitionMissing() {
+        return found.getType() == Token.EOF
+                && error.getCtx() instanceof ParserRuleContext context
+                && (context.getParent() == null || context.start.getType() == Token.EOF)
+                && !expected.contains(Token.EOF);
+    }
+
+    /** The next line begins where only a semicolon is missed. */
+    static boolean isSemicolonMissing(Parser parser, RecognitionException error) {
+        Token found = error.getOffendingToken();
+        Token before = before(parser.getInputStream(), found);
+        return before != null
+                && error.getCtx() instanceof ParserRuleContext context
+                && before.getTokenIndex() >= context.start.getTokenIndex()
+                && before.getLine() < found.getLine()
+                && before.getType() != ArcomatLexer.SEMICOLON
+                && Expectation.types(error).contains(ArcomatLexer.SEMICOLON);
+    }
+
+    private Diagnostic semicolonMissing() {
+        Span before = span(before(parser.getInputStream(), found));
+        Span end = file.span(before.end(), before.end());
+        return Diagnostic.error(
+                        Codes.SYNTAX, before, "';' is missing behind " + quote(before) + ".")
+                .withFix(Fix.replace("Insert ';'", end, ";"));
+    }
+
+    private Diagnostic endOfFile() {
+        Token last = before(parser.getInputStream(), found);
+        Diagnostic finding =
+                Diagnostic.error(
+                        Codes.SYNTAX,
+                        last == null ? span(found) : span(last),
+                        "The file ends too early." + expectationSentence());
+        Token brace = UnclosedBrace.find(parser.getInputStream());
+        return brace == null
+                ? finding
+                : finding.withRelated(span(brace), "this brace is not closed");
+    }
+
+    private String message() {
+        String quoted = quote(span(found));
+        if (isHalfOperator()) {
+            return "%s has no meaning here. Write '%s' for \"%s\"."
+                    .formatted(
+                            quoted,
+                            found.getText().repeat(2),
+                            found.getText().equals("&") ? "and" : "or");
+        }
+        if (found.getType() == ArcomatLexer.UNKNOWN) {
+            return "The character " + quoted + " has no meaning here. Remove it.";
+        }
+        if (found.getText().equals("=") && isInCondition()) {
+            return "'=' does not compare. Write '==' for \"is equal to\".";
+        }
+        if (isReservedWord() && expected.contains(ArcomatLexer.ID)) {
+            return quoted + " is a reserved word and cannot be a name. Choose another name.";
+        }
+        if (expected.size() == 1 && expected.contains(Token.EOF)) {
+            return quoted
+                    + " stands behind the end of the definition. Remove it, or look for a '}'"
+                    + " too many above.";
+        }
+        return "Unexpected " + quoted + "." + expectationSentence();
+    }
+
+    private boolean isHalfOperator() {
+        return found.getText().equals("&") || found.getText().equals("|") && isInCondition();
+    }
+
+    private boolean isInCondition() {
+        for (var c = error.getCtx(); c != null; c = c.parent) {
+            if (c.getRuleIndex() == ArcomatParser.RULE_guard) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private boolean isReservedWord() {
+        return Character.isLetter(found.getText().charAt(0))
+                && found.getType() != ArcomatLexer.ID
+                && !parser.getATN()
+                        .nextTokens(parser.getATN().ruleToStartState[ArcomatParser.RULE_name])
+                        .contains(found.getType());
+    }
+
+    private String expectationSentence() {
+        List<String> words = Expectation.words(parser, error);
+        if (words.isEmpty()) {
+            return "";
+        }
+        int last = words.size() - 1;
+        String list =
+                last == 0
+                        ? words.get(0)
+                        : String.join(", ", words.subList(0, last)) + " or " + words.get(last);
+        return " Expected " + list + ".";
+    }
+
+    /** The last token of the languages before another, null before the first. */
+    private static Token before(TokenStream tokens, Token token) {
+        for (int i = token.getTokenIndex() - 1; i >= 0; i--) {
+            if (tokens.get(i).getChannel() == Token.DEFAULT_CHANNEL) {
+                return tokens.get(i);
+            }
+        }
+        return null;
+    }
+
+    private Span span(Token token) {
+        if (token.getType() == Token.EOF) {
+            return file.span(file.text().length(), file.text().length());
+        }
+        return file.span(token.getStartIndex(), token.getStopIndex() + 1);
+    }
+
+    private static String quote(Span span) {
+        String text = span.text();
+        return "'"
+                + (text.length() > LONGEST_QUOTE ? text.substring(0, LONGEST_QUOTE) + "…" : text)
+                + "'";
+    }
+}
