@@ -39,6 +39,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /** What stands in the body of a component. */
 final class ElementBuilder extends TreeBuilder<Element> {
@@ -145,7 +146,9 @@ final class ElementBuilder extends TreeBuilder<Element> {
     public Element visitInvariant(InvariantContext context) {
         return new Invariant(
                 span(context),
-                builders.names.buildOptional(context.kind),
+                context.kind == null
+                        ? Optional.empty()
+                        : Optional.of(builders.names.name(context.kind)),
                 builders.names.build(context.title),
                 span(context.invariantBody()).text());
     }

@@ -112,7 +112,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     @Override
     public Expression visitCastExpression(CastExpressionContext context) {
-        return cast(context, context.type(), context.castOperand());
+        return cast(context, context.objectType(), context.castOperand());
     }
 
     @Override
@@ -122,7 +122,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     @Override
     public Expression visitTypeCastOperand(TypeCastOperandContext context) {
-        return cast(context, context.type(), context.castOperand());
+        return cast(context, context.objectType(), context.castOperand());
     }
 
     private Expression cast(

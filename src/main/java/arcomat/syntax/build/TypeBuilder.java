@@ -2,6 +2,7 @@ package arcomat.syntax.build;
 
 import arcomat.syntax.antlr.ArcomatParser.ArraySuffixContext;
 import arcomat.syntax.antlr.ArcomatParser.InstanceTypeContext;
+import arcomat.syntax.antlr.ArcomatParser.ObjectTypeContext;
 import arcomat.syntax.antlr.ArcomatParser.PlainTypeContext;
 import arcomat.syntax.antlr.ArcomatParser.PrimitiveTypeContext;
 import arcomat.syntax.antlr.ArcomatParser.RangeSuffixContext;
@@ -31,6 +32,11 @@ final class TypeBuilder extends TreeBuilder<TypeReference> {
     @Override
     public TypeReference visitPlainType(PlainTypeContext context) {
         return type(context, context.typeArguments(), context.typeSuffix());
+    }
+
+    @Override
+    public TypeReference visitObjectType(ObjectTypeContext context) {
+        return type(context, context.typeArguments(), null);
     }
 
     @Override
