@@ -37,7 +37,7 @@ public final class ComponentSymbol {
     private final Lazy<List<AutomatonSymbol>> ownAutomata;
     private final Lazy<List<TableSymbol>> ownTables;
     private final Lazy<List<InstanceSymbol>> ownInstances =
-            new Lazy<>(() -> Instances.declared(this));
+            new Lazy<>(() -> Instances.declaredIn(this));
     private final Lazy<Instances> instances = new Lazy<>(() -> Instances.of(this));
     private final Lazy<Connectors> connectors = new Lazy<>(() -> Connectors.of(this));
     private final Lazy<ValueScope> parameterScope;

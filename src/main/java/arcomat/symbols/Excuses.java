@@ -1,5 +1,7 @@
 package arcomat.symbols;
 
+import arcomat.tree.Expression;
+
 import java.util.List;
 
 /** Leaves out problems that only follow from another one. */
@@ -24,15 +26,14 @@ final class Excuses {
         return value;
     }
 
-    /** Only the expression itself can be a bare constant of the expected type. */
     static Typed withoutUnknownNames(Typed typed) {
-        if (!(typed.expression() instanceof TypedExpression.Erroneous)) {
-            return typed;
-        }
-        List<ExpressionProblem> others =
-                typed.problems().stream()
-                        .filter(p -> p.kind() != ExpressionProblem.Kind.UNKNOWN_NAME)
-                        .toList();
-        return new Typed(typed.expression(), others);
+        return isUnknownBareName(typed) ? new Typed(typed.expression(), List.of()) : typed;
+    }
+
+    /** Whether an expression is a simple name that nothing has: perhaps a constant of some enum. */
+    static boolean isUnknownBareName(Typed typed) {
+        return typed.expression() instanceof TypedExpression.Erroneous
+                && typed.expression().node() instanceof Expression.Reference reference
+                && reference.name().isSimple();
     }
 }

@@ -243,7 +243,7 @@ public final class ExpressionTyping {
                                 + Texts.shortened(member.node().span().text())
                                 + "' has type "
                                 + member.type().text()
-                                + " and never equals a "
+                                + " and never equals a value of type "
                                 + element.type().text()
                                 + ".");
             } else if (operands.isNumeric() && member.type().isNumeric()) {
@@ -272,32 +272,7 @@ public final class ExpressionTyping {
 
     private TypedExpression cast(Expression.Cast node) {
         TypedExpression operand = type(node.operand(), UnknownType.UNKNOWN);
-        Resolution<TypeSymbol> resolution = scope.type(node.type());
-        TypeSymbol target = resolution.found().orElse(UnknownType.UNKNOWN);
-        if (resolution.isUnknown()) {
-            report(
-                    ExpressionProblem.Kind.UNKNOWN_NAME,
-                    node,
-                    "There is no type '" + node.type().name() + "'.");
-        }
-        boolean converts =
-                target.isErroneous()
-                        || operand.type().isErroneous()
-                        || target.equals(operand.type().base())
-                        || target instanceof BuiltinType
-                                && target.isNumeric()
-                                && operand.type().isNumeric();
-        if (!converts) {
-            report(
-                    ExpressionProblem.Kind.CAST,
-                    node,
-                    "A "
-                            + operand.type().text()
-                            + " cannot be cast to "
-                            + target.text()
-                            + "; casts convert between number types.");
-            target = UnknownType.UNKNOWN;
-        }
+        TypeSymbol target = CastTyping.target(node, operand.type(), scope, this::report);
         return new TypedExpression.Cast(node, operand, target);
     }
 
@@ -320,37 +295,16 @@ public final class ExpressionTyping {
     private TypedExpression newObject(Expression.Call call, ClassSymbol type) {
         List<ClassSymbol.AttributeSymbol> attributes = type.attributes();
         List<TypedExpression> arguments = new ArrayList<>();
-        for (int i = 0; i < call.arguments().size(); i++) {
-            TypeSymbol expected =
-                    i < attributes.size() ? attributes.get(i).type() : UnknownType.UNKNOWN;
-            TypedExpression argument = type(call.arguments().get(i), expected);
-            arguments.add(argument);
-            if (!TypeRules.isAssignable(argument, expected)) {
-                report(
-                        ExpressionProblem.Kind.OPERAND_TYPE,
-                        call.arguments().get(i),
-                        "Attribute '"
-                                + attributes.get(i).name()
-                                + "' has type "
-                                + expected.text()
-                                + ", not "
-                                + argument.type().text()
-                                + ".");
-            }
+        for (Expression argument : call.arguments()) {
+            int i = arguments.size();
+            arguments.add(
+                    type(
+                            argument,
+                            i < attributes.size()
+                                    ? attributes.get(i).type()
+                                    : UnknownType.UNKNOWN));
         }
-        if (arguments.size() != attributes.size()) {
-            report(
-                    ExpressionProblem.Kind.OPERAND_TYPE,
-                    call,
-                    type.text()
-                            + " has "
-                            + Texts.count(attributes.size(), "attribute")
-                            + ", but "
-                            + Texts.count(arguments.size(), "value")
-                            + " given; write one value per attribute.");
-            return new TypedExpression.Erroneous(call, arguments);
-        }
-        return new TypedExpression.NewObject(call, type, arguments);
+        return ObjectTyping.type(call, type, arguments, this::report);
     }
 
     private TypedExpression erroneous(

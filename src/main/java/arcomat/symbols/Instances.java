@@ -24,6 +24,9 @@ final class Instances {
 
     static Instances of(ComponentSymbol component) {
         List<ComponentSymbol> lineage = component.lineage();
+        if (lineage.size() == 1) {
+            return new Instances(component.ownInstances());
+        }
         List<InstanceSymbol> all = new ArrayList<>();
         for (int i = lineage.size() - 1; i >= 0; i--) {
             all.addAll(lineage.get(i).ownInstances());
@@ -39,8 +42,8 @@ final class Instances {
         return Optional.ofNullable(byName.get(name));
     }
 
-    /** What a component adds to the inherited ones; asks nothing of its ancestors. */
-    static List<InstanceSymbol> declared(ComponentSymbol owner) {
+    /** What a component itself instantiates. */
+    static List<InstanceSymbol> declaredIn(ComponentSymbol owner) {
         List<InstanceSymbol> instances = new ArrayList<>();
         Map<Component, ComponentSymbol> inner = new HashMap<>();
         owner.innerComponents().forEach(c -> inner.put(c.node(), c));

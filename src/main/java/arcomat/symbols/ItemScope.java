@@ -107,7 +107,6 @@ final class ItemScope {
     /** Whether the value is wrong wherever it goes: then its problem is reported, not the name. */
     private static boolean hasProblemOfItsOwn(ItemValue value) {
         return value.expressions().stream()
-                .flatMap(e -> e.problems().stream())
-                .anyMatch(p -> p.kind() != ExpressionProblem.Kind.UNKNOWN_NAME);
+                .anyMatch(e -> !e.problems().isEmpty() && !Excuses.isUnknownBareName(e));
     }
 }

@@ -74,7 +74,7 @@ public final class UnitScope {
 
     /**
      * What an import leads to. With a wildcard: unknown unless a package, a diagram or a component
-     * has that name.
+     * has that name. Imports of the Java library are excused: what uses them is reported.
      */
     public Resolution<QualifiedName> target(Import imported) {
         String name = imported.name().text();
@@ -88,7 +88,9 @@ public final class UnitScope {
             return new Resolution.Found<>(imported.name());
         }
         boolean excused =
-                index.isExcused(name) || imported.wildcard() && index.hasBrokenFileIn(name);
+                isJavaName(name)
+                        || index.isExcused(name)
+                        || imported.wildcard() && index.hasBrokenFileIn(name);
         return excused ? Resolution.excused() : Resolution.unknown();
     }
 
