@@ -2,11 +2,15 @@ package arcomat.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.check.Checks;
+import arcomat.check.Profile;
 import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
 import arcomat.syntax.Parser;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.syntax.antlr.ArcomatParser.ExpressionUnitContext;
+import arcomat.tree.Unit;
 
 import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.CommonTokenStream;
@@ -21,10 +25,16 @@ import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** The language reference tells the truth, and the whole of it. */
 class LanguageReferenceTest {
     private static final Set<String> LANGUAGES = Set.of("arc", "cd", "ioautomaton", "mt");
+
+    private static final Pattern DEFINITION =
+            Pattern.compile(
+                    "^(?:component|automaton|classdiagram|testsuite) (\\w+)", Pattern.MULTILINE);
 
     private static List<Fence> examples;
 
@@ -41,6 +51,18 @@ class LanguageReferenceTest {
         for (Fence example : examples) {
             assertThat(Parser.parse(file(example)).findings()).as(example.toString()).isEmpty();
         }
+    }
+
+    /** Together the examples are one model without findings, but for those of older tools. */
+    @Test
+    void theExamplesAreOneCleanModel() {
+        List<Unit> units =
+                examples.stream()
+                        .filter(example -> !example.title().equals("legacy"))
+                        .map(example -> Parser.parse(named(example)).unit().orElseThrow())
+                        .toList();
+
+        assertThat(Checks.run(Workspace.of(units, Set.of()), Profile.REQUIREMENTS)).isEmpty();
     }
 
     /** An example for every production: none of the parser's rules and alternatives is missing. */
@@ -87,6 +109,14 @@ class LanguageReferenceTest {
             case "ioautomaton" -> parser.automatonUnit();
             default -> throw new AssertionError(example.language());
         };
+    }
+
+    /** Under the path that its package and name ask for. */
+    private static SourceFile named(Fence example) {
+        Matcher definition = DEFINITION.matcher(example.text());
+        assertThat(definition.find()).isTrue();
+        return new SourceFile(
+                "tour/" + definition.group(1) + "." + example.language(), example.text());
     }
 
     private static SourceFile file(Fence example) {
