@@ -23,6 +23,9 @@ public final class Cli {
     static {
         COMMANDS.put("check", CheckCommand::new);
         COMMANDS.put("format", FormatCommand::new);
+        COMMANDS.put("generate", GenerateCommand::new);
+        COMMANDS.put("simulate", SimulateCommand::new);
+        COMMANDS.put("test", TestCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);
     }
 
@@ -65,7 +68,7 @@ public final class Cli {
     }
 
     private static int failure(Exception e, Console console) {
-        if (e instanceof WrongUse) {
+        if (e instanceof WrongUse || e instanceof TerminalDialogue.NoAnswer) {
             complain(e.getMessage(), console);
             return ExitStatus.WRONG_USE;
         }

@@ -1,7 +1,9 @@
 package arcomat.cli;
 
+import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.FindingsText;
 
 import picocli.CommandLine.Option;
 
@@ -30,6 +32,13 @@ abstract class Command implements Callable<Integer> {
 
     /** Does the work and returns the exit status. */
     abstract int run(Pipeline pipeline) throws WrongUse;
+
+    /** Prints findings that keep a command from doing its work. */
+    final int reportErrors(CheckResult check) {
+        print(FindingsText.render(check.findings(), console.style()));
+        printLine(FindingsText.summary(check.findings(), check.files(), console.style()));
+        return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
+    }
 
     final void print(String text) {
         console.out().print(text);

@@ -2,6 +2,8 @@ package arcomat.pipeline;
 
 import arcomat.check.Checks;
 import arcomat.check.Profile;
+import arcomat.lower.Lowering;
+import arcomat.model.Model;
 import arcomat.source.Diagnostic;
 import arcomat.symbols.Workspace;
 
@@ -26,6 +28,16 @@ record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> 
         findings.addAll(Checks.run(workspace, profile));
         findings.removeIf(finding -> !loaded.isShown(finding));
         return new CheckedModels(loaded, workspace, List.copyOf(findings));
+    }
+
+    boolean hasErrors() {
+        return findings.stream().anyMatch(Diagnostic::isError);
+    }
+
+    /** The meaning of the models; only without errors. */
+    Model lower(Progress progress) {
+        progress.step("lowering");
+        return Lowering.lower(workspace);
     }
 
     CheckResult result() {

@@ -36,4 +36,34 @@ public final class Pipeline {
     public FormatResult format(List<String> paths, boolean write) {
         return FormatStep.run(paths, write, names, progress);
     }
+
+    /**
+     * Runs a component.
+     *
+     * @param dialogue asked and told while the model runs
+     * @throws WrongUse where the request does not fit the models
+     */
+    public SimulationResult simulate(
+            SimulationRequest request, List<String> paths, Dialogue dialogue) throws WrongUse {
+        return SimulateStep.run(request, paths, dialogue, names, progress);
+    }
+
+    /**
+     * Runs the stream tests in files and folders.
+     *
+     * @throws WrongUse where there are none
+     */
+    public TestResult test(List<String> paths) throws WrongUse {
+        return TestStep.run(paths, names, progress);
+    }
+
+    /**
+     * Writes code.
+     *
+     * @throws WrongUse where the request does not fit the models, or the folder cannot be written
+     */
+    public GenerationResult generate(GenerationRequest request, List<String> paths)
+            throws WrongUse {
+        return GenerateStep.run(request, paths, names, progress);
+    }
 }

@@ -1,0 +1,85 @@
+package arcomat.cli;
+
+import arcomat.pipeline.GenerationRequest;
+import arcomat.pipeline.GenerationResult;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.FindingsText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+import java.util.List;
+import java.util.Optional;
+
+/** {@code arcomat generate}: writes code for models, all of it or nothing. */
+@CommandLine.Command(
+        name = "generate",
+        description = "Writes code for models, if they are fit to run.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat generate --target jvm --out build/coffee models/coffee",
+            "  arcomat generate --target jvm --out build/fetcher --main coffee.fetcher.Fetcher \\",
+            "        models/coffee",
+            "  arcomat generate --target templates/c --out build/c models/coffee",
+            "",
+            "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
+            "generate. Code for the JVM needs lib/rt.jar of the installation on its class path."
+        })
+final class GenerateCommand extends Command {
+    enum Choose {
+        first,
+        random
+    }
+
+    @Option(
+            names = "--target",
+            paramLabel = "TARGET",
+            required = true,
+            description = "What to write code for: jvm, or a folder of templates.")
+    private String target;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            required = true,
+            description = "The folder to write, which is replaced as a whole.")
+    private String out;
+
+    @Option(
+            names = "--main",
+            paramLabel = "QNAME",
+            description = "Only this component, with its parts and a program for it.")
+    private String main;
+
+    @Option(
+            names = "--choose",
+            paramLabel = "HOW",
+            defaultValue = "first",
+            description =
+                    "What the code does where a model leaves a choice: ${COMPLETION-CANDIDATES};"
+                            + " default first.")
+    private Choose choose;
+
+    @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
+    private List<String> paths;
+
+    GenerateCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        GenerationRequest request =
+                new GenerationRequest(
+                        target, out, Optional.ofNullable(main), choose == Choose.random);
+        GenerationResult result = pipeline.generate(request, paths);
+        if (result.check().hasErrors()) {
+            return reportErrors(result.check());
+        }
+        print(FindingsText.render(result.check().findings(), console.style()));
+        printLine("wrote " + result.files().size() + " files to " + out);
+        return ExitStatus.FINE;
+    }
+}

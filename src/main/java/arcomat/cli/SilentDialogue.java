@@ -1,0 +1,18 @@
+package arcomat.cli;
+
+import arcomat.model.Letter;
+import arcomat.pipeline.Dialogue;
+import arcomat.simulate.Question;
+
+/** Nobody to talk to: for runs that decide by themselves. */
+final class SilentDialogue implements Dialogue {
+    @Override
+    public void stepBegins(int number, Letter inputs) {
+        // nobody listens
+    }
+
+    @Override
+    public int ask(Question question) {
+        throw new IllegalStateException("nobody is there to be asked");
+    }
+}

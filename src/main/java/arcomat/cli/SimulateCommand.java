@@ -1,0 +1,165 @@
+package arcomat.cli;
+
+import arcomat.pipeline.Dialogue;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.SimulationRequest;
+import arcomat.pipeline.SimulationResult;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.TraceCsv;
+import arcomat.report.TraceJson;
+import arcomat.report.TraceTable;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** {@code arcomat simulate}: runs a component and tells what happened, slice by slice. */
+@CommandLine.Command(
+        name = "simulate",
+        description = "Runs a component and tells what happened, slice by slice.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat simulate --main coffee.fetcher.Fetcher --slices 10 --seed 7 models/coffee",
+            "  arcomat simulate --main 'coffee.parts.Timer(2)' --choose random models/coffee",
+            "  arcomat simulate --input models/coffee/coffee/fetcher/FetcherTest.mt#waitsWithCoffee",
+            "        --engine compiled models/coffee",
+            "  arcomat simulate --main coffee.fig3.AvoidCrash --choose ask --record Run.mt models/coffee",
+            "  arcomat simulate --main coffee.fig6.AvoidCrash --trace csv models/coffee > run.csv",
+            "",
+            "Without --input, letters are drawn with the seed: the same seed, the same run."
+        })
+final class SimulateCommand extends Command {
+    enum Choose {
+        first,
+        random,
+        ask
+    }
+
+    enum Engine {
+        interpreter,
+        compiled
+    }
+
+    enum TraceFormat {
+        table,
+        csv,
+        json
+    }
+
+    @Option(
+            names = "--main",
+            paramLabel = "QNAME",
+            description = {
+                "The component to run, with its arguments if it takes any: 'p.Timer(2)'.",
+                "May be left out if --input or a single <<deploy>> component tells."
+            })
+    private String main;
+
+    @Option(
+            names = "--slices",
+            paramLabel = "N",
+            description = "How many slices; default: those of --input, else 20.")
+    private Integer slices;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Seed of whatever is drawn; default 1.")
+    private int seed;
+
+    @Option(
+            names = "--choose",
+            paramLabel = "HOW",
+            defaultValue = "first",
+            description =
+                    "Who decides where the model leaves it open: ${COMPLETION-CANDIDATES}; default"
+                            + " first.")
+    private Choose choose;
+
+    @Option(
+            names = "--engine",
+            paramLabel = "ENGINE",
+            defaultValue = "interpreter",
+            description = "What runs the model: ${COMPLETION-CANDIDATES}; default interpreter.")
+    private Engine engine;
+
+    @Option(
+            names = "--trace",
+            paramLabel = "FORMAT",
+            defaultValue = "table",
+            description = "How to write what happened: ${COMPLETION-CANDIDATES}; default table.")
+    private TraceFormat trace;
+
+    @Option(
+            names = "--input",
+            paramLabel = "FILE.mt#test",
+            description = "Take the input streams of a stream test.")
+    private String input;
+
+    @Option(
+            names = "--record",
+            paramLabel = "FILE.mt",
+            description = "Keep the run, with the choices made, as a stream test.")
+    private String record;
+
+    @Parameters(
+            paramLabel = "PATH",
+            arity = "0..*",
+            description = "Model files and model roots; may be left out with --input.")
+    private List<String> paths = List.of();
+
+    SimulateCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        if (paths.isEmpty() && input == null) {
+            throw new WrongUse("which models? name a PATH, or a test with --input");
+        }
+        if (slices != null && slices < 0) {
+            throw new WrongUse("--slices " + slices + " is negative");
+        }
+        SimulationResult result = pipeline.simulate(request(), paths, dialogue());
+        if (result.trace().isEmpty()) {
+            return reportErrors(result.check());
+        }
+        print(
+                switch (trace) {
+                    case table -> TraceTable.render(result.trace().get(), console.style());
+                    case csv -> TraceCsv.render(result.trace().get());
+                    case json -> TraceJson.render(result.trace().get());
+                });
+        return report(result);
+    }
+
+    /** A model that goes wrong fails the command, in whatever form the trace is written. */
+    private int report(SimulationResult result) {
+        Optional<String> failure = result.trace().orElseThrow().failure();
+        if (failure.isPresent() && trace == TraceFormat.csv) {
+            console.err().println("stopped: " + failure.get());
+        }
+        return failure.isPresent() ? ExitStatus.FINDINGS : ExitStatus.FINE;
+    }
+
+    private SimulationRequest request() {
+        return new SimulationRequest(
+                Optional.ofNullable(main),
+                slices == null ? OptionalInt.empty() : OptionalInt.of(slices),
+                seed,
+                SimulationRequest.Choosing.valueOf(choose.name().toUpperCase(Locale.ROOT)),
+                SimulationRequest.Engine.valueOf(engine.name().toUpperCase(Locale.ROOT)),
+                Optional.ofNullable(input),
+                Optional.ofNullable(record));
+    }
+
+    private Dialogue dialogue() {
+        return choose == Choose.ask ? new TerminalDialogue(console) : new SilentDialogue();
+    }
+}

@@ -1,0 +1,63 @@
+package arcomat.pipeline;
+
+import arcomat.check.Profile;
+import arcomat.generate.Choosing;
+import arcomat.generate.GeneratedFile;
+import arcomat.generate.Generation;
+import arcomat.generate.Generator;
+import arcomat.generate.Request;
+import arcomat.generate.Target;
+import arcomat.model.Model;
+import arcomat.source.Diagnostic;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Checks models for what code needs, generates it and writes it, all or nothing. */
+final class GenerateStep {
+    private GenerateStep() {}
+
+    static GenerationResult run(
+            GenerationRequest request, List<String> paths, PathNames names, Progress progress)
+            throws WrongUse {
+        Target target = Targets.find(request.target(), names);
+        CheckedModels checked = CheckedModels.check(paths, Profile.EXECUTABLE, names, progress);
+        if (checked.hasErrors()) {
+            return new GenerationResult(checked.result(), List.of());
+        }
+        Model model = checked.lower(progress);
+        progress.step("generating");
+        Generation generation = Generator.generate(wanted(request, checked, model), target);
+        List<Diagnostic> findings = new ArrayList<>(checked.findings());
+        findings.addAll(generation.findings());
+        CheckResult result = new CheckResult(findings, checked.loaded().files());
+        if (result.hasErrors()) {
+            return new GenerationResult(result, List.of());
+        }
+        Map<String, String> files = new LinkedHashMap<>();
+        for (GeneratedFile file : generation.files()) {
+            files.put(file.path(), file.text());
+        }
+        progress.step("writing " + files.size() + " files");
+        OutputFolder.replace(names.resolve(request.out()), request.out(), files);
+        return new GenerationResult(result, List.copyOf(files.keySet()));
+    }
+
+    private static Request wanted(GenerationRequest request, CheckedModels checked, Model model)
+            throws WrongUse {
+        Choosing choosing = request.randomChoice() ? Choosing.RANDOM : Choosing.FIRST;
+        if (request.main().isEmpty()) {
+            return Request.all(model, choosing);
+        }
+        MainComponent main = MainComponent.find(request.main().get(), checked, model);
+        if (!main.component().parameters().isEmpty()) {
+            throw new WrongUse(
+                    "a program has nobody to give it arguments, and '"
+                            + main.component().qualifiedName()
+                            + "' takes some; give --main a component with a part that says them");
+        }
+        return Request.program(main.component(), choosing);
+    }
+}

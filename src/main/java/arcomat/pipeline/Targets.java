@@ -1,0 +1,63 @@
+package arcomat.pipeline;
+
+import arcomat.generate.Target;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/** Finds targets: shipped ones by name, a user's own by folder. */
+final class Targets {
+    private Targets() {}
+
+    static Target find(String written, PathNames names) throws WrongUse {
+        Optional<Target> shipped = Target.shipped(written);
+        if (shipped.isPresent()) {
+            return shipped.get();
+        }
+        Path folder = names.resolve(written);
+        if (!Files.isDirectory(folder)) {
+            throw new WrongUse(
+                    "there is no target '"
+                            + written
+                            + "': neither shipped (jvm) nor a folder of templates");
+        }
+        if (!Files.exists(folder.resolve(Target.DESCRIPTION))) {
+            throw new WrongUse(
+                    "folder '" + written + "' is no target: it has no " + Target.DESCRIPTION);
+        }
+        return new Target(written, texts(folder, written));
+    }
+
+    private static Map<String, String> texts(Path folder, String written) throws WrongUse {
+        Map<String, String> texts = new TreeMap<>();
+        for (Path file : files(folder, written)) {
+            String name = folder.relativize(file).toString().replace('\\', '/');
+            FileReader.Read read = FileReader.read(file, written + "/" + name);
+            Optional<Diagnostic> finding = read.finding();
+            if (finding.isPresent()) {
+                throw new WrongUse(written + "/" + name + ": " + finding.get().message());
+            }
+            read.file().map(SourceFile::text).ifPresent(text -> texts.put(name, text));
+        }
+        return texts;
+    }
+
+    private static List<Path> files(Path folder, String written) throws WrongUse {
+        try (Stream<Path> paths = Files.walk(folder)) {
+            return paths.filter(Files::isRegularFile)
+                    .filter(p -> !p.getFileName().toString().startsWith("."))
+                    .sorted()
+                    .toList();
+        } catch (IOException e) {
+            throw new WrongUse("cannot read '" + written + "': " + Failures.reason(e));
+        }
+    }
+}

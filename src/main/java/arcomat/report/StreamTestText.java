@@ -1,0 +1,97 @@
+package arcomat.report;
+
+import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.StreamTestResult.Cell;
+import arcomat.simulate.StreamTestResult.Verdict;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * Results of stream tests: a line per test, and below a failing one its streams side by side up to
+ * a little behind the first difference.
+ */
+public final class StreamTestText {
+    private static final int SLICES_BEHIND = 2;
+    private static final String INDENT = "    ";
+
+    private StreamTestText() {}
+
+    public static String render(List<StreamTestResult> results, Style style) {
+        StringBuilder out = new StringBuilder();
+        String suite = "";
+        for (StreamTestResult result : results) {
+            String file = result.test().span().file().path();
+            if (!file.equals(suite)) {
+                suite = file;
+                out.append(style.strong(Printable.escape(file))).append('\n');
+            }
+            out.append(render(result, style));
+        }
+        return out.toString();
+    }
+
+    private static String render(StreamTestResult result, Style style) {
+        String name = " " + Printable.escape(result.test().name());
+        return switch (result.verdict()) {
+            case PASSED -> "  " + style.good("passed") + name + "\n";
+            case VACUOUS ->
+                    "  "
+                            + style.warning("passed, vacuous")
+                            + name
+                            + result.vacuousFrom().stream()
+                                    .mapToObj(slice -> ": from slice " + slice)
+                                    .collect(Collectors.joining())
+                            + " the model promises nothing (chaos)\n";
+            case FAILED -> "  " + style.error("FAILED") + name + failure(result, style) + "\n";
+        };
+    }
+
+    private static String failure(StreamTestResult result, Style style) {
+        StringBuilder out = new StringBuilder(" (line ");
+        out.append(result.test().span().startPosition().line()).append(")\n");
+        result.failure()
+                .ifPresent(f -> out.append(INDENT).append(Printable.escape(f)).append('\n'));
+        String table = sideBySide(result, style);
+        table.lines().forEach(line -> out.append(INDENT).append(line).append('\n'));
+        return out.toString();
+    }
+
+    private static String sideBySide(StreamTestResult result, Style style) {
+        int last =
+                result.firstDifference().isPresent()
+                        ? result.firstDifference().getAsInt() + SLICES_BEHIND
+                        : Integer.MAX_VALUE;
+        TextTable table =
+                new TextTable(List.of("slice", "port", "expected", "actual", "", "allowed"));
+        for (Cell cell : result.cells()) {
+            if (cell.slice() <= last) {
+                List<String> cells = new ArrayList<>();
+                cells.add(String.valueOf(cell.slice()));
+                cells.add(Printable.escape(cell.port()));
+                cells.add(messages(cell.expected().stream().map(Object::toString).toList(), ", "));
+                cells.add(messages(cell.actual().stream().map(Object::toString).toList(), ", "));
+                cells.add(cell.differs() ? "<--" : "");
+                cells.add(cell.differs() ? messages(cell.allowed(), " or ") : "");
+                table.add(cells);
+            }
+        }
+        return table.render(style);
+    }
+
+    /** {@code --} is silence, as in models. */
+    private static String messages(List<String> messages, String separator) {
+        return messages.isEmpty() ? "--" : Printable.escape(String.join(separator, messages));
+    }
+
+    /** One line: {@code 12 passed, 1 failed}. */
+    public static String summary(List<StreamTestResult> results, Style style) {
+        long failed = results.stream().filter(r -> r.verdict() == Verdict.FAILED).count();
+        long vacuous = results.stream().filter(r -> r.verdict() == Verdict.VACUOUS).count();
+        String text = (results.size() - failed) + " passed";
+        text += vacuous > 0 ? " (" + vacuous + " vacuous)" : "";
+        text += ", " + failed + " failed";
+        return failed > 0 ? style.error(text) : style.good(text);
+    }
+}
