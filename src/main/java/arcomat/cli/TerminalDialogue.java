@@ -47,7 +47,10 @@ final class TerminalDialogue implements Dialogue {
     @Override
     public int ask(Question question) {
         PrintWriter err = console.err();
-        err.println("  " + (question.instance().isEmpty() ? "" : question.instance() + ": ") + "what happens?");
+        err.println(
+                "  "
+                        + (question.instance().isEmpty() ? "" : question.instance() + ": ")
+                        + "what happens?");
         int number = 1;
         for (String alternative : question.alternatives()) {
             err.println("    " + number++ + "  " + Printable.escape(alternative));

@@ -40,20 +40,16 @@ record MainComponent(Component component, List<Value> arguments) {
 
     /** The only component that is there to be deployed, for a command that names none. */
     static MainComponent onlyDeployed(Model model) throws WrongUse {
-        List<Component> deployed =
-                model.components().stream()
-                        .filter(Component::deploy)
-                        .toList();
+        List<Component> deployed = model.components().stream().filter(Component::deploy).toList();
         if (deployed.size() == 1) {
-            return new MainComponent(
-                    deployed.get(0), arguments(deployed.get(0), List.of()));
+            return new MainComponent(deployed.get(0), arguments(deployed.get(0), List.of()));
         }
         throw new WrongUse(
-                "which component is to run? name it with --main; there are "
-                        + listing(model));
+                "which component is to run? name it with --main; there are " + listing(model));
     }
 
-    private static Component component(String name, CheckedModels checked, Model model) throws WrongUse {
+    private static Component component(String name, CheckedModels checked, Model model)
+            throws WrongUse {
         Optional<Component> found = model.component(name);
         if (found.isPresent()) {
             return found.get();
@@ -66,10 +62,7 @@ record MainComponent(Component component, List<Value> arguments) {
                             + " a part that says its type arguments");
         }
         throw new WrongUse(
-                "there is no component '"
-                        + name
-                        + "'."
-                        + hint(name, checked.workspace(), model));
+                "there is no component '" + name + "'." + hint(name, checked.workspace(), model));
     }
 
     private static String hint(String name, Workspace workspace, Model model) {
@@ -88,7 +81,9 @@ record MainComponent(Component component, List<Value> arguments) {
         List<String> names = model.components().stream().map(Component::qualifiedName).toList();
         String listed = names.stream().limit(NAMED_COMPONENTS).collect(Collectors.joining(", "));
         int more = names.size() - NAMED_COMPONENTS;
-        return names.isEmpty() ? "no components" : more > 0 ? listed + " and " + more + " more" : listed;
+        return names.isEmpty()
+                ? "no components"
+                : more > 0 ? listed + " and " + more + " more" : listed;
     }
 
     private static List<String> split(String arguments) {

@@ -55,7 +55,9 @@ final class Recorder {
         String name = file.getFileName().toString();
         if (!name.matches("[\\p{L}_$][\\p{L}\\p{N}_$]*\\.mt")) {
             throw new WrongUse(
-                    "'" + written + "' is no file for a suite; --record names a file such as Run.mt");
+                    "'"
+                            + written
+                            + "' is no file for a suite; --record names a file such as Run.mt");
         }
         return name.substring(0, name.length() - ".mt".length());
     }

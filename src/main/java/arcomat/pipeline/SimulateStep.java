@@ -50,10 +50,7 @@ final class SimulateStep {
         boolean compiled = request.engine() == SimulationRequest.Engine.COMPILED;
         CheckedModels checked =
                 CheckedModels.check(
-                        all,
-                        compiled ? Profile.EXECUTABLE : Profile.REQUIREMENTS,
-                        names,
-                        progress);
+                        all, compiled ? Profile.EXECUTABLE : Profile.REQUIREMENTS, names, progress);
         if (checked.hasErrors()) {
             return new SimulationResult(checked.result(), Optional.empty());
         }
@@ -79,8 +76,7 @@ final class SimulateStep {
         return record(main, trace, interpreter.decisions());
     }
 
-    private Trace record(MainComponent main, Trace trace, List<String> decisions)
-            throws WrongUse {
+    private Trace record(MainComponent main, Trace trace, List<String> decisions) throws WrongUse {
         if (request.record().isPresent()) {
             Recorder.write(request, main, trace, decisions, names);
         }
@@ -92,8 +88,9 @@ final class SimulateStep {
                 switch (request.choosing()) {
                     case FIRST -> Choosing.FIRST;
                     case RANDOM -> Choosing.RANDOM;
-                    case ASK -> throw new WrongUse(
-                            "compiled code cannot ask; use --engine interpreter");
+                    case ASK ->
+                            throw new WrongUse(
+                                    "compiled code cannot ask; use --engine interpreter");
                 };
         CompiledModel model = CompiledModel.of(main.component(), choosing);
         return new CompiledExecution(model, main.arguments(), request.seed());

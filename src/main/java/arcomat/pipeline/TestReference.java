@@ -17,8 +17,7 @@ record TestReference(String file, String test) {
     static TestReference parse(String written) throws WrongUse {
         int mark = written.lastIndexOf('#');
         if (mark <= 0 || !written.substring(0, mark).endsWith(".mt")) {
-            throw new WrongUse(
-                    "--input '" + written + "' is not of the form FILE.mt#test");
+            throw new WrongUse("--input '" + written + "' is not of the form FILE.mt#test");
         }
         return new TestReference(written.substring(0, mark), written.substring(mark + 1));
     }

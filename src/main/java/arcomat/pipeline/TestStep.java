@@ -14,8 +14,7 @@ final class TestStep {
     private TestStep() {}
 
     static TestResult run(List<String> paths, PathNames names, Progress progress) throws WrongUse {
-        CheckedModels checked =
-                CheckedModels.check(paths, Profile.REQUIREMENTS, names, progress);
+        CheckedModels checked = CheckedModels.check(paths, Profile.REQUIREMENTS, names, progress);
         if (checked.hasErrors()) {
             return new TestResult(checked.result(), List.of());
         }

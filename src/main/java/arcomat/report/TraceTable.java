@@ -26,10 +26,6 @@ public final class TraceTable {
                 .ifPresent(
                         failure ->
                                 out.append(style.error("stopped"))
-                                        .append(" in ")
-                                        .append(columns.unit())
-                                        .append(' ')
-                                        .append(trace.steps().size())
                                         .append(": ")
                                         .append(Printable.escape(failure))
                                         .append('\n'));
