@@ -82,7 +82,8 @@ public final class Behaviour {
 
     /** All beginnings, in text order of the first automaton, then the second, and so on. */
     public List<JointStart> starts() {
-        List<JointStart> joint = List.of(new JointStart(List.of(), anythingAtFirst()));
+        Output open = StepRelation.atStart(component, anything());
+        List<JointStart> joint = List.of(new JointStart(List.of(), open));
         for (StepRelation relation : relations) {
             List<JointStart> longer = new ArrayList<>();
             for (JointStart prefix : joint) {
@@ -137,14 +138,6 @@ public final class Behaviour {
 
     private Output anything() {
         return new Output(component.outputs().stream().map(Effect::anything).toList());
-    }
-
-    /** Before the first reaction a port without delay is silent, even if it is total. */
-    private Output anythingAtFirst() {
-        return new Output(
-                component.outputs().stream()
-                        .map(p -> p.delay() == 0 ? new Sent.Anything() : Effect.anything(p))
-                        .toList());
     }
 
     private static <T> List<T> plus(List<T> list, T last) {

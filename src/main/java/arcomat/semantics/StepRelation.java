@@ -99,12 +99,27 @@ public final class StepRelation {
                 starts.add(
                         new Start(
                                 initial,
-                                effect.output(nothing, values),
+                                atStart(component, effect.output(nothing, values)),
                                 new Configuration(initial.state(), variables)));
             } catch (Fault fault) {
                 throw fault.in(component.name() + ", initial" + Fault.line(initial.span()));
             }
         }
+    }
+
+    /** A port with delay 0 sends nothing before the first input is read. */
+    static Output atStart(Component component, Output output) {
+        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
+            return output;
+        }
+        List<Sent> sent = new ArrayList<>(output.ports());
+        List<Port> ports = component.outputs();
+        for (int i = 0; i < sent.size(); i++) {
+            if (ports.get(i).delay() == 0) {
+                sent.set(i, Sent.SILENCE);
+            }
+        }
+        return new Output(sent);
     }
 
     public Component component() {
