@@ -1,15 +1,30 @@
 package arcomat.syntax;
 
 import arcomat.source.SourceFile;
+import arcomat.syntax.layout.Layout;
 
 import java.util.List;
 import java.util.Optional;
 
-/** Sets a file in canonical white space. Tokens and comments are kept as they are. */
+/**
+ * Sets a file in canonical white space: four spaces for each level, one element to a line, lines of
+ * at most 100 characters where they can be broken, line feeds. Tokens and comments are kept as they
+ * are, single blank lines too. Formatting twice gives the same text as formatting once.
+ */
 public final class Formatter {
     private Formatter() {}
 
+    /** A file with syntax errors is not formatted; its findings tell why. */
     public static Formatted format(SourceFile file) {
-        return new Formatted(Optional.empty(), List.of());
+        return Reading.use(file, Formatter::formatted);
+    }
+
+    private static Formatted formatted(Reading reading) {
+        if (!reading.findings().isEmpty()) {
+            return new Formatted(Optional.empty(), reading.findings());
+        }
+        String text =
+                Layout.format(reading.file().text(), reading.tokens().getTokens(), reading.root());
+        return new Formatted(Optional.of(text), List.of());
     }
 }

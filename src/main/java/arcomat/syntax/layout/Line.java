@@ -1,0 +1,31 @@
+package arcomat.syntax.layout;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** One element, or one comment, before it is broken into lines that fit. */
+final class Line {
+    final int level;
+    final boolean blankBefore;
+    final List<Piece> pieces = new ArrayList<>();
+
+    /** The table of which this is a row, else null. */
+    Object table;
+
+    /** A package declaration stands apart from what follows. */
+    boolean isPackage;
+
+    /** Imports stand together, apart from what follows. */
+    boolean isImport;
+
+    /** Whether the line ends with the brace that opens a body. */
+    boolean opensBody;
+
+    /** Whether the line begins with the brace that closes a body. */
+    boolean closesBody;
+
+    Line(int level, boolean blankBefore) {
+        this.level = level;
+        this.blankBefore = blankBefore;
+    }
+}

@@ -1,0 +1,162 @@
+package arcomat.syntax.layout;
+
+import arcomat.syntax.antlr.ArcomatLexer;
+import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.syntax.antlr.ArcomatParser.ClassDefinitionContext;
+import arcomat.syntax.antlr.ArcomatParser.EventsPartContext;
+import arcomat.syntax.antlr.ArcomatParser.StreamsPartContext;
+import arcomat.syntax.antlr.ArcomatParser.TestMemberContext;
+
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.ParseTree;
+import org.antlr.v4.runtime.tree.TerminalNode;
+
+/** What the parse tree says of each token, by token index. */
+final class Structure {
+    private final boolean[] startsLine;
+    private final boolean[] opensBody;
+    private final boolean[] closesBody;
+    private final int[] indent;
+    private final int[] verbatimEnd;
+    private final ParserRuleContext[] parent;
+
+    private Structure(int tokens) {
+        startsLine = new boolean[tokens];
+        opensBody = new boolean[tokens];
+        closesBody = new boolean[tokens];
+        indent = new int[tokens];
+        verbatimEnd = new int[tokens];
+        parent = new ParserRuleContext[tokens];
+    }
+
+    static Structure of(ParserRuleContext root, int tokens) {
+        Structure structure = new Structure(tokens);
+        structure.visit(root, 0);
+        return structure;
+    }
+
+    boolean startsLine(Token token) {
+        return startsLine[token.getTokenIndex()];
+    }
+
+    boolean opensBody(Token token) {
+        return opensBody[token.getTokenIndex()];
+    }
+
+    boolean closesBody(Token token) {
+        return closesBody[token.getTokenIndex()];
+    }
+
+    /** In levels, for tokens that start a line. */
+    int indent(Token token) {
+        return indent[token.getTokenIndex()];
+    }
+
+    /** Index of the last token of foreign text that begins here, 0 if none does. */
+    int verbatimEnd(Token token) {
+        return verbatimEnd[token.getTokenIndex()];
+    }
+
+    /** The production that a token stands in directly. */
+    ParserRuleContext parent(Token token) {
+        return parent[token.getTokenIndex()];
+    }
+
+    int rule(Token token) {
+        ParserRuleContext context = parent(token);
+        return context == null ? -1 : context.getRuleIndex();
+    }
+
+    private void visit(ParserRuleContext context, int level) {
+        if (startsLine(context)) {
+            markLine(context.start, level);
+        }
+        if (isVerbatim(context)) {
+            verbatimEnd[context.start.getTokenIndex()] = context.stop.getTokenIndex();
+        }
+        boolean body = hasBody(context);
+        int inner = level;
+        for (int i = 0; i < context.getChildCount(); i++) {
+            ParseTree child = context.getChild(i);
+            if (child instanceof ParserRuleContext node) {
+                visit(node, inner);
+            } else if (child instanceof TerminalNode leaf) {
+                Token token = leaf.getSymbol();
+                parent[token.getTokenIndex()] = context;
+                if (body && token.getType() == ArcomatLexer.OPEN_BRACE) {
+                    opensBody[token.getTokenIndex()] = true;
+                    inner = level + 1;
+                } else if (body && token.getType() == ArcomatLexer.CLOSE_BRACE) {
+                    closesBody[token.getTokenIndex()] = true;
+                    inner = level;
+                    closeLine(context, i, token, level);
+                }
+            }
+        }
+    }
+
+    /** The brace of an empty body stays on the line, unless a comment lies in between. */
+    private void closeLine(ParserRuleContext context, int child, Token brace, int level) {
+        boolean empty =
+                context.getChild(child - 1) instanceof TerminalNode open
+                        && open.getSymbol().getTokenIndex() == brace.getTokenIndex() - 1;
+        if (!empty) {
+            markLine(brace, level);
+        }
+    }
+
+    private void markLine(Token token, int level) {
+        startsLine[token.getTokenIndex()] = true;
+        indent[token.getTokenIndex()] = level;
+    }
+
+    private static boolean isVerbatim(ParserRuleContext context) {
+        return switch (context.getRuleIndex()) {
+            case ArcomatParser.RULE_javaBlock, ArcomatParser.RULE_invariantBody -> true;
+            default -> false;
+        };
+    }
+
+    private static boolean startsLine(ParserRuleContext context) {
+        return switch (context.getRuleIndex()) {
+            case ArcomatParser.RULE_packageDeclaration,
+                    ArcomatParser.RULE_importDeclaration,
+                    ArcomatParser.RULE_component,
+                    ArcomatParser.RULE_element,
+                    ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_automatonElement,
+                    ArcomatParser.RULE_ioTable,
+                    ArcomatParser.RULE_tableInputs,
+                    ArcomatParser.RULE_tableOutputs,
+                    ArcomatParser.RULE_row,
+                    ArcomatParser.RULE_classDiagram,
+                    ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_testSuite,
+                    ArcomatParser.RULE_suiteMember,
+                    ArcomatParser.RULE_testPart,
+                    ArcomatParser.RULE_portStream,
+                    ArcomatParser.RULE_eventStream ->
+                    true;
+            default -> false;
+        };
+    }
+
+    private static boolean hasBody(ParserRuleContext context) {
+        return switch (context.getRuleIndex()) {
+            case ArcomatParser.RULE_component,
+                    ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_ioTable,
+                    ArcomatParser.RULE_implementation,
+                    ArcomatParser.RULE_classDiagram,
+                    ArcomatParser.RULE_testSuite ->
+                    true;
+            default ->
+                    context instanceof ClassDefinitionContext
+                            || context instanceof TestMemberContext
+                            || context instanceof StreamsPartContext
+                            || context instanceof EventsPartContext;
+        };
+    }
+}
