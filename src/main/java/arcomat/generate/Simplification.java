@@ -166,7 +166,9 @@ final class Simplification {
         }
         return f instanceof Formula.Is is
                 && !is.equal()
-                && conjuncts.stream().anyMatch(c -> Exclusion.contradict(c, equalTo(is)));
+                && conjuncts.stream()
+                        .filter(c -> !c.equals(f))
+                        .anyMatch(c -> Exclusion.contradict(c, equalTo(is)));
     }
 
     private static Formula equalTo(Formula.Is different) {
