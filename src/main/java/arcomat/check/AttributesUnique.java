@@ -41,7 +41,9 @@ final class AttributesUnique implements Check.OnClassDiagram {
             ClassSymbol.AttributeSymbol first,
             Findings findings) {
         String where =
-                first.owner().equals(symbol) ? "" : ", inherited from '" + first.owner().text() + "'";
+                first.owner().equals(symbol)
+                        ? ""
+                        : ", inherited from '" + first.owner().text() + "'";
         findings.report(
                         attribute.node().name(),
                         "class '"

@@ -20,8 +20,7 @@ final class EventsForUntimedOnly implements Check.OnStreamTest {
                 .ifPresent(component -> check(test.node(), component, findings));
     }
 
-    private static void check(
-            TestSuite.Test test, ComponentSymbol component, Findings findings) {
+    private static void check(TestSuite.Test test, ComponentSymbol component, Findings findings) {
         boolean eventDriven = component.timing().eventDriven();
         for (TestSuite.Streams streams : test.streams()) {
             if (streams.kind() == TestSuite.Kind.EVENTS && !eventDriven) {

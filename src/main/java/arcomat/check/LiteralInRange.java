@@ -50,9 +50,7 @@ final class LiteralInRange
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
-        item.target()
-                .found()
-                .ifPresent(target -> checkAll(item.value(), target.type(), findings));
+        item.target().found().ifPresent(target -> checkAll(item.value(), target.type(), findings));
     }
 
     @Override

@@ -8,7 +8,8 @@ import java.util.Set;
 
 /** ARC0330: operators and casts are used on the types that they are made for. */
 final class OperandTypes implements Check.OnExpression {
-    private static final Set<Kind> KINDS = EnumSet.of(Kind.OPERAND_TYPE, Kind.CAST, Kind.ABSENCE_OF_NO_PORT);
+    private static final Set<Kind> KINDS =
+            EnumSet.of(Kind.OPERAND_TYPE, Kind.CAST, Kind.ABSENCE_OF_NO_PORT);
 
     @Override
     public Law law() {

@@ -47,8 +47,7 @@ final class RefinesInterface implements Check.OnComponent {
     }
 
     private static boolean fits(PortSymbol port, PortSymbol promised) {
-        return port.direction() == promised.direction()
-                && areSame(port.type(), promised.type());
+        return port.direction() == promised.direction() && areSame(port.type(), promised.type());
     }
 
     private static boolean areSame(TypeSymbol type, TypeSymbol promised) {

@@ -6,7 +6,10 @@ import arcomat.symbols.StateSymbol;
 import java.util.List;
 import java.util.Set;
 
-/** ARC0211: the states of one automaton all start in lower case or all in upper case (Wor16 AC6, AC8). */
+/**
+ * ARC0211: the states of one automaton all start in lower case or all in upper case (Wor16 AC6,
+ * AC8).
+ */
 final class StateNamesCapitalisedAlike implements Check.OnAutomaton {
 
     @Override

@@ -18,7 +18,9 @@ final class SuperClassIsClass implements Check.OnClassDiagram {
     public void check(DiagramSymbol diagram, Context context, Findings findings) {
         for (ClassDiagram.TypeDefinition type : diagram.node().types()) {
             if (type instanceof ClassDiagram.ClassDefinition definition) {
-                definition.superClass().ifPresent(above -> check(definition, above, context, findings));
+                definition
+                        .superClass()
+                        .ifPresent(above -> check(definition, above, context, findings));
             }
         }
     }

@@ -8,7 +8,8 @@ import java.util.Set;
 
 /** ARC0319: an expression uses no methods and no Java objects. (Wor16 AC5) */
 final class SupportedExpression implements Check.OnExpression {
-    private static final Set<Kind> KINDS = EnumSet.of(Kind.UNSUPPORTED_CALL, Kind.UNSUPPORTED_EXPRESSION);
+    private static final Set<Kind> KINDS =
+            EnumSet.of(Kind.UNSUPPORTED_CALL, Kind.UNSUPPORTED_EXPRESSION);
 
     @Override
     public Law law() {

@@ -40,7 +40,9 @@ final class SupportedItem implements Check.OnBlock {
         }
         String name = increment.name().text();
         String assignment = name + " = " + name + (increment.up() ? " + 1" : " - 1");
-        findings.report(increment, "write '" + assignment + "' for '" + increment.span().text() + "'")
+        findings.report(
+                        increment,
+                        "write '" + assignment + "' for '" + increment.span().text() + "'")
                 .fix(Fix.replace("Write '" + assignment + "'", increment.span(), assignment));
     }
 }

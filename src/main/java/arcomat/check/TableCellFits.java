@@ -57,8 +57,7 @@ final class TableCellFits implements Check.OnTable {
         return sequence.expressions().size() > 1;
     }
 
-    private static void checkTypes(
-            ItemValue cell, TableSymbol.Column column, Findings findings) {
+    private static void checkTypes(ItemValue cell, TableSymbol.Column column, Findings findings) {
         for (Typed typed : cell.expressions()) {
             if (!typed.isAssignableTo(column.type())) {
                 findings.report(

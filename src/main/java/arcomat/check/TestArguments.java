@@ -20,8 +20,7 @@ final class TestArguments implements Check.OnTestSuite {
         suite.component().found().ifPresent(component -> check(suite, component, findings));
     }
 
-    private static void check(
-            TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
+    private static void check(TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
         if (component.isGeneric()) {
             findings.report(
                             suite.node().component(),

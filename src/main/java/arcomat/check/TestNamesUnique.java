@@ -1,7 +1,7 @@
 package arcomat.check;
 
-import arcomat.tree.Name;
 import arcomat.symbols.TestSuiteSymbol;
+import arcomat.tree.Name;
 import arcomat.tree.TestSuite;
 
 import java.util.HashMap;

@@ -28,8 +28,7 @@ final class TestPortExists implements Check.OnStreamTest {
                                         .forEach(stream -> check(stream, component, findings)));
     }
 
-    private static void check(
-            StreamSymbol stream, ComponentSymbol component, Findings findings) {
+    private static void check(StreamSymbol stream, ComponentSymbol component, Findings findings) {
         if (stream.port().isUnknown()) {
             reportUnknown(stream, component, findings);
         } else if (stream.port().isFound() && stream.isDriven() != isDriving(stream)) {

@@ -32,7 +32,8 @@ final class TestStreamLength implements Check.OnStreamTest {
     private static void reportLength(StreamSymbol longest, Findings findings) {
         findings.report(
                 longest.node().port(),
-                String.format(Locale.ROOT, 
+                String.format(
+                        Locale.ROOT,
                         "the streams of this test have more than %,d slices and messages, most of"
                                 + " them here; repeat fewer times",
                         StreamExtent.LIMIT));

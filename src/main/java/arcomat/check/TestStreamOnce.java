@@ -1,7 +1,7 @@
 package arcomat.check;
 
-import arcomat.tree.QualifiedName;
 import arcomat.symbols.TestSuiteSymbol;
+import arcomat.tree.QualifiedName;
 import arcomat.tree.TestSuite;
 
 import java.util.EnumMap;

@@ -25,7 +25,6 @@ final class Tests {
     /** Where that word stands. */
     static Span keywordSpan(TestSuite.Streams streams) {
         Span whole = streams.span();
-        return whole.file()
-                .span(whole.start(), whole.start() + keyword(streams.kind()).length());
+        return whole.file().span(whole.start(), whole.start() + keyword(streams.kind()).length());
     }
 }

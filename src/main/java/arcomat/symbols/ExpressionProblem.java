@@ -10,8 +10,7 @@ import java.util.Optional;
  * @param message what is wrong and what to do, for the finding
  * @param suggestion the name that was probably meant, to stand in place of the span
  */
-public record ExpressionProblem(
-        Kind kind, Span span, String message, Optional<String> suggestion) {
+public record ExpressionProblem(Kind kind, Span span, String message, Optional<String> suggestion) {
     public enum Kind {
         /** No port, variable, parameter, type or constant has that name. */
         UNKNOWN_NAME,

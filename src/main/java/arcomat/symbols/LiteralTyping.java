@@ -47,10 +47,7 @@ final class LiteralTyping {
     private static TypedExpression real(Literal literal, BuiltinType type, ProblemSink problems) {
         double value = Literals.realNumber(literal);
         return Double.isInfinite(value)
-                ? wrong(
-                        literal,
-                        "'" + literal.text() + "' is too large for " + type,
-                        problems)
+                ? wrong(literal, "'" + literal.text() + "' is too large for " + type, problems)
                 : new TypedExpression.Literal(literal, value, type);
     }
 

@@ -150,9 +150,7 @@ final class ReferenceTyping {
             problems.report(
                     ExpressionProblem.Kind.AMBIGUOUS_NAME,
                     reference,
-                    "several types could be meant by '"
-                            + reference.name()
-                            + "'; qualify it fully");
+                    "several types could be meant by '" + reference.name() + "'; qualify it fully");
         } else if (qualifier.isUnknown() || qualifier.isFound()) {
             reportUnknown(reference);
         }

@@ -26,7 +26,8 @@ class ExplainPagesTest {
     private static final String SEPARATOR = "//// ";
     private static final Pattern FENCE =
             Pattern.compile("```(arc|cd|mt|ioautomaton)\n(.*?)```\n", Pattern.DOTALL);
-    private static final Pattern PACKAGE = Pattern.compile("^package ([\\w.]+);", Pattern.MULTILINE);
+    private static final Pattern PACKAGE =
+            Pattern.compile("^package ([\\w.]+);", Pattern.MULTILINE);
     private static final Pattern DEFINITION =
             Pattern.compile(
                     "^(?:<<.*>> *)?(?:component|automaton|classdiagram|testsuite) (\\w+)",
