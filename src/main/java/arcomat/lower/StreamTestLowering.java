@@ -25,7 +25,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Stream tests, laid out in slices or as a sequence of events. */
+/**
+ * Stream tests, laid out in slices or as a sequence of events.
+ *
+ * <p>A test is as long as its longest input, or as what is expected asks for: an output with delay
+ * 1 shows the reaction to n slices of input in n + 1 slices, so its stream asks for one slice of
+ * input less than it has. Every stream is then padded with silence to that length, the expected
+ * ones of outputs with delay 1 to one slice more.
+ */
 final class StreamTestLowering {
     private final ComponentLowering components;
     private final Delays delays;
