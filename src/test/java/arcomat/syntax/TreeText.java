@@ -5,6 +5,7 @@ import arcomat.tree.Block.Single;
 import arcomat.tree.Comment;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Binary;
+import arcomat.tree.Expression.JavaExpression;
 import arcomat.tree.Expression.Literal;
 import arcomat.tree.Expression.Reference;
 import arcomat.tree.Expression.Unary;
@@ -75,6 +76,9 @@ final class TreeText {
         if (value instanceof Unary unary) {
             return "(" + unary.operator() + " " + flat(unary.operand()) + ")";
         }
+        if (value instanceof JavaExpression java) {
+            return "(JavaExpression '" + java.text().replaceAll("\\s+", "") + "')";
+        }
         if (value instanceof Single single) {
             return flat(single.expression());
         }
@@ -109,7 +113,7 @@ final class TreeText {
     }
 
     private static String quoted(String text) {
-        return "'" + text.replaceAll("\\s+", " ") + "'";
+        return "'" + text.replaceAll("\\s+", " ").strip() + "'";
     }
 
     private static Object content(Object value, RecordComponent field) {

@@ -106,8 +106,16 @@ final class Lines {
         if (parent instanceof BinaryExpressionContext) {
             return 2 * depth + 1;
         }
+        if (token == parent.start && opensPartOfTransition(parent)) {
+            return 1;
+        }
         boolean word = token.getText().equals("extends") || token.getText().equals("refines");
         return word && depth == 0 ? 0 : -1;
+    }
+
+    private static boolean opensPartOfTransition(ParserRuleContext context) {
+        return context.getParent() instanceof TransitionContext transition
+                && (context == transition.guard() || context == transition.input);
     }
 
     /** Lists that are better kept together than those around them. */

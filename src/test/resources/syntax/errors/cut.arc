@@ -1,0 +1,3 @@
+component A {
+  automaton {
+   state A;

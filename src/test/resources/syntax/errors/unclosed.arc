@@ -1,0 +1,1 @@
+component A { automaton { x -> y / {c = "abc}; } /* open

@@ -1,0 +1,1 @@
+classdiagram A { }

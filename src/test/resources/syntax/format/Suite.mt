@@ -1,0 +1,1 @@
+testsuite S for p.C{test t{input{a:<1,3*( Tk ,- 2),tooClose,"x",Cup( 1,2 ),Tk,Tk,Tk,Tk,Tk,aVeryLongMessage,anotherVeryLongMessage,yetAnotherVeryLongMessage,Tk>;}expect{}}}
