@@ -32,8 +32,7 @@ final class TypeExists implements Check.OnType {
                     findings.related(defined.nameSpan(), defined.qualifiedName());
                 }
             }
-        } else if (type.range().isEmpty()
-                && resolution.found().orElse(null) instanceof UnsupportedType unsupported) {
+        } else if (resolution.found().orElse(null) instanceof UnsupportedType unsupported) {
             findings.report(
                     type,
                     "'" + unsupported.text() + "' is no message type; " + unsupported.advice());

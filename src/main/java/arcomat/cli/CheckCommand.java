@@ -18,9 +18,8 @@ import java.util.List;
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat check models/coffee              a model root: every model below it",
-            "  arcomat check models/coffee/coffee/types/CoffeeTypes.cd",
-            "                                           one file; what it refers to is found by",
-            "                                           its package",
+            "  arcomat check p/q/Robot.arc              one file; what it refers to is found by its"
+                + " package",
             "  arcomat check --profile executable .     is it ready for 'arcomat generate'?",
             "  arcomat check --strict --format json . > findings.json"
         })

@@ -17,6 +17,8 @@ public final class Cli {
     /** Set to any text, it shows the stack trace of an internal error. */
     static final String DEBUG = "ARCOMAT_DEBUG";
 
+    private static final int WIDTH = 100;
+
     /** In the order of their use. */
     private static final Map<String, Function<Console, Command>> COMMANDS = new LinkedHashMap<>();
 
@@ -51,7 +53,8 @@ public final class Cli {
             wanted = Map.of(arguments[0], COMMANDS.get(arguments[0]));
         }
         wanted.values().forEach(command -> line.addSubcommand(command.apply(console)));
-        return line.setOut(console.out())
+        return line.setUsageHelpWidth(WIDTH)
+                .setOut(console.out())
                 .setErr(console.err())
                 .setColorScheme(CommandLine.Help.defaultColorScheme(ansi))
                 .setParameterExceptionHandler((e, given) -> wrongArguments(e, console))

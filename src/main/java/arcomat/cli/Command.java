@@ -2,6 +2,7 @@ package arcomat.cli;
 
 import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.FindingsText;
 
@@ -25,6 +26,9 @@ abstract class Command implements Callable<Integer> {
 
     @Override
     public final Integer call() throws WrongUse {
+        if (console.patient()) {
+            return run(new Pipeline(console.directory(), Progress.NONE));
+        }
         try (ProgressLines progress = new ProgressLines(console.err())) {
             return run(new Pipeline(console.directory(), progress));
         }

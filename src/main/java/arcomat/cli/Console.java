@@ -17,7 +17,7 @@ import java.nio.file.Path;
  * @param directory the folder that relative paths start from
  * @param out results
  * @param err progress and complaints about the use of the command
- * @param interactive whether somebody sits at a terminal and can answer
+ * @param patient whether nobody needs to be told that long work goes on
  */
 public record Console(
         Path directory,
@@ -25,7 +25,7 @@ public record Console(
         PrintWriter err,
         BufferedReader in,
         Style style,
-        boolean interactive) {
+        boolean patient) {
 
     /** The console of the process. */
     static Console ofProcess() {
@@ -37,7 +37,7 @@ public record Console(
                 writer(System.err, charset),
                 new BufferedReader(new InputStreamReader(System.in, charset)),
                 terminal != null && wantsColour() ? Style.COLOURED : Style.PLAIN,
-                terminal != null);
+                false);
     }
 
     private static PrintWriter writer(OutputStream stream, Charset charset) {

@@ -18,7 +18,7 @@ import java.util.List;
         footer = {
             "  arcomat format models/coffee             rewrites in place",
             "  arcomat format --check models/coffee     lists files that would change, exit status"
-                + " 1"
+                    + " 1"
         })
 final class FormatCommand extends Command {
     @Option(names = "--check", description = "Change nothing; list the files that would change.")
@@ -48,7 +48,7 @@ final class FormatCommand extends Command {
 
     private String summary(FormatResult result) {
         int changed = result.changed().size();
-        String text = changed + " of " + result.files() + " files";
+        String text = changed + " of " + FindingsText.count(result.files(), "file");
         return text + (check ? " would change" : " changed");
     }
 }

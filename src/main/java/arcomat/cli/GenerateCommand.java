@@ -20,8 +20,8 @@ import java.util.Optional;
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat generate --target jvm --out build/coffee models/coffee",
-            "  arcomat generate --target jvm --out build/fetcher --main coffee.fetcher.Fetcher \\",
-            "        models/coffee",
+            "  arcomat generate --target jvm --out build/coffee --main coffee.fetcher.Fetcher"
+                + " models/coffee",
             "  arcomat generate --target templates/c --out build/c models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
@@ -79,7 +79,7 @@ final class GenerateCommand extends Command {
             return reportErrors(result.check());
         }
         print(FindingsText.render(result.check().findings(), console.style()));
-        printLine("wrote " + result.files().size() + " files to " + out);
+        printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
         return ExitStatus.FINE;
     }
 }

@@ -26,12 +26,10 @@ import java.util.OptionalInt;
         footer = {
             "  arcomat simulate --main coffee.fetcher.Fetcher --slices 10 --seed 7 models/coffee",
             "  arcomat simulate --main 'coffee.parts.Timer(2)' --choose random models/coffee",
-            "  arcomat simulate --input"
-                + " models/coffee/coffee/fetcher/FetcherTest.mt#waitsWithCoffee",
-            "        --engine compiled models/coffee",
-            "  arcomat simulate --main coffee.fig3.AvoidCrash --choose ask --record Run.mt"
-                + " models/coffee",
+            "  arcomat simulate --main coffee.fig3.AvoidCrash --choose ask models/coffee",
+            "  arcomat simulate --main coffee.fig6.AvoidCrash --record Run.mt models/coffee",
             "  arcomat simulate --main coffee.fig6.AvoidCrash --trace csv models/coffee > run.csv",
+            "  arcomat simulate --input RobotTest.mt#waits --engine compiled",
             "",
             "Without --input, letters are drawn with the seed: the same seed, the same run."
         })

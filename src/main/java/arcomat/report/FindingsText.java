@@ -77,7 +77,8 @@ public final class FindingsText {
         return text + in;
     }
 
-    static String count(long number, String noun) {
+    /** {@code 1 file}, {@code 2 files}. */
+    public static String count(long number, String noun) {
         return number + " " + noun + (number == 1 ? "" : "s");
     }
 }

@@ -15,8 +15,7 @@ public final class TableSymbol {
      * direction.
      */
     public record Column(Name node, boolean input, Optional<PortSymbol> port) {
-        /** The type of its messages; unknown where the port is. */
-        public TypeSymbol type() {
+        TypeSymbol type() {
             return port.<TypeSymbol>map(PortSymbol::type).orElse(UnknownType.UNKNOWN);
         }
     }

@@ -20,8 +20,9 @@ import java.util.List;
  * = 1
  * </pre>
  *
- * The exit status follows the output of each command; {@code cat FILE} and {@code ls FOLDER} look
- * at what commands left behind.
+ * Lines {@code < text} before a command are typed by the user; what is asked comes on standard
+ * error. The exit status follows the output of each command; {@code cat FILE} and {@code ls FOLDER}
+ * look at what commands left behind.
  */
 record Transcript(List<Section> sections) {
     /**
@@ -34,6 +35,10 @@ record Transcript(List<Section> sections) {
             return head.startsWith("$ ");
         }
 
+        boolean isTyped() {
+            return head.startsWith("< ");
+        }
+
         /**
          * {@code file}, {@code bytes}, {@code link} or {@code folder}; empty for other sections.
          */
@@ -43,7 +48,7 @@ record Transcript(List<Section> sections) {
 
         /** What follows the kind, or the command without its prompt. */
         String rest() {
-            return isCommand() ? head.substring(2) : head.split(" ", 3)[2];
+            return head.startsWith("== ") ? head.split(" ", 3)[2] : head.substring(2);
         }
 
         Section withBody(List<String> other) {
@@ -55,13 +60,17 @@ record Transcript(List<Section> sections) {
         List<Section> sections = new ArrayList<>();
         for (String line : lines) {
             boolean comment = line.startsWith("# ") && !isInside(sections);
-            if (comment || line.startsWith("== ") || line.startsWith("$ ")) {
+            if (comment || isHead(line)) {
                 sections.add(new Section(line, new ArrayList<>()));
             } else {
                 sections.get(sections.size() - 1).body().add(line);
             }
         }
         return new Transcript(sections);
+    }
+
+    private static boolean isHead(String line) {
+        return line.startsWith("== ") || line.startsWith("$ ") || line.startsWith("< ");
     }
 
     /** Whether lines belong to a file or to output, where a number sign is text. */

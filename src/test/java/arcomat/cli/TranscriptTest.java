@@ -56,12 +56,18 @@ class TranscriptTest {
 
     private static Transcript replay(Transcript wanted, Path directory) throws IOException {
         List<Section> sections = new ArrayList<>();
+        StringBuilder typed = new StringBuilder();
         for (Section section : wanted.sections()) {
-            sections.add(
-                    section.isCommand()
-                            ? section.withBody(run(section.rest(), directory))
-                            : section);
             prepare(section, directory);
+            if (section.isTyped()) {
+                typed.append(section.rest()).append('\n');
+            }
+            if (section.isCommand()) {
+                sections.add(section.withBody(run(section.rest(), typed.toString(), directory)));
+                typed.setLength(0);
+            } else {
+                sections.add(section);
+            }
         }
         return new Transcript(sections);
     }
@@ -83,18 +89,19 @@ class TranscriptTest {
         }
     }
 
-    private static List<String> run(String command, Path directory) throws IOException {
+    private static List<String> run(String command, String typed, Path directory)
+            throws IOException {
         List<String> words = words(command);
         List<String> arguments = words.subList(1, words.size());
         return switch (words.get(0)) {
-            case "arcomat" -> arcomat(arguments, directory);
+            case "arcomat" -> arcomat(arguments, typed, directory);
             case "cat" -> Files.readAllLines(directory.resolve(arguments.get(0)));
             case "ls" -> Folders.list(directory.resolve(arguments.get(0)));
             default -> throw new IllegalArgumentException(command);
         };
     }
 
-    private static List<String> arcomat(List<String> arguments, Path directory) {
+    private static List<String> arcomat(List<String> arguments, String typed, Path directory) {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         Console console =
@@ -102,9 +109,9 @@ class TranscriptTest {
                         directory,
                         new PrintWriter(out),
                         new PrintWriter(err),
-                        new BufferedReader(new StringReader("")),
+                        new BufferedReader(new StringReader(typed)),
                         Style.PLAIN,
-                        false);
+                        true);
         int status = Cli.run(arguments.toArray(String[]::new), console);
         List<String> lines = new ArrayList<>(out.toString().lines().toList());
         err.toString().lines().map(line -> "! " + line).forEach(lines::add);

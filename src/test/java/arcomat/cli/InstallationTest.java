@@ -1,0 +1,115 @@
+package arcomat.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+
+/**
+ * The installed command as a process: the start script, kills at any moment, the time of a start.
+ */
+@Tag("slow")
+class InstallationTest {
+    private static final Path INSTALLATION = Path.of("build/install/arcomat").toAbsolutePath();
+    private static final String MODELS = Path.of("models/coffee").toAbsolutePath().toString();
+
+    @TempDir private Path temporary;
+
+    private record Outcome(int status, String output) {}
+
+    private Process start(Path installation, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(installation.resolve("bin/arcomat").toString());
+        command.addAll(List.of(arguments));
+        return new ProcessBuilder(command)
+                .directory(temporary.toFile())
+                .redirectErrorStream(true)
+                .start();
+    }
+
+    private Outcome run(Path installation, String... arguments) throws Exception {
+        Process process = start(installation, arguments);
+        String output = new String(process.getInputStream().readAllBytes());
+        return new Outcome(process.waitFor(), output);
+    }
+
+    @Test
+    void runsFromAnyFolderAndThroughALink() throws Exception {
+        assertThat(run(INSTALLATION, "check", MODELS).status()).isZero();
+        Path link = temporary.resolve("bin/arcomat");
+        Files.createDirectories(link.getParent());
+        Files.createSymbolicLink(link, INSTALLATION.resolve("bin/arcomat"));
+        assertThat(run(temporary, "--version").output()).startsWith("arcomat ");
+        assertThat(run(temporary, "chek").status()).isEqualTo(2);
+    }
+
+    @Test
+    void saysNothingWhenTheArchiveOfClassesDoesNotFit() throws Exception {
+        Path moved = temporary.resolve("moved place");
+        try (Stream<Path> paths = Files.walk(INSTALLATION)) {
+            for (Path path : (Iterable<Path>) paths::iterator) {
+                Files.copy(path, moved.resolve(INSTALLATION.relativize(path).toString()));
+            }
+        }
+        Outcome here = run(INSTALLATION, "--version");
+        assertThat(run(moved, "--version")).isEqualTo(here);
+        Files.delete(moved.resolve("lib/arcomat.jsa"));
+        assertThat(run(moved, "--version")).isEqualTo(here);
+    }
+
+    @Test
+    void keepsTheOldFilesWhenKilledWhileWriting() throws Exception {
+        String[] generate = {"generate", "--target", "jvm", "--out", "out", MODELS};
+        long began = System.nanoTime();
+        assertThat(run(INSTALLATION, generate).status()).isZero();
+        long duration = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
+        List<String> complete = Folders.list(temporary);
+        for (int part = 0; part < 12; part++) {
+            Process process = start(INSTALLATION, generate);
+            process.waitFor(duration * (4 + part) / 12, TimeUnit.MILLISECONDS);
+            process.destroyForcibly().waitFor();
+            assertThat(Folders.list(temporary)).containsAll(complete);
+        }
+        assertThat(run(INSTALLATION, generate).status()).isZero();
+        assertThat(Folders.list(temporary)).isEqualTo(complete);
+    }
+
+    @Test
+    void checksTheCoffeeRobotsNoSlowerThanJavacCompilesASmallClass() throws Exception {
+        Path small = temporary.resolve("Small.java");
+        Files.writeString(small, "class Small { int twice(int x) { return 2 * x; } }");
+        List<Long> checks = new ArrayList<>();
+        List<Long> compilations = new ArrayList<>();
+        for (int round = 0; round < 7; round++) {
+            checks.add(millis(INSTALLATION.resolve("bin/arcomat").toString(), "check", MODELS));
+            compilations.add(millis("javac", small.toString()));
+        }
+        Collections.sort(checks);
+        Collections.sort(compilations);
+        assertThat(checks.get(3))
+                .as("medians in ms of check %s and javac %s", checks, compilations)
+                .isLessThanOrEqualTo(compilations.get(3));
+    }
+
+    private long millis(String... command) throws Exception {
+        long began = System.nanoTime();
+        Process process =
+                new ProcessBuilder(command)
+                        .directory(temporary.toFile())
+                        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+                        .redirectError(ProcessBuilder.Redirect.DISCARD)
+                        .start();
+        assertThat(process.waitFor()).isZero();
+        return TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
+    }
+}
