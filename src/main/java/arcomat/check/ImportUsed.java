@@ -4,8 +4,11 @@ import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
 
+import java.util.Collection;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 
 /** ARC0123: something in the file needs the import. (Hab16 CV4) */
@@ -18,26 +21,38 @@ final class ImportUsed implements Check.OnNames {
 
     @Override
     public void check(Unit unit, List<QualifiedName> names, Context context, Findings findings) {
-        Set<String> used = new HashSet<>();
+        Map<String, QualifiedName> distinct = new LinkedHashMap<>();
         for (QualifiedName name : names) {
-            context.scope().importOf(name).ifPresent(each -> used.add(text(each)));
+            distinct.putIfAbsent(name.text(), name);
         }
-        boolean somethingIsAmbiguous = isAmbiguous(names, context);
+        Set<String> used = used(distinct.values(), context);
         for (Import each : unit.imports()) {
             boolean leadsSomewhere = context.scope().target(each).isFound();
-            if (leadsSomewhere && !somethingIsAmbiguous && !used.contains(text(each))) {
+            if (leadsSomewhere
+                    && !used.contains(text(each))
+                    && !isAmbiguous(distinct.values(), context)) {
+                String name = text(each);
                 findings.report(
                                 each,
-                                "nothing in this file needs '"
-                                        + text(each)
-                                        + "'; delete the import")
+                                "nothing in this file needs '" + name + "'; delete the import")
                         .fix(Deletion.ofLine("Delete the import", each));
             }
         }
     }
 
+    private static Set<String> used(Collection<QualifiedName> names, Context context) {
+        Set<String> used = new HashSet<>();
+        for (QualifiedName name : names) {
+            context.scope().importOf(name).ifPresent(each -> used.add(text(each)));
+            if (used.size() == context.unit().imports().size()) {
+                break;
+            }
+        }
+        return used;
+    }
+
     /** Then several imports explain one name, which is another finding. */
-    private static boolean isAmbiguous(List<QualifiedName> names, Context context) {
+    private static boolean isAmbiguous(Collection<QualifiedName> names, Context context) {
         for (QualifiedName name : names) {
             if (context.scope().type(name).isAmbiguous()
                     || context.scope().component(name).isAmbiguous()) {

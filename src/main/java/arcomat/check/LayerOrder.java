@@ -5,6 +5,8 @@ import arcomat.symbols.ConnectorSymbol;
 import arcomat.symbols.InstanceSymbol;
 import arcomat.symbols.Layer;
 
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 
 /** ARC0505: messages flow from sensors to logic to actuators, and not back. */
@@ -17,16 +19,20 @@ final class LayerOrder implements Check.OnComponent {
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
+        Map<ComponentSymbol, Optional<Layer>> layers = new HashMap<>();
         for (ConnectorSymbol connector : Connections.own(component)) {
             if (connector.source().isSender() && connector.target().isReceiver()) {
-                check(connector, findings);
+                check(connector, layers, findings);
             }
         }
     }
 
-    private static void check(ConnectorSymbol connector, Findings findings) {
-        Optional<Layer> from = layer(connector.source());
-        Optional<Layer> to = layer(connector.target());
+    private static void check(
+            ConnectorSymbol connector,
+            Map<ComponentSymbol, Optional<Layer>> layers,
+            Findings findings) {
+        Optional<Layer> from = layer(connector.source(), layers);
+        Optional<Layer> to = layer(connector.target(), layers);
         if (from.isPresent() && to.isPresent() && from.get().compareTo(to.get()) > 0) {
             findings.report(
                     connector.span(),
@@ -42,7 +48,11 @@ final class LayerOrder implements Check.OnComponent {
         }
     }
 
-    private static Optional<Layer> layer(ConnectorSymbol.End end) {
-        return end.instance().flatMap(InstanceSymbol::component).flatMap(Layers::of);
+    /** A component may have many instances: its layer is looked for once. */
+    private static Optional<Layer> layer(
+            ConnectorSymbol.End end, Map<ComponentSymbol, Optional<Layer>> layers) {
+        return end.instance()
+                .flatMap(InstanceSymbol::component)
+                .flatMap(component -> layers.computeIfAbsent(component, Layers::of));
     }
 }

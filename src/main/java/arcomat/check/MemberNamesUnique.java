@@ -80,8 +80,10 @@ final class MemberNamesUnique implements Check.OnComponent {
         for (VariableSymbol variable : component.ownVariables()) {
             members.add(named("variable", variable.name(), variable.nameSpan()));
         }
+        // A misspelled part may be meant to use an inner component that seems unused.
+        boolean lacksPart = Connections.lacksPart(component);
         for (InstanceSymbol instance : component.ownInstances()) {
-            if (isDoubtful(instance)) {
+            if (lacksPart && instance.origin() == InstanceSymbol.Origin.AUTOMATIC) {
                 continue;
             }
             members.add(
@@ -90,12 +92,6 @@ final class MemberNamesUnique implements Check.OnComponent {
                             : unnamed("part", instance.name(), instance.nameSpan()));
         }
         return members;
-    }
-
-    /** Made for an inner component that some misspelled part may be meant to use. */
-    private static boolean isDoubtful(InstanceSymbol instance) {
-        return instance.origin() == InstanceSymbol.Origin.AUTOMATIC
-                && Connections.lacksPart(instance.owner());
     }
 
     private static Member named(String kind, String name, Span place) {

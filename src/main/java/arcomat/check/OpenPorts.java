@@ -9,20 +9,29 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
 
-/** The ports of parts at which no connector ends. */
+/** The ports of the parts of one component at which no connector ends. */
 final class OpenPorts {
-    private OpenPorts() {}
+    private final boolean unclear;
+    private final Set<String> used;
 
-    /** Empty also where that cannot be told. */
-    static List<PortSymbol> of(InstanceSymbol instance) {
-        ComponentSymbol whole = instance.owner();
-        if (Connections.areUnclear(whole)) {
+    private OpenPorts(boolean unclear, Set<String> used) {
+        this.unclear = unclear;
+        this.used = used;
+    }
+
+    static OpenPorts in(ComponentSymbol whole) {
+        boolean unclear = Connections.areUnclear(whole);
+        return new OpenPorts(unclear, unclear ? Set.of() : Connections.usedKeys(whole));
+    }
+
+    /** Empty also where it cannot be told. */
+    List<PortSymbol> of(InstanceSymbol part) {
+        if (unclear) {
             return List.of();
         }
-        Set<String> used = Connections.usedKeys(whole);
         List<PortSymbol> open = new ArrayList<>();
-        for (PortSymbol port : instance.ports()) {
-            if (!used.contains(instance.name() + "." + port.name())) {
+        for (PortSymbol port : part.ports()) {
+            if (!used.contains(part.name() + "." + port.name())) {
                 open.add(port);
             }
         }

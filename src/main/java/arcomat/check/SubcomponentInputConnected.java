@@ -1,11 +1,13 @@
 package arcomat.check;
 
+import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.PortSymbol;
 
 import java.util.List;
 
 /** ARC0110: before code is made, each input of a part has a sender. */
-final class SubcomponentInputConnected implements Check.OnInstance {
+final class SubcomponentInputConnected implements Check.OnComponent {
 
     @Override
     public Law law() {
@@ -13,9 +15,15 @@ final class SubcomponentInputConnected implements Check.OnInstance {
     }
 
     @Override
-    public void check(InstanceSymbol instance, Context context, Findings findings) {
-        List<String> inputs =
-                OpenPorts.names(OpenPorts.of(instance), p -> p.isInput() && !p.isTotal());
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        OpenPorts open = OpenPorts.in(component);
+        for (InstanceSymbol instance : component.ownInstances()) {
+            check(instance, open.of(instance), findings);
+        }
+    }
+
+    private static void check(InstanceSymbol instance, List<PortSymbol> open, Findings findings) {
+        List<String> inputs = OpenPorts.names(open, p -> p.isInput() && !p.isTotal());
         if (!inputs.isEmpty()) {
             boolean single = inputs.size() == 1;
             findings.report(

@@ -1,5 +1,6 @@
 package arcomat.check;
 
+import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.InstanceSymbol;
 import arcomat.symbols.PortSymbol;
 
@@ -9,7 +10,7 @@ import java.util.List;
  * ARC0109: the ports of a part are connected. Of a total input, and before code is made of every
  * input, other laws take care. (Hab16 CV6)
  */
-final class SubcomponentPortConnected implements Check.OnInstance {
+final class SubcomponentPortConnected implements Check.OnComponent {
 
     @Override
     public Law law() {
@@ -17,8 +18,15 @@ final class SubcomponentPortConnected implements Check.OnInstance {
     }
 
     @Override
-    public void check(InstanceSymbol instance, Context context, Findings findings) {
-        List<PortSymbol> open = OpenPorts.of(instance);
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        OpenPorts open = OpenPorts.in(component);
+        for (InstanceSymbol instance : component.ownInstances()) {
+            check(instance, open.of(instance), context, findings);
+        }
+    }
+
+    private static void check(
+            InstanceSymbol instance, List<PortSymbol> open, Context context, Findings findings) {
         List<String> outputs = OpenPorts.names(open, PortSymbol::isOutput);
         if (context.profile() == Profile.REQUIREMENTS) {
             List<String> inputs = OpenPorts.names(open, p -> p.isInput() && !p.isTotal());

@@ -21,8 +21,9 @@ final class TotalInputHasTotalSender implements Check.OnComponent {
         for (ConnectorSymbol connector : Connections.own(component)) {
             checkSender(connector, findings);
         }
+        OpenPorts open = OpenPorts.in(component);
         for (InstanceSymbol instance : component.ownInstances()) {
-            for (PortSymbol port : OpenPorts.of(instance)) {
+            for (PortSymbol port : open.of(instance)) {
                 checkOpen(instance, port, findings);
             }
         }

@@ -3,7 +3,6 @@ package arcomat.tree;
 import arcomat.source.Span;
 
 import java.util.List;
-import java.util.stream.Collectors;
 
 /** Names joined by dots, at least one. */
 public record QualifiedName(Span span, List<Name> parts) implements Node {
@@ -16,7 +15,11 @@ public record QualifiedName(Span span, List<Name> parts) implements Node {
         if (parts.size() == 1) {
             return parts.get(0).text();
         }
-        return parts.stream().map(Name::text).collect(Collectors.joining("."));
+        StringBuilder text = new StringBuilder(parts.get(0).text());
+        for (Name part : parts.subList(1, parts.size())) {
+            text.append('.').append(part.text());
+        }
+        return text.toString();
     }
 
     public Name last() {
