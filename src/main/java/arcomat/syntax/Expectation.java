@@ -15,6 +15,7 @@ import org.antlr.v4.runtime.misc.IntervalSet;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /** What could have stood in place of an offending token, in words. */
 final class Expectation {
@@ -22,6 +23,8 @@ final class Expectation {
 
     /** Named before other tokens, because one of them is what most often was forgotten. */
     private static final String[] TELLING = {"';'", "','", "')'", "']'", "'}'", "'->'"};
+
+    private static final Set<String> CONTINUATIONS = Set.of("'.'", "'<'", "'['", "'('");
 
     private final ATN atn;
     private final IntervalSet types;
@@ -67,8 +70,8 @@ final class Expectation {
         dropOperators();
         take(ArcomatParser.RULE_element, "an element of a component");
         take(ArcomatParser.RULE_value, "a message");
-        take(ArcomatParser.RULE_message, "a message");
         take(ArcomatParser.RULE_expression, "an expression");
+        take(ArcomatParser.RULE_message, "a message");
         take(ArcomatParser.RULE_type, "a type");
         if (context != null
                 && context.getRuleIndex() == ArcomatParser.RULE_automaton
@@ -141,7 +144,7 @@ final class Expectation {
     /** What could prolong the text before it, hardly ever what the writer missed. */
     private static boolean isContinuation(int type) {
         String literal = ArcomatLexer.VOCABULARY.getLiteralName(type);
-        return "'.'".equals(literal) || "'<'".equals(literal) || "'['".equals(literal);
+        return literal != null && CONTINUATIONS.contains(literal);
     }
 
     private static String wordFor(int type) {
