@@ -10,6 +10,7 @@ component Bad(Integer size = true) {
   component Timer("two") text;
 //                ~~~~~ error ARC0118: parameter 'slices' is of type Integer[1..9], but this value is of type String
   component Timer(10) large;
+//                ~~ error ARC0322
   component Timer(2, size) number;
 //                   ~~~~ error ARC0118: parameter 'once' is of type Boolean, but this value is of type Integer
 

@@ -9,7 +9,7 @@
 //  ~~~~~~ error ARC0503
     state <<state>> s;
 //          ~~~~~ error ARC0503
-    initial s;
+    initial s / {o = false};
     s {i == true} / {o = true};
   }
 }
@@ -20,7 +20,7 @@
 
   <<omitted = "free">> automaton {
     state s;
-    initial s;
+    initial s / {o = false};
     s {i == true} / {o = true};
   }
 }

@@ -24,11 +24,11 @@ component Bad<T>(Intger size = 3) {
   port in Cmd cmd, in Intger power, in Boolean[] many, in List<Integer> list, in Integer<T> odd;
 //        ~~~ error ARC0120: 'Cmd' could mean several types; write the full name of one
 //                    ~~~~~~ error ARC0120: there is no type 'Intger'; did you mean 'Integer'?
-//                                     ~~~~~~~~~ error ARC0120: 'Boolean[]' is no message type; Arrays cannot be messages; use one port per element.
-//                                                        ~~~~~~~~~~~~~ error ARC0120: 'List' is no message type; Classes of the Java library cannot be messages; define a class or an enum in a class diagram.
-//                                                                               ~~~~~~~~~~ error ARC0120: 'Integer<T>' is no message type; Only components take type arguments; use the type without them.
+//                                     ~~~~~~~~~ error ARC0120: 'Boolean[]' is no message type; arrays cannot be messages; use one port per element
+//                                                        ~~~~~~~~~~~~~ error ARC0120: 'List' is no message type; classes of the Java library cannot be messages; define a class or an enum in a class diagram
+//                                                                               ~~~~~~~~~~ error ARC0120: 'Integer<T>' is no message type; only components take type arguments; use the type without them
   port in T t, out Boolean[0..3] bits;
-//                 ~~~~~~~~~~~~~ error ARC0120: 'Boolean[0..3]' is no message type; Only whole number types have ranges.
+//                        ~~~~~~ error ARC0332: only whole number types have ranges
 
   Strng name = "Robot";
 //~~~~~ error ARC0120: there is no type 'Strng'; did you mean 'String'?

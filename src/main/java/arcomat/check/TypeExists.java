@@ -32,7 +32,8 @@ final class TypeExists implements Check.OnType {
                     findings.related(defined.nameSpan(), defined.qualifiedName());
                 }
             }
-        } else if (resolution.found().orElse(null) instanceof UnsupportedType unsupported) {
+        } else if (type.range().isEmpty()
+                && resolution.found().orElse(null) instanceof UnsupportedType unsupported) {
             findings.report(
                     type,
                     "'" + unsupported.text() + "' is no message type; " + unsupported.advice());

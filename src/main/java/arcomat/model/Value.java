@@ -6,6 +6,29 @@ import java.util.stream.Collectors;
 /** A message, or what a variable holds. {@code toString} is its text in models and traces. */
 public sealed interface Value {
 
+    /** As in Java's literals, so that every text stays on one line and can be read again. */
+    private static String escaped(String text, char quote) {
+        StringBuilder escaped = new StringBuilder(text.length());
+        for (char c : text.toCharArray()) {
+            switch (c) {
+                case '\n' -> escaped.append("\\n");
+                case '\r' -> escaped.append("\\r");
+                case '\t' -> escaped.append("\\t");
+                case '\\' -> escaped.append("\\\\");
+                default -> {
+                    if (c == quote) {
+                        escaped.append('\\').append(c);
+                    } else if (Character.isISOControl(c)) {
+                        escaped.append(String.format("\\u%04x", (int) c));
+                    } else {
+                        escaped.append(c);
+                    }
+                }
+            }
+        }
+        return escaped.toString();
+    }
+
     record BooleanValue(boolean value) implements Value {
         @Override
         public String toString() {
@@ -30,14 +53,14 @@ public sealed interface Value {
     record CharacterValue(char value) implements Value {
         @Override
         public String toString() {
-            return "'" + value + "'";
+            return "'" + escaped(String.valueOf(value), '\'') + "'";
         }
     }
 
     record StringValue(String value) implements Value {
         @Override
         public String toString() {
-            return "\"" + value.replace("\\", "\\\\").replace("\"", "\\\"") + "\"";
+            return "\"" + escaped(value, '"') + "\"";
         }
     }
 

@@ -15,28 +15,28 @@ final class CastTyping {
             problems.report(
                     ExpressionProblem.Kind.UNKNOWN_NAME,
                     node,
-                    "There is no type '" + node.type().name() + "'.");
+                    "there is no type '" + node.type().name() + "'");
         } else if (resolution.isAmbiguous()) {
             problems.report(
                     ExpressionProblem.Kind.AMBIGUOUS_NAME,
                     node,
-                    "Several types could be meant by '"
+                    "several types could be meant by '"
                             + node.type().name()
-                            + "'; qualify it fully.");
+                            + "'; qualify it fully");
         } else if (target instanceof UnsupportedType unsupported) {
             problems.report(
                     ExpressionProblem.Kind.UNSUPPORTED_EXPRESSION,
                     node,
-                    "No cast to " + unsupported.text() + ". " + unsupported.advice());
+                    "no cast to " + unsupported.text() + "; " + unsupported.advice());
         } else if (!converts(from, target)) {
             problems.report(
                     ExpressionProblem.Kind.CAST,
                     node,
-                    "A value of type "
+                    "a value of type "
                             + from.text()
                             + " cannot be cast to "
                             + target.text()
-                            + "; casts convert between number types.");
+                            + "; casts convert between number types");
             return UnknownType.UNKNOWN;
         }
         return target;

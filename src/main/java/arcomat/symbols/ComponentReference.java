@@ -53,7 +53,7 @@ public record ComponentReference(
                         new Resolution.Found<>(
                                 new UnsupportedType(
                                         argument.span().text(),
-                                        "Name the type that the ports of this instance carry.")));
+                                        "name the type that the ports of this instance carry")));
             }
         }
         return types;

@@ -2,12 +2,15 @@ package arcomat.symbols;
 
 import arcomat.source.Span;
 
+import java.util.Optional;
+
 /**
  * Something wrong inside an expression; the checks give each kind its code.
  *
  * @param message what is wrong and what to do, for the finding
+ * @param suggestion the name that was probably meant, to stand in place of the span
  */
-public record ExpressionProblem(Kind kind, Span span, String message) {
+public record ExpressionProblem(Kind kind, Span span, String message, Optional<String> suggestion) {
     public enum Kind {
         /** No port, variable, parameter, type or constant has that name. */
         UNKNOWN_NAME,

@@ -4,6 +4,7 @@ import arcomat.tree.Expression;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** Gives names and types to expressions. */
 public final class ExpressionTyping {
@@ -83,7 +84,7 @@ public final class ExpressionTyping {
                 "'"
                         + Texts.shortened(expression.span().text())
                         + "' is Java, not an expression of models; use literals, names and"
-                        + " operators.");
+                        + " operators");
     }
 
     private TypedExpression literal(Expression.Literal literal, boolean negated) {
@@ -128,8 +129,7 @@ public final class ExpressionTyping {
                             + ", but '"
                             + Texts.shortened(unary.operand().span().text())
                             + "' has type "
-                            + operand.text()
-                            + ".");
+                            + operand.text());
             return UnknownType.UNKNOWN;
         }
         return unary.operator() == Expression.UnaryOperator.NOT
@@ -190,11 +190,10 @@ public final class ExpressionTyping {
             report(
                     ExpressionProblem.Kind.OPERAND_TYPE,
                     node.condition(),
-                    "A condition is Boolean, but '"
+                    "a condition is Boolean, but '"
                             + Texts.shortened(node.condition().span().text())
                             + "' has type "
-                            + condition.type().text()
-                            + ".");
+                            + condition.type().text());
         }
         List<TypedExpression> branches = together(List.of(node.then(), node.otherwise()), expected);
         TypedExpression then = branches.get(0);
@@ -219,11 +218,10 @@ public final class ExpressionTyping {
         report(
                 ExpressionProblem.Kind.OPERAND_TYPE,
                 node,
-                "Both branches of a choice have one type, but these have "
+                "both branches of a choice have one type, but these have "
                         + a.text()
                         + " and "
-                        + b.text()
-                        + ".");
+                        + b.text());
         return UnknownType.UNKNOWN;
     }
 
@@ -244,8 +242,7 @@ public final class ExpressionTyping {
                                 + "' has type "
                                 + member.type().text()
                                 + " and never equals a value of type "
-                                + element.type().text()
-                                + ".");
+                                + element.type().text());
             } else if (operands.isNumeric() && member.type().isNumeric()) {
                 operands = TypeRules.promoted(operands, member.type());
             }
@@ -263,9 +260,9 @@ public final class ExpressionTyping {
             report(
                     ExpressionProblem.Kind.ABSENCE_OF_NO_PORT,
                     node,
-                    "Only a port can be without a message; '"
+                    "only a port can be without a message; '"
                             + Texts.shortened(node.operand().span().text())
-                            + "' is no port.");
+                            + "' is no port");
         }
         return new TypedExpression.Erroneous(node, List.of(operand));
     }
@@ -286,10 +283,12 @@ public final class ExpressionTyping {
         return erroneous(
                 call,
                 ExpressionProblem.Kind.UNSUPPORTED_CALL,
-                "Models call no methods ('"
-                        + call.name()
-                        + "'); compute the value in a component of the target's library and send"
-                        + " it over a port.");
+                call.name().text().equals("equals")
+                        ? "models call no methods; compare with '==' instead of 'equals'"
+                        : "models call no methods ('"
+                                + call.name()
+                                + "'); compute the value in a <<platform>> component and send it"
+                                + " over a port");
     }
 
     private TypedExpression newObject(Expression.Call call, ClassSymbol type) {
@@ -314,6 +313,14 @@ public final class ExpressionTyping {
     }
 
     private void report(ExpressionProblem.Kind kind, Expression at, String message) {
-        problems.add(new ExpressionProblem(kind, at.span(), message));
+        report(kind, at, message, Optional.empty());
+    }
+
+    private void report(
+            ExpressionProblem.Kind kind,
+            Expression at,
+            String message,
+            Optional<String> suggestion) {
+        problems.add(new ExpressionProblem(kind, at.span(), message, suggestion));
     }
 }

@@ -37,7 +37,7 @@ final class LiteralTyping {
             String advice = type == BuiltinType.INTEGER ? "; append L for a Long" : "";
             return wrong(
                     literal,
-                    "'" + literal.text() + "' is too large for " + type + advice + ".",
+                    "'" + literal.text() + "' is too large for " + type + advice,
                     problems);
         }
         long magnitude = negated ? -value.getAsLong() : value.getAsLong();
@@ -47,10 +47,7 @@ final class LiteralTyping {
     private static TypedExpression real(Literal literal, BuiltinType type, ProblemSink problems) {
         double value = Literals.realNumber(literal);
         return Double.isInfinite(value)
-                ? wrong(
-                        literal,
-                        "'" + literal.text() + "' is too large for " + type + ".",
-                        problems)
+                ? wrong(literal, "'" + literal.text() + "' is too large for " + type, problems)
                 : new TypedExpression.Literal(literal, value, type);
     }
 
@@ -62,7 +59,7 @@ final class LiteralTyping {
                                 new TypedExpression.Literal(
                                         literal, text.charAt(0), BuiltinType.CHARACTER))
                 .orElseGet(
-                        () -> wrong(literal, literal.text() + " is not one character.", problems));
+                        () -> wrong(literal, literal.text() + " is not one character", problems));
     }
 
     private static TypedExpression string(Literal literal, ProblemSink problems) {
@@ -73,7 +70,7 @@ final class LiteralTyping {
                         () ->
                                 wrong(
                                         literal,
-                                        literal.text() + " has an escape that Java does not know.",
+                                        literal.text() + " has an escape that Java does not know",
                                         problems));
     }
 
@@ -81,7 +78,7 @@ final class LiteralTyping {
         problems.report(
                 ExpressionProblem.Kind.UNSUPPORTED_EXPRESSION,
                 literal,
-                "There is no null in models; write -- for no message.");
+                "there is no null in models; write -- for no message");
         return new TypedExpression.Erroneous(literal, java.util.List.of());
     }
 

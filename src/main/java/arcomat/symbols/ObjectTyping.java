@@ -24,7 +24,7 @@ final class ObjectTyping {
                             + ", but "
                             + Texts.count(arguments.size(), "value")
                             + (arguments.size() == 1 ? " is" : " are")
-                            + " given; write one value per attribute.");
+                            + " given; write one value per attribute");
             return new TypedExpression.Erroneous(call, arguments);
         }
         for (int i = 0; i < arguments.size(); i++) {
@@ -33,13 +33,12 @@ final class ObjectTyping {
                 problems.report(
                         ExpressionProblem.Kind.OPERAND_TYPE,
                         arguments.get(i).node(),
-                        "Attribute '"
+                        "attribute '"
                                 + attribute.name()
                                 + "' has type "
                                 + attribute.type().text()
                                 + ", not "
-                                + arguments.get(i).type().text()
-                                + ".");
+                                + arguments.get(i).type().text());
             }
         }
         return new TypedExpression.NewObject(call, type, arguments);

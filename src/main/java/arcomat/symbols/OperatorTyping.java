@@ -34,7 +34,7 @@ final class OperatorTyping {
             problems.report(
                     ExpressionProblem.Kind.DIVISION_BY_ZERO,
                     node.right(),
-                    "Division by zero; a step that evaluates it would stop the run.");
+                    "division by zero would stop the run; correct the divisor");
         }
         return new Result(operands.get(), yieldsBoolean ? BuiltinType.BOOLEAN : operands.get());
     }
@@ -83,10 +83,10 @@ final class OperatorTyping {
         String types = a.text() + " and " + b.text();
         return switch (operator) {
             case EQUAL, NOT_EQUAL ->
-                    "Values of " + types + " cannot be compared; they are never equal.";
+                    "values of " + types + " cannot be compared; they are never equal";
             case AND, OR, IMPLIES, EQUIVALENT ->
-                    "'" + operator.symbol() + "' needs two Booleans, not " + types + ".";
-            case ADD -> "'+' needs two numbers or two strings, not " + types + ".";
+                    "'" + operator.symbol() + "' needs two Booleans, not " + types;
+            case ADD -> "'+' needs two numbers or two strings, not " + types;
             case MULTIPLY,
                     DIVIDE,
                     REMAINDER,
@@ -95,7 +95,7 @@ final class OperatorTyping {
                     LESS_OR_EQUAL,
                     GREATER,
                     GREATER_OR_EQUAL ->
-                    "'" + operator.symbol() + "' needs two numbers, not " + types + ".";
+                    "'" + operator.symbol() + "' needs two numbers, not " + types;
         };
     }
 }

@@ -84,12 +84,13 @@ final class ReferenceTyping {
         problems.report(
                 ExpressionProblem.Kind.UNKNOWN_ATTRIBUTE,
                 at(reference, part),
-                "Type "
+                "type "
                         + value.type().text()
                         + " has no attribute '"
                         + part
-                        + "'."
-                        + Nearest.hint(part.text(), known));
+                        + "'"
+                        + Nearest.hint(part.text(), known),
+                Nearest.to(part.text(), known));
         return new TypedExpression.Erroneous(reference, List.of(value));
     }
 
@@ -105,15 +106,27 @@ final class ReferenceTyping {
         if (expected instanceof EnumSymbol type) {
             known.addAll(0, type.constants());
         }
-        String what =
-                expected instanceof EnumSymbol type
-                        ? "a constant of " + type.text() + ", a port, a variable or a parameter"
-                        : "a port, a variable or a parameter";
         problems.report(
                 ExpressionProblem.Kind.UNKNOWN_NAME,
                 reference,
-                "'" + name + "' is not " + what + "." + Nearest.hint(name, known));
+                "'" + name + "' is not " + wanted(expected) + hint(name, known),
+                Nearest.to(name, known));
         return new TypedExpression.Erroneous(reference, List.of());
+    }
+
+    private static String hint(String name, List<String> known) {
+        String hint = Nearest.hint(name, known);
+        return hint.isEmpty() ? "; declare it or correct the name" : hint;
+    }
+
+    /** What a simple name could be here; in a stream test there is nothing but constants. */
+    private String wanted(TypeSymbol expected) {
+        boolean values = !scope.names().isEmpty();
+        if (expected instanceof EnumSymbol type) {
+            String constant = "a constant of " + type.text();
+            return values ? constant + ", a port, a variable or a parameter" : constant;
+        }
+        return values ? "a port, a variable or a parameter" : "a literal or a constant of an enum";
     }
 
     private TypedExpression qualifiedConstant(Expression.Reference reference) {
@@ -130,15 +143,14 @@ final class ReferenceTyping {
                     type.text()
                             + " has no constant '"
                             + last
-                            + "'."
-                            + Nearest.hint(last.text(), type.constants()));
+                            + "'"
+                            + Nearest.hint(last.text(), type.constants()),
+                    Nearest.to(last.text(), type.constants()));
         } else if (qualifier.isAmbiguous()) {
             problems.report(
                     ExpressionProblem.Kind.AMBIGUOUS_NAME,
                     reference,
-                    "Several types could be meant by '"
-                            + reference.name()
-                            + "'; qualify it fully.");
+                    "several types could be meant by '" + reference.name() + "'; qualify it fully");
         } else if (qualifier.isUnknown() || qualifier.isFound()) {
             reportUnknown(reference);
         }
@@ -152,7 +164,7 @@ final class ReferenceTyping {
                 reference,
                 "'"
                         + reference.name()
-                        + "' is neither a constant of a known enum nor an attribute of a value."
+                        + "' is neither a constant of a known enum nor an attribute of a value"
                         + Nearest.hint(first, scope.names()));
     }
 

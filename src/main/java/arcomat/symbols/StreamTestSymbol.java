@@ -26,6 +26,11 @@ public final class StreamTestSymbol {
         public boolean isDriven() {
             return port.found().filter(p -> p.isInput() == node.port().isSimple()).isPresent();
         }
+
+        /** The type of its messages; unknown where the port is. */
+        public TypeSymbol type() {
+            return port.found().<TypeSymbol>map(PortSymbol::type).orElse(UnknownType.UNKNOWN);
+        }
     }
 
     private final TestSuiteSymbol suite;

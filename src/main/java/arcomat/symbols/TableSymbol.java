@@ -15,7 +15,8 @@ public final class TableSymbol {
      * direction.
      */
     public record Column(Name node, boolean input, Optional<PortSymbol> port) {
-        TypeSymbol type() {
+        /** The type of its messages; unknown where the port is. */
+        public TypeSymbol type() {
             return port.<TypeSymbol>map(PortSymbol::type).orElse(UnknownType.UNKNOWN);
         }
     }

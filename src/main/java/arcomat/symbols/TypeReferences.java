@@ -14,7 +14,7 @@ final class TypeReferences {
     static Resolution<TypeSymbol> resolve(
             TypeReference reference, Function<QualifiedName, Resolution<TypeSymbol>> names) {
         if (reference.dimensions() > 0) {
-            return unsupported(reference, "Arrays cannot be messages; use one port per element.");
+            return unsupported(reference, "arrays cannot be messages; use one port per element");
         }
         Resolution<TypeSymbol> named = names.apply(reference.name());
         if (named.found().filter(t -> t instanceof UnsupportedType).isPresent()) {
@@ -22,7 +22,7 @@ final class TypeReferences {
         }
         if (!reference.arguments().isEmpty() && named.isFound()) {
             return unsupported(
-                    reference, "Only components take type arguments; use the type without them.");
+                    reference, "only components take type arguments; use the type without them");
         }
         if (reference.range().isEmpty() || !named.isFound()) {
             return named;
@@ -35,12 +35,12 @@ final class TypeReferences {
         boolean mayHaveRange =
                 base instanceof BuiltinType type && type.isWhole() && type != BuiltinType.CHARACTER;
         if (!mayHaveRange) {
-            return unsupported(reference, "Only whole number types have ranges.");
+            return unsupported(reference, "only whole number types have ranges");
         }
         OptionalLong low = number(range.low());
         OptionalLong high = number(range.high());
         if (low.isEmpty() || high.isEmpty()) {
-            return unsupported(reference, "Write the ends of a range as whole numbers.");
+            return unsupported(reference, "write the ends of a range as whole numbers");
         }
         return new Resolution.Found<>(
                 new RangeType((BuiltinType) base, low.getAsLong(), high.getAsLong()));

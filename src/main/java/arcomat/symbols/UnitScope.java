@@ -56,8 +56,8 @@ public final class UnitScope {
             return new Resolution.Found<>(
                     new UnsupportedType(
                             name.text(),
-                            "Classes of the Java library cannot be messages; define a class or an"
-                                    + " enum in a class diagram."));
+                            "classes of the Java library cannot be messages; define a class or an"
+                                    + " enum in a class diagram"));
         }
         return lookUp(name, index::types).map(type -> type);
     }

@@ -1,0 +1,78 @@
+package arcomat.check;
+
+import arcomat.source.Fix;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Resolution;
+import arcomat.tree.QualifiedName;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Findings about names of components that do not lead to one component. */
+final class ComponentNames {
+    private ComponentNames() {}
+
+    static void check(
+            QualifiedName name,
+            Resolution<ComponentSymbol> resolution,
+            Context context,
+            Findings findings) {
+        if (resolution.isUnknown()) {
+            reportUnknown(name, context, findings);
+        } else if (resolution.isAmbiguous()) {
+            reportAmbiguous(name, resolution.candidates(), findings);
+        }
+    }
+
+    private static void reportUnknown(QualifiedName name, Context context, Findings findings) {
+        String message = "there is no component '" + name + "'";
+        Optional<String> elsewhere = elsewhere(name, context);
+        if (elsewhere.isPresent()) {
+            String found = elsewhere.get();
+            findings.report(name, message + " here, but there is '" + found + "'; write that name")
+                    .fix(Fix.replace("Write '" + found + "'", name.span(), found));
+            return;
+        }
+        findings.reportUnknown(
+                name.span(),
+                message,
+                name.text(),
+                candidates(name, context),
+                "correct the name, or add the file to those that are read");
+    }
+
+    /** The one component of that name in another package, if it was named without its package. */
+    private static Optional<String> elsewhere(QualifiedName name, Context context) {
+        List<String> found =
+                context.workspace().components().stream()
+                        .filter(c -> name.isSimple() && c.name().equals(name.text()))
+                        .map(ComponentSymbol::qualifiedName)
+                        .toList();
+        return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
+    }
+
+    /** Qualified names for a qualified one; else the simple names of the same package. */
+    private static List<String> candidates(QualifiedName name, Context context) {
+        String here = context.unit().packageText();
+        return context.workspace().components().stream()
+                .filter(c -> !name.isSimple() || c.unit().packageText().equals(here))
+                .map(c -> name.isSimple() ? c.name() : c.qualifiedName())
+                .distinct()
+                .toList();
+    }
+
+    private static void reportAmbiguous(
+            QualifiedName name, List<ComponentSymbol> candidates, Findings findings) {
+        List<String> names = candidates.stream().map(ComponentSymbol::qualifiedName).toList();
+        findings.report(
+                name,
+                "'"
+                        + name
+                        + "' could be "
+                        + Wording.quoted(names)
+                        + "; write its package or import one of them");
+        for (ComponentSymbol candidate : candidates) {
+            findings.related(candidate.nameSpan(), "could be meant");
+        }
+    }
+}

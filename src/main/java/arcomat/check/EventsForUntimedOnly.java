@@ -1,0 +1,41 @@
+package arcomat.check;
+
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.StreamTestSymbol;
+import arcomat.tree.TestSuite;
+
+/** ARC0707: events drive untimed components, input streams drive the others. */
+final class EventsForUntimedOnly implements Check.OnStreamTest {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0707");
+    }
+
+    @Override
+    public void check(StreamTestSymbol test, Context context, Findings findings) {
+        test.suite()
+                .component()
+                .found()
+                .ifPresent(component -> check(test.node(), component, findings));
+    }
+
+    private static void check(TestSuite.Test test, ComponentSymbol component, Findings findings) {
+        boolean eventDriven = component.timing().eventDriven();
+        for (TestSuite.Streams streams : test.streams()) {
+            if (streams.kind() == TestSuite.Kind.EVENTS && !eventDriven) {
+                findings.report(
+                        Tests.keywordSpan(streams),
+                        "component '"
+                                + component.name()
+                                + "' works slice by slice; drive it with an 'input' block");
+            } else if (streams.kind() == TestSuite.Kind.INPUT && eventDriven) {
+                findings.report(
+                        Tests.keywordSpan(streams),
+                        "component '"
+                                + component.name()
+                                + "' is untimed; drive it with an 'events' block");
+            }
+        }
+    }
+}

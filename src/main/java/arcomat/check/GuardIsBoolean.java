@@ -1,0 +1,30 @@
+package arcomat.check;
+
+import arcomat.symbols.TransitionSymbol;
+import arcomat.symbols.TypeSymbol;
+import arcomat.symbols.Typed;
+
+/** ARC0315: a guard is Boolean. (Wor16 AT1) */
+final class GuardIsBoolean implements Check.OnTransition {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0315");
+    }
+
+    @Override
+    public void check(TransitionSymbol transition, Context context, Findings findings) {
+        transition.guard().ifPresent(guard -> check(guard, findings));
+    }
+
+    private static void check(Typed guard, Findings findings) {
+        TypeSymbol type = guard.type();
+        if (!type.isErroneous() && !type.isBoolean()) {
+            findings.report(
+                    guard.expression().node(),
+                    "a guard is true or false, but this is of type "
+                            + type.text()
+                            + "; compare it with something");
+        }
+    }
+}

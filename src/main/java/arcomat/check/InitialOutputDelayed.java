@@ -1,0 +1,38 @@
+package arcomat.check;
+
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.PortSymbol;
+
+/** ARC0321: an initial output is sent on ports with delay 1 only. */
+final class InitialOutputDelayed implements Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0321");
+    }
+
+    /** Delays of a composition follow from its parts, and untimed components have none. */
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        if (item.side() != ItemSymbol.Side.INITIAL
+                || Items.isSilence(item.value())
+                || Items.isEventDriven(context.automaton().orElseThrow())
+                || Items.isRequirement(context.automaton().orElseThrow())) {
+            return;
+        }
+        Items.port(item)
+                .filter(port -> port.isOutput() && port.delay() == 0)
+                .ifPresent(port -> report(item, port, findings));
+    }
+
+    private static void report(ItemSymbol item, PortSymbol port, Findings findings) {
+        findings.report(
+                        item.node(),
+                        "output port '"
+                                + port.name()
+                                + "' has no delay: its first message already answers the first"
+                                + " input; drop the initial output or delay the port with <<delay"
+                                + " = \"1\">>")
+                .related(port.nameSpan(), "declared here");
+    }
+}

@@ -1,0 +1,34 @@
+package arcomat.check;
+
+import arcomat.symbols.ExpressionProblem;
+import arcomat.symbols.ExpressionProblem.Kind;
+import arcomat.symbols.Typed;
+
+import java.util.EnumSet;
+import java.util.Set;
+
+/** ARC0329: the names in an expression mean something. (Wor16 AR1) */
+final class NameExists implements Check.OnExpression {
+    private static final Set<Kind> KINDS =
+            EnumSet.of(
+                    Kind.UNKNOWN_NAME,
+                    Kind.AMBIGUOUS_NAME,
+                    Kind.UNKNOWN_CONSTANT,
+                    Kind.UNKNOWN_ATTRIBUTE);
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0329");
+    }
+
+    /** What exists but is read too early is the business of {@link InitialReadsNoInput}. */
+    @Override
+    public void check(Typed typed, Context context, Findings findings) {
+        for (ExpressionProblem problem : typed.problems()) {
+            if (KINDS.contains(problem.kind())
+                    && InitialReadsNoInput.readTooEarly(problem, context).isEmpty()) {
+                Expressions.report(problem, findings);
+            }
+        }
+    }
+}

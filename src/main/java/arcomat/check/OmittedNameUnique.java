@@ -1,0 +1,61 @@
+package arcomat.check;
+
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.ValueSymbol;
+
+import java.util.List;
+
+/** ARC0318: where the name is left out, exactly one port or variable fits. (Wor16 AR5) */
+final class OmittedNameUnique implements Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0318");
+    }
+
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        if (item.hasName()) {
+            return;
+        }
+        if (item.target().isUnknown()) {
+            findings.report(
+                    item.node(),
+                    "no "
+                            + side(item)
+                            + " port or variable takes '"
+                            + text(item)
+                            + "'; correct the message, or write the name that is meant before it");
+        } else if (item.target().isAmbiguous()) {
+            reportAmbiguous(item, item.target().candidates(), findings);
+        }
+    }
+
+    private static void reportAmbiguous(
+            ItemSymbol item, List<ValueSymbol> candidates, Findings findings) {
+        List<String> names = candidates.stream().map(ValueSymbol::name).toList();
+        String relation = item.side() == ItemSymbol.Side.INPUT ? " == " : " = ";
+        findings.report(
+                item.node(),
+                "'"
+                        + text(item)
+                        + "' could be meant for "
+                        + Wording.quoted(names)
+                        + "; write the name before it, as in '"
+                        + names.get(0)
+                        + relation
+                        + text(item)
+                        + "'");
+        for (ValueSymbol candidate : candidates) {
+            findings.related(candidate.nameSpan(), "could be meant");
+        }
+    }
+
+    private static String side(ItemSymbol item) {
+        return item.side() == ItemSymbol.Side.INPUT ? "input" : "output";
+    }
+
+    private static String text(ItemSymbol item) {
+        return Wording.shortened(item.node().value());
+    }
+}

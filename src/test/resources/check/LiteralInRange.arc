@@ -1,0 +1,36 @@
+//// BadLimit.arc
+component BadLimit {
+  port in Integer[0..9] speed, out Integer[0..3] cmd;
+
+  automaton {
+    state running;
+    initial running;
+    running {speed == 9} / {cmd = 4};
+//                                ~ error ARC0322: 4 lies outside of Integer[0..3]; write a number from 0 to 3 or widen the range
+  }
+}
+
+//// GoodLimit.arc
+component GoodLimit {
+  port in Integer[0..9] speed, out Integer[0..3] cmd;
+
+  automaton {
+    state running;
+    initial running;
+    running {speed == 9} / {cmd = 3};
+  }
+}
+
+//// Everywhere.arc
+component Everywhere {
+  port in Integer[0..9] speed, out Integer cmd;
+
+  automaton {
+    variable Integer[-2..2] last = -3;
+//                                 ~~ error ARC0322: -3 lies outside of Integer[-2..2]; write a number from -2 to 2 or widen the range
+    state running;
+    initial running;
+    running {speed == alt {1, 10}} / {cmd = 4, last = -2};
+//                            ~~ error ARC0322: 10 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+  }
+}

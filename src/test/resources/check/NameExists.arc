@@ -1,0 +1,57 @@
+//// BadLimit.arc
+component BadLimit {
+  port in Integer speed, out Integer cmd;
+
+  automaton {
+    state running;
+    initial running;
+    running {speed == ?} / {cmd = sped + 1};
+//                                ~~~~ error ARC0329: 'sped' is not a port, a variable or a parameter; did you mean 'speed'?
+  }
+}
+
+//// GoodLimit.arc
+component GoodLimit {
+  port in Integer speed, out Integer cmd;
+
+  automaton {
+    state running;
+    initial running;
+    running {speed == ?} / {cmd = speed + 1};
+  }
+}
+
+//// InGuard.arc
+component InGuard {
+  port in Integer speed, out Integer cmd;
+
+  automaton {
+    state running;
+    initial running;
+    running [speed > limit] {speed == ?} / {cmd = 1};
+//                   ~~~~~ error ARC0329: 'limit' is not a port, a variable or a parameter; declare it or correct the name
+  }
+}
+
+//// robot/Types.cd
+package robot;
+
+classdiagram Types {
+  enum Distance { clear, tooClose; }
+}
+
+//// robot/Constant.arc
+package robot;
+
+import robot.Types.Distance;
+
+component Constant {
+  port in Distance front, out Boolean drive;
+
+  automaton {
+    state driving;
+    initial driving;
+    driving {front == Distance.toClose} / {drive = false};
+//                             ~~~~~~~ error ARC0329: Distance has no constant 'toClose'; did you mean 'tooClose'?
+  }
+}

@@ -1,0 +1,51 @@
+//// BadDoorbell.arc
+component BadDoorbell {
+  timing untimed;
+  port in Boolean button, in Boolean door, out Boolean bell;
+
+  automaton {
+    state idle;
+    initial idle;
+    idle {button == true, door == true} / {bell = true};
+//       ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component handles one event at a time, but this waits for 'button', 'door' at once; split the transition, or mark a port whose last value is meant with <<state>>
+  }
+}
+
+//// GoodDoorbell.arc
+component GoodDoorbell {
+  timing untimed;
+  port in Boolean button, <<state>> in Boolean door, out Boolean bell;
+
+  automaton {
+    state idle;
+    initial idle;
+    idle {button == true, door == true} / {bell = true};
+  }
+}
+
+//// NoEvent.arc
+component NoEvent {
+  timing untimed;
+  port in Boolean button, out Boolean bell;
+
+  automaton {
+    state idle, ringing;
+    initial idle;
+    idle -> ringing {button == true} / {bell = true};
+    ringing -> idle / {bell = false};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: a transition of an untimed component waits for an event; name the message that triggers it
+  }
+}
+
+//// LatchedOnly.arc
+component LatchedOnly {
+  timing untimed;
+  port in Boolean button, <<state>> in Boolean door, out Boolean bell;
+
+  automaton {
+    state idle;
+    initial idle;
+    idle {door == true} / {bell = true};
+//       ~~~~~~~~~~~~~~ error ARC0320: a transition of an untimed component waits for an event; name the message that triggers it
+  }
+}

@@ -1,0 +1,47 @@
+//// BadGreeter.arc
+component BadGreeter {
+  port in String name, out Integer length;
+
+  automaton {
+    state greeting;
+    initial greeting;
+    greeting {name == ?} / {length = name.length()};
+//                                   ~~~~~~~~~~~~~ error ARC0319: models call no methods ('length'); compute the value in a <<platform>> component and send it over a port
+  }
+}
+
+//// GoodGreeter.arc
+component GoodGreeter {
+  port in String name, out Integer length;
+
+  automaton {
+    state greeting;
+    initial greeting;
+    greeting {name == "Ada"} / {length = 3};
+    greeting [name != "Ada"] {name == ?} / {length = 0};
+  }
+}
+
+//// Equals.arc
+component Equals {
+  port in String name, out Boolean known;
+
+  automaton {
+    state greeting;
+    initial greeting;
+    greeting [name.equals("Ada")] {name == ?} / {known = true};
+//            ~~~~~~~~~~~~~~~~~~ error ARC0319: models call no methods; compare with '==' instead of 'equals'
+  }
+}
+
+//// Creates.arc
+component Creates {
+  port in Boolean i, out String o;
+
+  automaton {
+    state creating;
+    initial creating;
+    creating {i == true} / {o = new String("a")};
+//                              ~~~~~~~~~~~~~~~ error ARC0319: 'new String("a")' is Java, not an expression of models; use literals, names and operators
+  }
+}
