@@ -55,3 +55,32 @@ component Constant {
 //                             ~~~~~~~ error ARC0329: Distance has no constant 'toClose'; did you mean 'tooClose'?
   }
 }
+
+//// robot/NoEcho.arc
+package robot;
+
+import robot.Types.Distance;
+
+component NoEcho {
+  port in Distance front, out Boolean drive;
+
+  automaton {
+    state driving;
+    initial driving;
+    driving {front == far} / {drive = false};
+//                    ~~~ error ARC0329: 'far' is not a port, a variable, a parameter or a constant of Distance; it has clear, tooClose
+    driving {fromt == near} / {drive = false};
+//           ~~~~~ error ARC0305: there is no input port or variable 'fromt'; did you mean 'front'?
+  }
+}
+
+//// robot/NoEchoTest.mt
+package robot;
+
+testsuite NoEchoTest for NoEcho {
+  test a {
+    input { front: <far, Tk, Cup(3)>; }
+//                  ~~~ error ARC0329: 'far' is not a constant of Distance; it has clear, tooClose
+//                           ~~~~~~ error ARC0329: there is no class 'Cup' here; import it or correct the name
+  }
+}

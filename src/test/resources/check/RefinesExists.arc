@@ -31,3 +31,11 @@ component GoodGuard refines robot.v1.Guard {
     driving {tooClose == true} / {drive = false};
   }
 }
+
+//// robot/v2/NotItself.arc
+package robot.v2;
+
+component NotItself refines NotItselff {
+//                          ~~~~~~~~~~ error ARC0401: there is no component 'NotItselff'; correct the name, or add the file to those that are read
+  port in Boolean tooClose, out Boolean drive;
+}

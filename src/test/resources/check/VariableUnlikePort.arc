@@ -35,3 +35,16 @@ component Delay(Integer slices) {
     waiting {press == true} / {light = true};
   }
 }
+
+//// NoEcho.arc
+component NoEcho {
+  port in Boolean press, <<total>> out Boolean light;
+
+  automaton {
+    variable Integer light = 0;
+//                   ~~~~~ error ARC0205
+    state waiting;
+    initial waiting / {light = true};
+    waiting {press == true} / {light = true};
+  }
+}

@@ -55,6 +55,7 @@ final class ComponentNames {
     private static List<String> candidates(QualifiedName name, Context context) {
         String here = context.unit().packageText();
         return context.workspace().components().stream()
+                .filter(c -> context.component().filter(c::equals).isEmpty())
                 .filter(c -> !name.isSimple() || c.unit().packageText().equals(here))
                 .map(c -> name.isSimple() ? c.name() : c.qualifiedName())
                 .distinct()

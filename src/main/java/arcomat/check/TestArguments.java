@@ -41,7 +41,9 @@ final class TestArguments implements Check.OnTestSuite {
                         "component '"
                                 + component.name()
                                 + "' has "
-                                + Wording.count(parameters.size(), "parameter")
+                                + (parameters.isEmpty()
+                                        ? "no parameters"
+                                        : Wording.count(parameters.size(), "parameter"))
                                 + "; remove this argument");
             } else if (!arguments.get(i).isAssignableTo(parameters.get(i).type())) {
                 reportType(arguments.get(i), parameters.get(i), findings);

@@ -95,9 +95,10 @@ public final class AutomatonSymbol {
         return itemScope.get().values();
     }
 
+    /** A variable that is wrongly named like a port does not hide it: others rely on the port. */
     private ItemScope makeItemScope() {
         List<PortSymbol> ports = ports();
-        ValueScope values = declarations.constants().with(ports).with(variables());
+        ValueScope values = declarations.constants().with(variables()).with(ports);
         return new ItemScope(ports, variables(), values);
     }
 

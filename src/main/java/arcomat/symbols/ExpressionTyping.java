@@ -279,6 +279,14 @@ public final class ExpressionTyping {
             if (named.isPresent()) {
                 return newObject(call, named.get());
             }
+            if (call.target().isEmpty()) {
+                return erroneous(
+                        call,
+                        ExpressionProblem.Kind.UNKNOWN_NAME,
+                        "there is no class '"
+                                + call.name()
+                                + "' here; import it or correct the name");
+            }
         }
         return erroneous(
                 call,

@@ -109,14 +109,21 @@ final class ReferenceTyping {
         problems.report(
                 ExpressionProblem.Kind.UNKNOWN_NAME,
                 reference,
-                "'" + name + "' is not " + wanted(expected) + hint(name, known),
+                "'" + name + "' is not " + wanted(expected) + hint(name, known, expected),
                 Nearest.to(name, known));
         return new TypedExpression.Erroneous(reference, List.of());
     }
 
-    private static String hint(String name, List<String> known) {
+    private static String hint(String name, List<String> known, TypeSymbol expected) {
         String hint = Nearest.hint(name, known);
+        if (hint.isEmpty() && expected instanceof EnumSymbol type && isShort(type)) {
+            return "; it has " + String.join(", ", type.constants());
+        }
         return hint.isEmpty() ? "; declare it or correct the name" : hint;
+    }
+
+    private static boolean isShort(EnumSymbol type) {
+        return !type.constants().isEmpty() && type.constants().size() <= 8;
     }
 
     /** What a simple name could be here; in a stream test there is nothing but constants. */
@@ -124,7 +131,7 @@ final class ReferenceTyping {
         boolean values = !scope.names().isEmpty();
         if (expected instanceof EnumSymbol type) {
             String constant = "a constant of " + type.text();
-            return values ? constant + ", a port, a variable or a parameter" : constant;
+            return values ? "a port, a variable, a parameter or " + constant : constant;
         }
         return values ? "a port, a variable or a parameter" : "a literal or a constant of an enum";
     }
