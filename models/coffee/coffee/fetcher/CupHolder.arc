@@ -6,23 +6,21 @@ package coffee.fetcher;
  * on the way is not taken for a delivery.
  */
 component CupHolder {
-  port
-    <<total>> in Boolean pressed,
-    <<total>> out Boolean gotCoffee;
+    port <<total>> in Boolean pressed, <<total>> out Boolean gotCoffee;
 
-  automaton {
-    state empty, settling, full, lifting;
+    automaton {
+        state empty, settling, full, lifting;
 
-    initial empty / {gotCoffee = false};
+        initial empty / {gotCoffee = false};
 
-    empty {pressed == false} / {gotCoffee = false};
-    empty -> settling {pressed == true} / {gotCoffee = false};
-    settling -> empty {pressed == false} / {gotCoffee = false};
-    settling -> full {pressed == true} / {gotCoffee = true};
+        empty {pressed == false} / {gotCoffee = false};
+        empty -> settling {pressed == true} / {gotCoffee = false};
+        settling -> empty {pressed == false} / {gotCoffee = false};
+        settling -> full {pressed == true} / {gotCoffee = true};
 
-    full {pressed == true} / {gotCoffee = true};
-    full -> lifting {pressed == false} / {gotCoffee = true};
-    lifting -> full {pressed == true} / {gotCoffee = true};
-    lifting -> empty {pressed == false} / {gotCoffee = false};
-  }
+        full {pressed == true} / {gotCoffee = true};
+        full -> lifting {pressed == false} / {gotCoffee = true};
+        lifting -> full {pressed == true} / {gotCoffee = true};
+        lifting -> empty {pressed == false} / {gotCoffee = false};
+    }
 }

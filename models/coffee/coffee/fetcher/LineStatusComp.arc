@@ -10,22 +10,22 @@ import coffee.types.Types.*;
  * dark: the line is darker than this, in percent
  */
 component LineStatusComp(Integer dark) {
-  timing instant;
+    timing instant;
 
-  port
-    <<total>> in Integer leftLight,
-    <<total>> in Integer rightLight,
-    <<total>> out LineStatus ls,
-    <<total>> out Drift drift;
+    port
+        <<total>> in Integer leftLight,
+        <<total>> in Integer rightLight,
+        <<total>> out LineStatus ls,
+        <<total>> out Drift drift;
 
-  automaton {
-    state watching;
+    automaton {
+        state watching;
 
-    initial watching;
+        initial watching;
 
-    watching [leftLight < dark && rightLight < dark] / {ls = ok, drift = none};
-    watching [leftLight >= dark && rightLight < dark] / {ls = ok, drift = left};
-    watching [leftLight < dark && rightLight >= dark] / {ls = ok, drift = right};
-    watching [leftLight >= dark && rightLight >= dark] / {ls = lost, drift = none};
-  }
+        watching [leftLight < dark && rightLight < dark] / {ls = ok, drift = none};
+        watching [leftLight >= dark && rightLight < dark] / {ls = ok, drift = left};
+        watching [leftLight < dark && rightLight >= dark] / {ls = ok, drift = right};
+        watching [leftLight >= dark && rightLight >= dark] / {ls = lost, drift = none};
+    }
 }

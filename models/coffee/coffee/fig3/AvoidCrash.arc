@@ -9,17 +9,15 @@ import coffee.types.Types.*;
  * transitions of driving are allowed. What is not drawn is open as well, hence chaos.
  */
 component AvoidCrash {
-  port
-    in Distance frontUS,
-    out MotorCmd cmd;
+    port in Distance frontUS, out MotorCmd cmd;
 
-  <<completion = "chaos">> automaton {
-    state driving, sidestep, waiting;
+    <<completion = "chaos">> automaton {
+        state driving, sidestep, waiting;
 
-    initial driving / {cmd = fwd};
+        initial driving / {cmd = fwd};
 
-    driving -> sidestep {frontUS == tooClose} / {cmd = backRight};
-    driving -> waiting {frontUS == tooClose} / {cmd = stop};
-    waiting -> driving {frontUS == clear} / {cmd = fwd};
-  }
+        driving -> sidestep {frontUS == tooClose} / {cmd = backRight};
+        driving -> waiting {frontUS == tooClose} / {cmd = stop};
+        waiting -> driving {frontUS == clear} / {cmd = fwd};
+    }
 }

@@ -14,26 +14,27 @@ import coffee.types.Types.*;
  * What the earlier versions left open is closed here: on every other input the robot carries on.
  */
 component AvoidCrash refines coffee.fig5.AvoidCrash {
-  port
-    in Distance frontUS,
-    in TimerSignal timerSig,
-    in LineStatus ls,
-    <<total>> in Boolean gotCoffee,
-    out MotorCmd cmd,
-    out TimerCmd timerCmd;
+    port
+        in Distance frontUS,
+        in TimerSignal timerSig,
+        in LineStatus ls,
+        <<total>> in Boolean gotCoffee,
+        out MotorCmd cmd,
+        out TimerCmd timerCmd;
 
-  <<completion = "ignore">> automaton {
-    state driving, backing, waiting, remote, returning;
+    <<completion = "ignore">> automaton {
+        state driving, backing, waiting, remote, returning;
 
-    initial driving / {cmd = fwd};
+        initial driving / {cmd = fwd};
 
-    // Who has no coffee makes room; who has some waits, lest it be spilt.
-    driving -> backing {frontUS == tooClose, gotCoffee == false} / {cmd = backRight, timerCmd = delay};
-    driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
-    waiting -> driving {frontUS == clear} / {cmd = fwd};
+        // Who has no coffee makes room; who has some waits, lest it be spilt.
+        driving -> backing {frontUS == tooClose, gotCoffee == false}
+                / {cmd = backRight, timerCmd = delay};
+        driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
+        waiting -> driving {frontUS == clear} / {cmd = fwd};
 
-    backing -> remote {timerSig == alert} / {cmd = stop};
-    remote -> returning {frontUS == clear} / {cmd = fwd};
-    returning -> driving {ls == ok};
-  }
+        backing -> remote {timerSig == alert} / {cmd = stop};
+        remote -> returning {frontUS == clear} / {cmd = fwd};
+        returning -> driving {ls == ok};
+    }
 }

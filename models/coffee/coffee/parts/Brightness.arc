@@ -6,17 +6,15 @@ package coffee.parts;
  * limit: bright from here on, in percent
  */
 component Brightness(Integer limit) {
-  timing instant;
+    timing instant;
 
-  port
-    <<total>> in Integer value,
-    <<total>> out Boolean bright;
+    port <<total>> in Integer value, <<total>> out Boolean bright;
 
-  automaton {
-    state watching;
+    automaton {
+        state watching;
 
-    initial watching;
+        initial watching;
 
-    watching / {bright = value >= limit};
-  }
+        watching / {bright = value >= limit};
+    }
 }

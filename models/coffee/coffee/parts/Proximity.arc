@@ -10,18 +10,16 @@ import coffee.types.Types.*;
  * does not jitter.
  */
 component Proximity(Integer near, Integer far) {
-  timing instant;
+    timing instant;
 
-  port
-    <<total>> in Integer[0..255] distance,
-    out Distance front;
+    port <<total>> in Integer[0..255] distance, out Distance front;
 
-  <<completion = "ignore">> automaton {
-    state watching;
+    <<completion = "ignore">> automaton {
+        state watching;
 
-    initial watching;
+        initial watching;
 
-    watching [distance <= near] / {front = tooClose};
-    watching [distance >= far && distance > near] / {front = clear};
-  }
+        watching [distance <= near] / {front = tooClose};
+        watching [distance >= far && distance > near] / {front = clear};
+    }
 }

@@ -14,28 +14,27 @@ import nxt.TouchSensor;
  * machine, a light sensor looks at the machine's lamp, and a motor moves the finger that presses
  * its button.
  */
-<<deploy>>
-component Preparer {
-  // Sensors
-  component TouchSensor(SensorPort.S1) cup;
-  component LightSensor(SensorPort.S2) lamp;
+<<deploy>> component Preparer {
+    // Sensors
+    component TouchSensor(SensorPort.S1) cup;
+    component LightSensor(SensorPort.S2) lamp;
 
-  // Logic
-  component Brightness(60) brightness;
-  component Brew brew;
-  component Timer(3) timer;
-  component Arm arm;
+    // Logic
+    component Brightness(60) brightness;
+    component Brew brew;
+    component Timer(3) timer;
+    component Arm arm;
 
-  // Actuators
-  component RegulatedMotor(MotorPort.A) finger;
+    // Actuators
+    component RegulatedMotor(MotorPort.A) finger;
 
-  connect cup.pressed -> brew.cup;
-  connect lamp.value -> brightness.value;
+    connect cup.pressed -> brew.cup;
+    connect lamp.value -> brightness.value;
 
-  connect brightness.bright -> brew.ready;
-  connect brew.timerCmd -> timer.timerCmd;
-  connect timer.timerSig -> brew.timerSig;
+    connect brightness.bright -> brew.ready;
+    connect brew.timerCmd -> timer.timerCmd;
+    connect timer.timerSig -> brew.timerSig;
 
-  connect brew.finger -> arm.cmd;
-  connect arm.speed -> finger.speed;
+    connect brew.finger -> arm.cmd;
+    connect arm.speed -> finger.speed;
 }

@@ -6,6 +6,7 @@ import arcomat.check.Checks;
 import arcomat.check.Profile;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
+import arcomat.syntax.Formatter;
 import arcomat.syntax.Parser;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
@@ -34,7 +35,8 @@ class LanguageReferenceTest {
 
     private static final Pattern DEFINITION =
             Pattern.compile(
-                    "^(?:component|automaton|classdiagram|testsuite) (\\w+)", Pattern.MULTILINE);
+                    "^(?:<<.*>> )?(?:component|automaton|classdiagram|testsuite) (\\w+)",
+                    Pattern.MULTILINE);
 
     private static List<Fence> examples;
 
@@ -50,6 +52,13 @@ class LanguageReferenceTest {
     void everyExampleParses() {
         for (Fence example : examples) {
             assertThat(Parser.parse(file(example)).findings()).as(example.toString()).isEmpty();
+        }
+    }
+
+    @Test
+    void everyExampleIsFormatted() {
+        for (Fence example : examples) {
+            assertThat(Formatter.format(file(example)).text()).contains(example.text());
         }
     }
 

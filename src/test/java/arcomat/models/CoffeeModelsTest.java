@@ -12,6 +12,7 @@ import arcomat.simulate.StreamTestResult.Verdict;
 import arcomat.simulate.StreamTests;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
+import arcomat.syntax.Formatter;
 import arcomat.syntax.Parser;
 
 import org.junit.jupiter.api.BeforeAll;
@@ -33,6 +34,7 @@ import java.util.stream.Stream;
 /** The case study is flawless: no findings, every test passes, no component goes untested. */
 class CoffeeModelsTest {
     private static final Path ROOT = Path.of("models/coffee");
+    private static final String LANGUAGES = ".*\\.(arc|cd|mt)";
 
     private static Workspace workspace;
     private static Model model;
@@ -42,7 +44,7 @@ class CoffeeModelsTest {
         try (Stream<Path> files = Files.walk(ROOT)) {
             workspace =
                     Workspace.of(
-                            files.filter(f -> f.toString().matches(".*\\.(arc|cd|mt)"))
+                            files.filter(f -> f.toString().matches(LANGUAGES))
                                     .sorted()
                                     .map(CoffeeModelsTest::source)
                                     .map(file -> Parser.parse(file).unit().orElseThrow())
@@ -65,6 +67,15 @@ class CoffeeModelsTest {
     @EnumSource
     void nothingIsFoundFault(Profile profile) {
         assertThat(Checks.run(workspace, profile)).isEmpty();
+    }
+
+    @Test
+    void everyFileIsFormatted() throws IOException {
+        try (Stream<Path> files = Files.walk(ROOT)) {
+            files.filter(f -> f.toString().matches(LANGUAGES))
+                    .map(CoffeeModelsTest::source)
+                    .forEach(f -> assertThat(Formatter.format(f).text()).contains(f.text()));
+        }
     }
 
     @TestFactory

@@ -4,6 +4,8 @@ import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.syntax.antlr.ArcomatParser.ClassDefinitionContext;
 import arcomat.syntax.antlr.ArcomatParser.EventsPartContext;
+import arcomat.syntax.antlr.ArcomatParser.PortContext;
+import arcomat.syntax.antlr.ArcomatParser.PortsContext;
 import arcomat.syntax.antlr.ArcomatParser.StreamsPartContext;
 import arcomat.syntax.antlr.ArcomatParser.TestMemberContext;
 
@@ -20,6 +22,9 @@ final class Structure {
     private final int[] indent;
     private final int[] verbatimEnd;
     private final ParserRuleContext[] parent;
+
+    /** The list of ports that was entered last and takes a line for each. */
+    private PortsContext spreadPorts;
 
     private Structure(int tokens) {
         startsLine = new boolean[tokens];
@@ -71,6 +76,10 @@ final class Structure {
     private void visit(ParserRuleContext context, int level) {
         if (startsLine(context)) {
             markLine(context.start, level);
+        } else if (context instanceof PortContext && context.getParent() == spreadPorts) {
+            markLine(context.start, level + 1);
+        } else if (context instanceof PortsContext ports && isSpread(ports, level)) {
+            spreadPorts = ports;
         }
         if (isVerbatim(context)) {
             verbatimEnd[context.start.getTokenIndex()] = context.stop.getTokenIndex();
@@ -104,6 +113,24 @@ final class Structure {
         if (!empty) {
             markLine(brace, level);
         }
+    }
+
+    /**
+     * Ports stand below each other where one line cannot hold them, or where they have comments.
+     */
+    private static boolean isSpread(PortsContext ports, int level) {
+        int leaves = leaves(ports);
+        boolean hasComments = ports.stop.getTokenIndex() - ports.start.getTokenIndex() >= leaves;
+        int length = ports.getText().length() + leaves + 4 * level;
+        return ports.port().size() > 1 && (hasComments || length > Wrapping.WIDTH);
+    }
+
+    private static int leaves(ParseTree tree) {
+        int leaves = tree instanceof TerminalNode ? 1 : 0;
+        for (int i = 0; i < tree.getChildCount(); i++) {
+            leaves += leaves(tree.getChild(i));
+        }
+        return leaves;
     }
 
     private void markLine(Token token, int level) {
