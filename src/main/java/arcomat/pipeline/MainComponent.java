@@ -70,11 +70,10 @@ record MainComponent(Component component, List<Value> arguments) {
         // A simple name means the component of that name in whatever package.
         Optional<String> sameSimpleName =
                 names.stream().filter(n -> n.endsWith("." + name)).findFirst();
-        if (sameSimpleName.isPresent()) {
-            return " Did you mean '" + sameSimpleName.get() + "'?";
-        }
-        String hint = Nearest.hint(name, names);
-        return hint.isEmpty() ? " There are " + listing(model) : hint;
+        return sameSimpleName
+                .or(() -> Nearest.to(name, names))
+                .map(meant -> " Did you mean '" + meant + "'?")
+                .orElseGet(() -> " There are " + listing(model));
     }
 
     private static String listing(Model model) {

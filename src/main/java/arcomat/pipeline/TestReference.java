@@ -49,7 +49,7 @@ record TestReference(String file, String test) {
                 + "' has no test '"
                 + test
                 + "'."
-                + Nearest.hint(test, tests)
+                + Nearest.to(test, tests).map(t -> " Did you mean '" + t + "'?").orElse("")
                 + " Its tests: "
                 + String.join(", ", tests);
     }
