@@ -6,6 +6,7 @@ import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.ConnectorSymbol;
 import arcomat.symbols.ConnectorSymbol.End;
 import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.Nearest;
 import arcomat.symbols.PortSymbol;
 
 import java.util.ArrayList;
@@ -52,7 +53,7 @@ final class ConnectorEndExists implements Check.OnComponent {
         String message = "component '" + component.name() + "' has no port '" + end.text() + "'";
         List<String> owners = instancesWithPort(component, end.text());
         List<String> candidates = portNames(component.ports());
-        if (owners.size() == 1 && Spelling.nearest(end.text(), candidates).isEmpty()) {
+        if (owners.size() == 1 && Nearest.to(end.text(), candidates).isEmpty()) {
             String meant = owners.get(0) + "." + end.text();
             findings.report(end.span(), message + "; did you mean '" + meant + "'?")
                     .fix(Fix.replace("Put the name of the part before it", end.span(), meant));

@@ -4,6 +4,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Severity;
 import arcomat.source.Span;
+import arcomat.symbols.Nearest;
 import arcomat.tree.Node;
 
 import java.util.ArrayList;
@@ -48,7 +49,7 @@ final class Findings {
             String name,
             Collection<String> candidates,
             String otherwise) {
-        Optional<String> nearest = Spelling.nearest(name, candidates);
+        Optional<String> nearest = Nearest.to(name, candidates);
         if (nearest.isEmpty()) {
             return report(place, message + "; " + otherwise);
         }

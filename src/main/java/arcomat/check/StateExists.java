@@ -3,6 +3,7 @@ package arcomat.check;
 import arcomat.source.Fix;
 import arcomat.source.TextEdit;
 import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.Nearest;
 import arcomat.tree.Name;
 
 import java.util.ArrayList;
@@ -38,7 +39,7 @@ final class StateExists implements Check.OnAutomaton {
 
     private static void report(List<Name> uses, Set<String> declared, Findings findings) {
         Name first = uses.get(0);
-        Optional<String> nearest = Spelling.nearest(first.text(), declared);
+        Optional<String> nearest = Nearest.to(first.text(), declared);
         findings.report(
                 first,
                 "there is no state '"

@@ -2,6 +2,7 @@ package arcomat.check;
 
 import arcomat.source.Fix;
 import arcomat.source.Span;
+import arcomat.symbols.Nearest;
 import arcomat.tree.Name;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
@@ -76,7 +77,7 @@ final class StereotypeValue implements Check.OnStereotypes {
                         + value
                         + "'; it can be "
                         + list(known.values()));
-        Spelling.nearest(value.text(), known.values())
+        Nearest.to(value.text(), known.values())
                 .ifPresent(
                         nearest ->
                                 findings.fix(
