@@ -50,17 +50,42 @@ class MutatedModelsTest {
     }
 
     @Property(tries = 60)
-    void aPieceIsMissing(@ForAll int file, @ForAll int start, @ForAll @IntRange(max = 40) int length)
+    void aPieceIsMissing(
+            @ForAll int file, @ForAll int start, @ForAll @IntRange(max = 40) int length)
             throws IOException {
         mutate(file, start, length, new byte[0]);
     }
 
     @Property(tries = 40)
-    void aPieceIsInserted(@ForAll int file, @ForAll int start, @ForAll @IntRange(max = 24) int token)
+    void aPieceIsInserted(
+            @ForAll int file, @ForAll int start, @ForAll @IntRange(max = 24) int token)
             throws IOException {
         String[] tokens = {
-            "{", "}", "(", ")", "[", "]", "<", ">", "<<", ">>", ";", ",", "->", "--", "==", "\"", "'",
-            "/*", "component", "automaton", "port", "in", "9999999999999999999", "\u0000", "ü"
+            "{",
+            "}",
+            "(",
+            ")",
+            "[",
+            "]",
+            "<",
+            ">",
+            "<<",
+            ">>",
+            ";",
+            ",",
+            "->",
+            "--",
+            "==",
+            "\"",
+            "'",
+            "/*",
+            "component",
+            "automaton",
+            "port",
+            "in",
+            "9999999999999999999",
+            "\u0000",
+            "ü"
         };
         mutate(file, start, 0, tokens[token].getBytes(StandardCharsets.UTF_8));
     }
