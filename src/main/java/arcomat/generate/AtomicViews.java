@@ -97,7 +97,6 @@ final class AtomicViews {
                 Places.quote(initial.span()),
                 "",
                 effect.locals(),
-                effect.messages(),
                 effect.assignments(),
                 states.label(initial.state()));
     }

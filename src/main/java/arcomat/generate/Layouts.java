@@ -39,12 +39,10 @@ final class Layouts {
                 program.senses(component),
                 Map.copyOf(members.ports()),
                 Map.copyOf(members.flags()),
-                Map.copyOf(members.methods()),
+                Map.of(),
                 Map.copyOf(members.variables()),
                 automaton ? members.state() : "",
                 automaton ? members.taken() : "",
-                members.local("queued", ""),
-                members.local("border", ""),
                 parts(context));
     }
 
@@ -52,11 +50,8 @@ final class Layouts {
         Map<String, String> parts = new LinkedHashMap<>();
         Optional<Composition> composition = context.composition();
         if (composition.isPresent()) {
-            int position = 0;
             for (Composition.Node node : composition.get().nodes()) {
-                Sections.Section section = context.sections().orElseThrow().of(position++);
-                String field = context.members().part(node.path());
-                parts.put(node.path(), section == null ? field : section.path() + "." + field);
+                parts.put(node.path(), context.members().part(node.path()));
             }
         }
         return parts;

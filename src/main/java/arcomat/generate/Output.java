@@ -18,15 +18,13 @@ final class Output {
             new TreeSet<>(
                     List.of(
                             "atomic",
-                            "border",
-                            "class",
                             "composite",
-                            "enum",
                             "event",
                             "network",
                             "platform",
-                            "program",
-                            "section"));
+                            "enum",
+                            "class",
+                            "program"));
 
     private final Map<String, Target.Rule> rules;
     private final TemplateEngine engine;

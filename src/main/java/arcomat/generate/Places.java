@@ -1,7 +1,6 @@
 package arcomat.generate;
 
 import arcomat.generate.language.Escapes;
-import arcomat.model.Component;
 import arcomat.source.Span;
 
 /** Where something is written in the models, for comments. */
@@ -14,15 +13,8 @@ final class Places {
         return span == null ? 0 : span.startPosition().line();
     }
 
-    /** The file of a component under its model root, wherever that is: output must not differ. */
-    static String file(Component component) {
-        if (component.span() == null) {
-            return "";
-        }
-        String path = component.span().file().path();
-        String folder = component.packageName().replace('.', '/');
-        String name = path.substring(path.lastIndexOf('/') + 1);
-        return Escapes.comment(folder.isEmpty() ? name : folder + "/" + name);
+    static String file(Span span) {
+        return span == null ? "" : Escapes.comment(span.file().path());
     }
 
     /** {@code line 12: driving -> waiting {frontUS == tooClose}}. */

@@ -18,8 +18,6 @@ import java.util.List;
 final class StateViews {
     private static final int MOST_NAMED_STATES = 200;
 
-    private static final int MOST_DRAWN = 63;
-
     private final FileContext context;
     private final Automaton automaton;
     private final Effects effects;
@@ -125,10 +123,7 @@ final class StateViews {
                         last,
                         List.of(),
                         error(state));
-        if (chooses && transitions.size() > MOST_DRAWN) {
-            throw new TooManyChoices(context.component(), name, transitions.size());
-        }
-        return chooses || MethodSize.fits(transitions) ? whole : inChunks(whole, state);
+        return MethodSize.fits(transitions) ? whole : inChunks(whole, state);
     }
 
     private String error(int state) {
@@ -186,7 +181,6 @@ final class StateViews {
                 Places.quote(transition.span()),
                 always ? "" : context.expressions().text(condition).text(),
                 effect.locals(),
-                effect.messages(),
                 effect.assignments(),
                 stays ? "" : label(transition.target()));
     }

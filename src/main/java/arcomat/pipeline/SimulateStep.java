@@ -12,6 +12,7 @@ import arcomat.semantics.Network;
 import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
 import arcomat.simulate.Simulation;
+import arcomat.simulate.StreamTests;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -142,17 +143,17 @@ final class SimulateStep {
         };
     }
 
-    /** The letters of the test, or random ones; more silence than there is input, if asked for. */
+    /** The letters of the test, or random ones; behind the input it is quiet. */
     private List<Letter> letters(MainComponent main, Optional<StreamTest> test) {
+        Network network = Network.of(main.component(), main.arguments());
         if (test.isEmpty()) {
-            Network network = Network.of(main.component(), main.arguments());
             int count = request.slices().orElse(DEFAULT_STEPS);
             return Simulation.randomLetters(network, request.seed(), count, CHANCE_OF_A_MESSAGE);
         }
         List<Letter> letters = new ArrayList<>(test.get().inputs());
         int count = request.slices().orElse(length(test.get()));
         while (letters.size() < count) {
-            letters.add(Letter.SILENCE);
+            letters.add(StreamTests.quietAfter(letters, network));
         }
         return letters.subList(0, count);
     }

@@ -157,8 +157,10 @@ final class Events implements Interpreter.Engine {
                     new ModelError(
                             "the queue is full: "
                                     + capacity
-                                    + " events wait, another on "
+                                    + " events wait, "
                                     + port
+                                    + " = "
+                                    + message
                                     + " does not fit"));
         }
         receiver.mailbox.queue.add(new Event(receiver.port, message));

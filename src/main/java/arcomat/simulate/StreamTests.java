@@ -73,18 +73,25 @@ public final class StreamTests {
             return letters.isEmpty() ? List.of(Letter.SILENCE) : letters;
         }
         if (length(test) > letters.size()) {
-            Letter last = letters.isEmpty() ? Letter.SILENCE : letters.get(letters.size() - 1);
             Network network = Network.of(component, test.arguments());
-            Map<String, Value> totals = new LinkedHashMap<>();
-            network.inputs().stream()
-                    .filter(external -> external.port().total())
-                    .forEach(
-                            external ->
-                                    last.message(external.name())
-                                            .ifPresent(v -> totals.put(external.name(), v)));
-            letters.add(Letter.of(totals));
+            letters.add(quietAfter(letters, network));
         }
         return letters;
+    }
+
+    /**
+     * A letter that adds nothing to what went before: total ports repeat their last message, the
+     * others are silent.
+     */
+    public static Letter quietAfter(List<Letter> letters, Network network) {
+        Letter last = letters.isEmpty() ? Letter.SILENCE : letters.get(letters.size() - 1);
+        Map<String, Value> totals = new LinkedHashMap<>();
+        for (Network.External input : network.inputs()) {
+            if (input.port().total()) {
+                last.message(input.name()).ifPresent(value -> totals.put(input.name(), value));
+            }
+        }
+        return Letter.of(totals);
     }
 
     /**

@@ -10,7 +10,6 @@ import java.util.List;
  * @param condition empty where it holds always
  * @param locals values to be computed before any assignment
  * @param assignments in an order that needs no further locals
- * @param messages event-driven: methods that send, with what they send, before any assignment
  * @param target constant or code of the next state, empty where the state stays
  */
 public record TransitionView(
@@ -18,6 +17,5 @@ public record TransitionView(
         String comment,
         String condition,
         List<FieldView> locals,
-        List<AssignmentView> messages,
         List<AssignmentView> assignments,
         String target) {}

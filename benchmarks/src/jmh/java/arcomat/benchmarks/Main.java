@@ -1,0 +1,78 @@
+package arcomat.benchmarks;
+
+import arcomat.benchmarks.cold.ColdGroup;
+import arcomat.benchmarks.frontend.FrontEndGroup;
+import arcomat.benchmarks.network.NetworkGroup;
+import arcomat.benchmarks.step.StepGroup;
+
+import org.openjdk.jmh.runner.Runner;
+import org.openjdk.jmh.runner.RunnerException;
+import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
+import org.openjdk.jmh.runner.options.OptionsBuilder;
+import org.openjdk.jmh.runner.options.VerboseMode;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
+ * --forks N --groups step,network,frontend,cold}.
+ */
+public final class Main {
+    private static final List<Group> GROUPS =
+            List.of(new StepGroup(), new NetworkGroup(), new FrontEndGroup(), new ColdGroup());
+
+    private Main() {}
+
+    public static void main(String[] args) throws RunnerException, IOException {
+        Locale.setDefault(Locale.ROOT);
+        List<String> words = Arrays.asList(args);
+        int forks = Integer.parseInt(words.get(words.indexOf("--forks") + 1));
+        List<String> wanted = List.of(words.get(words.indexOf("--groups") + 1).split(","));
+        for (Group group : GROUPS) {
+            if (wanted.contains(group.name())) {
+                run(group, forks);
+            }
+        }
+    }
+
+    private static void run(Group group, int forks) throws RunnerException, IOException {
+        System.out.println("== " + group.name());
+        group.prepare().forEach(System.out::println);
+        ChainedOptionsBuilder options =
+                new OptionsBuilder().forks(forks).verbosity(VerboseMode.SILENT);
+        group.benchmarks().forEach(type -> options.include(type.getName() + "\\."));
+        Map<String, Measurement> results = Measurement.of(new Runner(options.build()).run());
+        results.values().forEach(Main::print);
+        List<String> verdicts = verdicts(group, results);
+        verdicts.forEach(System.out::println);
+        Baseline.write(group, results, verdicts);
+    }
+
+    private static void print(Measurement result) {
+        System.out.printf(
+                "%-36s %12.3f %s   (quartiles %.3f to %.3f)%n",
+                result.label(), result.median(), result.unit(), result.low(), result.high());
+    }
+
+    private static List<String> verdicts(Group group, Map<String, Measurement> results) {
+        List<String> verdicts = new ArrayList<>();
+        for (Goal goal : group.goals()) {
+            double ratio = goal.ratio(results);
+            String verdict = ratio <= goal.limit() ? "met" : "MISSED";
+            verdicts.add(
+                    String.format(
+                            "%s: %.2f, %s at most %.2f: %s",
+                            goal.text(),
+                            ratio,
+                            goal.promised() ? "promised" : "aim",
+                            goal.limit(),
+                            verdict));
+        }
+        return verdicts;
+    }
+}

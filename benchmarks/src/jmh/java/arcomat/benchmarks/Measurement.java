@@ -1,0 +1,48 @@
+package arcomat.benchmarks;
+
+import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.util.Statistics;
+
+import java.util.Collection;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * The result of one benchmark.
+ *
+ * @param label method and parameters, {@code generated 0.9}
+ * @param median over all iterations of all forks
+ * @param low quarter of the iterations below
+ * @param high quarter of the iterations above
+ * @param unit as JMH names it, {@code ns/op}
+ */
+public record Measurement(String label, double median, double low, double high, String unit) {
+
+    static Map<String, Measurement> of(Collection<RunResult> results) {
+        Map<String, Measurement> measurements = new TreeMap<>();
+        for (RunResult result : results) {
+            Measurement measurement = of(result);
+            measurements.put(measurement.label(), measurement);
+        }
+        return measurements;
+    }
+
+    private static Measurement of(RunResult result) {
+        Statistics statistics = result.getPrimaryResult().getStatistics();
+        return new Measurement(
+                label(result),
+                statistics.getPercentile(50),
+                statistics.getPercentile(25),
+                statistics.getPercentile(75),
+                result.getPrimaryResult().getScoreUnit());
+    }
+
+    private static String label(RunResult result) {
+        String name = result.getParams().getBenchmark();
+        StringBuilder label = new StringBuilder(name.substring(name.lastIndexOf('.') + 1));
+        for (String key : result.getParams().getParamsKeys()) {
+            label.append(' ').append(result.getParams().getParam(key));
+        }
+        return label.toString();
+    }
+}

@@ -1,0 +1,116 @@
+package arcomat.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.cli.Cli;
+import arcomat.cli.Console;
+import arcomat.report.Style;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringReader;
+import java.io.StringWriter;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * The README tells the truth: its models are written to files, its commands are run in the order of
+ * the page, and their output has to be what the page shows. A line {@code ...} stands for any
+ * lines.
+ */
+class ReadmeTest {
+    private static final Path PAGE = Path.of("README.md");
+
+    @TempDir Path directory;
+
+    @Test
+    void showsWhatTheToolSays() throws IOException {
+        copy(Path.of("models"), directory.resolve("models"));
+        for (Fence fence : Fence.of(PAGE)) {
+            if (fence.language().equals("console")) {
+                replay(fence);
+            } else if (!fence.title().isEmpty()) {
+                write(directory.resolve(fence.title()), fence.text());
+            }
+        }
+    }
+
+    @Test
+    void namesOnlyFilesThatExist() throws IOException {
+        var links = Pattern.compile("]\\(([^)#:]+)[^)]*\\)").matcher(Files.readString(PAGE));
+        while (links.find()) {
+            assertThat(Path.of(links.group(1))).exists();
+        }
+    }
+
+    private void replay(Fence session) {
+        List<String> wanted = new ArrayList<>();
+        String command = null;
+        for (String line : session.body()) {
+            if (line.startsWith("$ ")) {
+                compare(command, wanted);
+                command = line.substring(2);
+                wanted = new ArrayList<>();
+            } else {
+                wanted.add(line);
+            }
+        }
+        compare(command, wanted);
+    }
+
+    private void compare(String command, List<String> wanted) {
+        if (command != null) {
+            String actual = run(command);
+            String text = String.join("\n", wanted).strip() + "\n";
+            if (!pattern(text).matcher(actual).matches()) {
+                assertThat(actual).as(command).isEqualTo(text);
+            }
+        }
+    }
+
+    private static Pattern pattern(String text) {
+        StringBuilder regex = new StringBuilder();
+        for (String line : text.lines().toList()) {
+            regex.append(line.equals("...") ? "(.*\n)*" : Pattern.quote(line + "\n"));
+        }
+        return Pattern.compile(regex.toString());
+    }
+
+    private String run(String command) {
+        String[] words = command.split(" +");
+        assertThat(words[0]).isEqualTo("arcomat");
+        StringWriter text = new StringWriter();
+        Console console =
+                new Console(
+                        directory,
+                        new PrintWriter(text),
+                        new PrintWriter(Writer.nullWriter()), // progress depends on the machine
+                        new BufferedReader(new StringReader("")),
+                        Style.PLAIN,
+                        false);
+        Cli.run(Stream.of(words).skip(1).toArray(String[]::new), console);
+        return text.toString().strip() + "\n";
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+    }
+
+    private static void copy(Path source, Path target) throws IOException {
+        try (Stream<Path> files = Files.walk(source)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                write(target.resolve(source.relativize(file).toString()), Files.readString(file));
+            }
+        }
+    }
+}
