@@ -5,8 +5,11 @@
 package ${head.packageName};
 
 </#macro>
-<#macro imports head checks=false errors=false>
-<#local printed = false>
+<#macro imports head checks=false errors=false border=false>
+<#local printed = border>
+<#if border>
+import arcomat.rt.Border;
+</#if>
 <#if checks>
 import arcomat.rt.Check;
 <#local printed = true>
@@ -43,3 +46,49 @@ import ${type.packageName}.${type.name};
 </#list>
 </#macro>
 <#macro parameters head><#if head.draws>Choice choice<#if head.parameters?has_content>, </#if></#if><#list head.parameters as parameter>${parameter.type} ${parameter.name}<#sep>, </#list></#macro>
+<#macro assign assignments>
+<#list assignments as assignment>
+        ${assignment.target} = ${assignment.value};
+</#list>
+</#macro>
+<#macro call members method>
+<#list members as member>
+        ${member}.${method}();
+</#list>
+</#macro>
+<#macro members members access>
+<#list members as member>
+    ${access}final ${member.type} ${member.name};
+</#list>
+</#macro>
+<#macro construct members fixed>
+<#list members as member>
+        ${member.name} = new ${member.type}(${member.arguments});
+</#list>
+<@assign fixed/>
+</#macro>
+<#-- Each part after it got the messages that were sent earlier in the same slice. -->
+<#macro schedule steps>
+<#list steps as step>
+<@assign step.copies/>
+<#if step.call != "">
+        ${step.part}.${step.call}();
+</#if>
+</#list>
+</#macro>
+<#-- Event-driven: what leaves a component; whoever contains it overrides the methods. -->
+<#macro sending outputs border>
+<#list outputs as output>
+
+    /** ${output.port.comment} */
+    protected void ${output.method}(${output.port.type} message) {
+        if (${border} != null) {
+            ${border}.sent(${output.literal}, message);
+        }
+    }
+</#list>
+</#macro>
+<#macro border border>
+    /** Sees what is sent to nobody inside the program. */
+    public Border ${border};
+</#macro>

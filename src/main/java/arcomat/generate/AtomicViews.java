@@ -97,6 +97,7 @@ final class AtomicViews {
                 Places.quote(initial.span()),
                 "",
                 effect.locals(),
+                effect.messages(),
                 effect.assignments(),
                 states.label(initial.state()));
     }

@@ -1,12 +1,14 @@
 package arcomat.generate;
 
 import arcomat.generate.language.TypeName;
+import arcomat.generate.language.Words;
 import arcomat.generate.view.AssignmentView;
 import arcomat.generate.view.CompositeView;
+import arcomat.generate.view.FieldView;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.PartView;
+import arcomat.generate.view.PartsView;
 import arcomat.generate.view.StepView;
-import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.semantics.Composition;
 import arcomat.semantics.Source;
@@ -15,7 +17,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The view of a time-synchronous composite. Messages travel by copies between fields:
+ * The views of a time-synchronous composite. Messages travel by copies between fields:
  *
  * <ul>
  *   <li>what is known when the slice starts (messages from outside, from sensors and from delayed
@@ -29,22 +31,38 @@ final class CompositeViews {
     private final FileContext context;
     private final Composition composition;
     private final Program program;
-    private final List<AssignmentView> fixed = new ArrayList<>();
+    private final Sections sections;
+    private final Copies copies;
+    private final String whole;
 
     CompositeViews(FileContext context, Program program) {
         this.context = context;
         this.composition = context.composition().orElseThrow();
         this.program = program;
+        this.sections = context.sections().orElseThrow();
+        this.whole = context.members().local("whole", "");
+        this.copies = new Copies(context, program, sections, whole);
     }
 
-    CompositeView view(HeadView head) {
-        List<PartView> parts = new ArrayList<>();
-        List<String> sensors = new ArrayList<>();
-        List<AssignmentView> known = new ArrayList<>();
-        List<StepView> steps = new ArrayList<>();
-        for (Composition.Node node : composition.nodes()) {
+    /** Members of a class: parts or sections. */
+    private final class Content {
+        final List<PartView> members = new ArrayList<>();
+        final List<AssignmentView> fixed = new ArrayList<>();
+        final List<String> sensors = new ArrayList<>();
+        final List<String> knowers = new ArrayList<>();
+        final List<AssignmentView> known = new ArrayList<>();
+        final List<StepView> steps = new ArrayList<>();
+
+        void addNodes(int first, int end) {
+            for (int i = first; i < end; i++) {
+                addNode(i);
+            }
+        }
+
+        private void addNode(int index) {
+            Composition.Node node = composition.nodes().get(index);
             String field = context.members().part(node.path());
-            parts.add(part(node, field));
+            members.add(part(context, program, node, field));
             if (program.senses(node.component())) {
                 sensors.add(field);
             }
@@ -52,35 +70,101 @@ final class CompositeViews {
             for (int i = 0; i < node.inputs().size(); i++) {
                 Source source = node.inputs().get(i);
                 Port port = node.component().inputs().get(i);
-                copy(source, field, node.component(), port, isFresh(source) ? fresh : known);
+                copies.toNode(source, index, port, isFresh(source) ? fresh : known, fixed);
             }
             String call = program.call(node.component());
             if (!call.isEmpty() || !fresh.isEmpty()) {
                 steps.add(new StepView(field, call, fresh));
             }
         }
+
+        void addSections(List<Sections.Section> inner, HeadView head, String self) {
+            for (Sections.Section section : inner) {
+                List<String> arguments = new ArrayList<>(List.of(self));
+                if (head.draws()) {
+                    arguments.add(choice(context));
+                }
+                head.parameters().stream().map(FieldView::name).forEach(arguments::add);
+                members.add(
+                        new PartView(
+                                type(section).name(),
+                                section.field(),
+                                String.join(", ", arguments),
+                                ""));
+                if (senses(section)) {
+                    sensors.add(section.field());
+                }
+                knowers.add(section.field());
+                steps.add(new StepView(section.field(), "step", List.of()));
+            }
+        }
+    }
+
+    CompositeView view(HeadView head) {
+        Content content = new Content();
+        if (sections.top().isEmpty()) {
+            content.addNodes(0, composition.nodes().size());
+        } else {
+            content.addSections(sections.top(), head, "this");
+        }
         List<AssignmentView> sensed = new ArrayList<>();
         List<AssignmentView> registers = new ArrayList<>();
         List<AssignmentView> fresh = new ArrayList<>();
         for (Composition.Output output : composition.outputs()) {
-            copy(
-                    output.source(),
-                    "",
-                    composition.component(),
-                    output.port(),
-                    place(output.source(), sensed, registers, fresh));
+            List<AssignmentView> place = place(output.source(), sensed, registers, fresh);
+            copies.toOutside(output, place, content.fixed);
         }
         return new CompositeView(
                 head,
-                parts,
-                fixed,
-                sensors,
+                content.members,
+                content.fixed,
+                content.sensors,
+                content.knowers,
                 sensed,
-                known,
-                steps,
+                content.known,
+                content.steps,
                 registers,
                 fresh,
                 context.expressions().checks());
+    }
+
+    /** The classes of the sections, none for a composite of usual size. */
+    List<PartsView> sections(HeadView head) {
+        return sections.all().stream().map(section -> view(section, head)).toList();
+    }
+
+    private PartsView view(Sections.Section section, HeadView head) {
+        Content content = new Content();
+        if (section.inner().isEmpty()) {
+            content.addNodes(section.first(), section.end());
+        } else {
+            content.addSections(section.inner(), head, whole);
+        }
+        TypeName type = type(section);
+        return new PartsView(
+                head,
+                type.packageName(),
+                type.prefix(),
+                type.folder(),
+                type.name(),
+                content.members,
+                content.fixed,
+                content.sensors,
+                content.knowers,
+                content.known,
+                content.steps,
+                whole,
+                context.expressions().checks());
+    }
+
+    private TypeName type(Sections.Section section) {
+        String suffix = Words.capitalised(section.field());
+        return context.names().beside(context.component(), suffix);
+    }
+
+    private boolean senses(Sections.Section section) {
+        return composition.nodes().subList(section.first(), section.end()).stream()
+                .anyMatch(node -> program.senses(node.component()));
     }
 
     private List<AssignmentView> place(
@@ -99,58 +183,21 @@ final class CompositeViews {
         return source instanceof Source.FromNode from && from.fresh();
     }
 
-    private PartView part(Composition.Node node, String field) {
-        TypeName type = context.names().of(node.component());
+    private static String choice(FileContext context) {
+        return context.names().language().entry("choice").orElse("choice");
+    }
+
+    static PartView part(
+            FileContext context, Program program, Composition.Node node, String field) {
         List<String> arguments = new ArrayList<>();
         if (program.draws(node.component())) {
-            arguments.add(context.names().language().entry("choice").orElse("choice"));
+            arguments.add(choice(context));
         }
         node.arguments().forEach(a -> arguments.add(context.expressions().of(a).text()));
         return new PartView(
-                context.references().to(type),
+                context.references().to(context.names().of(node.component())),
                 field,
                 String.join(", ", arguments),
                 node.path() + ": " + node.component().qualifiedName());
-    }
-
-    /** Copies message and presence; a presence that never changes is set once and for all. */
-    private void copy(
-            Source source,
-            String receiver,
-            Component component,
-            Port port,
-            List<AssignmentView> copies) {
-        if (source instanceof Source.Unconnected) {
-            return;
-        }
-        String sender = "";
-        Component sending = composition.component();
-        Port from;
-        if (source instanceof Source.FromNode node) {
-            sender = context.members().part(composition.nodes().get(node.node()).path());
-            sending = composition.nodes().get(node.node()).component();
-            from = node.port();
-        } else {
-            from = ((Source.FromOutside) source).port();
-        }
-        Members senders = program.members(sending);
-        Members receivers = program.members(component);
-        copies.add(
-                new AssignmentView(
-                        field(receiver, receivers.of(port)), field(sender, senders.of(from))));
-        String flag = receivers.flag(port);
-        if (flag.isEmpty()) {
-            return;
-        }
-        if (senders.flag(from).isEmpty()) {
-            fixed.add(new AssignmentView(field(receiver, flag), context.expressions().truth(true)));
-        } else {
-            copies.add(
-                    new AssignmentView(field(receiver, flag), field(sender, senders.flag(from))));
-        }
-    }
-
-    private String field(String part, String member) {
-        return context.expressions().member(part, member);
     }
 }

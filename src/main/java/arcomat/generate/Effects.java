@@ -34,23 +34,78 @@ final class Effects {
         this.text = text;
     }
 
-    /** Locals first, then assignments, in order. */
-    record Effect(List<FieldView> locals, List<AssignmentView> assignments) {}
+    /** Locals first, then messages of the event-driven profile, then assignments, in order. */
+    record Effect(
+            List<FieldView> locals,
+            List<AssignmentView> messages,
+            List<AssignmentView> assignments) {}
 
     Effect of(List<Send> sends, List<Assignment> assignments) {
+        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
+            return events(sends, assignments);
+        }
         List<FieldView> locals = new ArrayList<>();
-        List<AssignmentView> updates = updates(assignments, locals, mayFail(sends));
+        List<AssignmentView> updates = updates(assignments, locals, mayFail(sends), false);
         List<AssignmentView> all = new ArrayList<>();
         for (Port port : component.outputs()) {
             all.addAll(send(port, sends));
         }
         all.addAll(updates);
-        return new Effect(locals, all);
+        return new Effect(locals, List.of(), all);
+    }
+
+    /** A message may change a latched port of the sender itself: then all is computed before. */
+    private Effect events(List<Send> sends, List<Assignment> assignments) {
+        boolean latches = component.inputs().stream().anyMatch(Port::latched);
+        List<FieldView> locals = new ArrayList<>();
+        List<AssignmentView> updates =
+                updates(
+                        assignments,
+                        locals,
+                        latches && !sends.isEmpty() || mayFail(sends),
+                        latches);
+        List<AssignmentView> messages = new ArrayList<>();
+        for (Port port : component.outputs()) {
+            for (String value : values(port, sends)) {
+                String sent = value;
+                if (latches) {
+                    sent = members.local("sent", port.name() + locals.size());
+                    locals.add(new FieldView(text.type(port.type()), sent, value, ""));
+                }
+                messages.add(new AssignmentView(members.method(port), sent));
+            }
+        }
+        return new Effect(locals, messages, updates);
+    }
+
+    /** What an event-driven automaton sends on a port, in order. */
+    private List<String> values(Port port, List<Send> sends) {
+        for (Send send : sends) {
+            if (!send.port().name().equals(port.name())) {
+                continue;
+            }
+            if (send.emission() instanceof Automaton.Messages messages) {
+                return messages.values().stream()
+                        .map(value -> text.inRange(value, port.type(), port.name()).text())
+                        .toList();
+            }
+            boolean any = send.emission() instanceof Automaton.AnyMessage;
+            return any ? List.of(firstValue(port)) : List.of();
+        }
+        boolean free = automaton.omitted() == Automaton.Omitted.FREE && port.total();
+        return free ? List.of(firstValue(port)) : List.of();
+    }
+
+    private String firstValue(Port port) {
+        return text.of(FirstValue.of(port.type()), port.type()).text();
     }
 
     /** What is sent where no transition is enabled and no error is asked for. */
     List<AssignmentView> completion() {
         List<AssignmentView> all = new ArrayList<>();
+        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
+            return all;
+        }
         boolean open = automaton.completion() != Automaton.Completion.IGNORE;
         for (Port port : component.outputs()) {
             all.addAll(open ? anything(port) : silence(port));
@@ -81,7 +136,7 @@ final class Effects {
     }
 
     private List<AssignmentView> first(Port port) {
-        return message(port, text.of(FirstValue.of(port.type()), port.type()).text());
+        return message(port, firstValue(port));
     }
 
     private List<AssignmentView> message(Port port, String value) {
@@ -102,15 +157,17 @@ final class Effects {
     }
 
     private List<AssignmentView> updates(
-            List<Assignment> assignments, List<FieldView> locals, boolean first) {
+            List<Assignment> assignments, List<FieldView> locals, boolean first, boolean always) {
         List<AssignmentView> updates = new ArrayList<>();
-        boolean checked = first && assignments.stream().anyMatch(a -> mayFail(a.value(), a));
+        boolean mayFail = assignments.stream().anyMatch(a -> mayFail(a.value(), a));
+        boolean overlaps = overlaps(assignments);
+        boolean all = first && (always || mayFail) || overlaps && mayFail;
         for (int i = 0; i < assignments.size(); i++) {
             Assignment assignment = assignments.get(i);
             Variable variable = assignment.variable();
             String value =
                     text.inRange(assignment.value(), variable.type(), variable.name()).text();
-            if (checked || readLater(variable, assignments.subList(i + 1, assignments.size()))) {
+            if (all || readsOneOf(assignment, assignments.subList(0, i))) {
                 String local = members.local("next", variable.name());
                 locals.add(new FieldView(text.type(variable.type()), local, value, ""));
                 value = local;
@@ -120,8 +177,18 @@ final class Effects {
         return updates;
     }
 
-    private static boolean readLater(Variable variable, List<Assignment> later) {
-        return later.stream().anyMatch(a -> reads(a.value(), variable));
+    private static boolean overlaps(List<Assignment> assignments) {
+        for (int i = 1; i < assignments.size(); i++) {
+            if (readsOneOf(assignments.get(i), assignments.subList(0, i))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a value reads a variable that an earlier assignment has overwritten. */
+    private static boolean readsOneOf(Assignment assignment, List<Assignment> earlier) {
+        return earlier.stream().anyMatch(e -> reads(assignment.value(), e.variable()));
     }
 
     private static boolean reads(Expression expression, Variable variable) {

@@ -19,6 +19,7 @@ record FileContext(
         TypeName self,
         References references,
         Members members,
+        Optional<Sections> sections,
         ExpressionText expressions) {
 
     static FileContext of(Component component, Optional<Composition> composition, Names names) {
@@ -37,6 +38,7 @@ record FileContext(
                 self,
                 references,
                 members,
+                composition.map(c -> new Sections(c, members)),
                 new ExpressionText(names, references, members));
     }
 

@@ -21,7 +21,8 @@ public final class Generator {
      *
      * @return files, or findings that say why there are none: {@code ARC0802} template that cannot
      *     be filled in, {@code ARC0803} description of the target that lacks something, {@code
-     *     ARC0804} file that would leave the output folder or be written twice
+     *     ARC0804} file that would leave the output folder or be written twice, {@code ARC0805}
+     *     more alternatives in one state than random choices are generated for
      */
     public static Generation generate(Request request, Target target) {
         TargetFindings findings = new TargetFindings(target);
@@ -43,6 +44,8 @@ public final class Generator {
                     Layouts.of(program, types));
         } catch (Language.MissingEntry e) {
             return failed(findings.missing(e.getMessage()));
+        } catch (TooManyChoices e) {
+            return failed(Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
         } catch (TemplateFailure e) {
             return failed(findings.template(e));
         }

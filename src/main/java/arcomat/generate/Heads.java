@@ -31,7 +31,7 @@ final class Heads {
                 self.folder(),
                 self.name(),
                 component.qualifiedName(),
-                Places.file(component.span()),
+                Places.file(component),
                 Places.line(component.span()),
                 draws,
                 mentions(context),

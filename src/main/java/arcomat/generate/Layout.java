@@ -35,9 +35,11 @@ public record Layout(Map<String, Place> components, Map<String, MessageClass> cl
      * @param messages field with the message of a port, by the name of the port
      * @param presences field that says whether there is a message; missing for enums and total
      *     ports
-     * @param events method that takes an event, by the name of an input port; event-driven only
+     * @param methods event-driven: method that takes or sends a message, by the name of the port
      * @param variables field by the name of the variable
      * @param state field with the code of the state; empty where there is no automaton
+     * @param queued event-driven: field with the number of events that wait
+     * @param border event-driven: field for who sees what is sent
      * @param taken field with the index of the transition last taken, -1 for a completion
      * @param parts fields that lead to a node, by its path
      */
@@ -47,9 +49,11 @@ public record Layout(Map<String, Place> components, Map<String, MessageClass> cl
             boolean senses,
             Map<String, String> messages,
             Map<String, String> presences,
-            Map<String, String> events,
+            Map<String, String> methods,
             Map<String, String> variables,
             String state,
             String taken,
+            String queued,
+            String border,
             Map<String, String> parts) {}
 }

@@ -39,10 +39,12 @@ final class Layouts {
                 program.senses(component),
                 Map.copyOf(members.ports()),
                 Map.copyOf(members.flags()),
-                Map.of(),
+                Map.copyOf(members.methods()),
                 Map.copyOf(members.variables()),
                 automaton ? members.state() : "",
                 automaton ? members.taken() : "",
+                members.local("queued", ""),
+                members.local("border", ""),
                 parts(context));
     }
 
@@ -50,8 +52,11 @@ final class Layouts {
         Map<String, String> parts = new LinkedHashMap<>();
         Optional<Composition> composition = context.composition();
         if (composition.isPresent()) {
+            int position = 0;
             for (Composition.Node node : composition.get().nodes()) {
-                parts.put(node.path(), context.members().part(node.path()));
+                Sections.Section section = context.sections().orElseThrow().of(position++);
+                String field = context.members().part(node.path());
+                parts.put(node.path(), section == null ? field : section.path() + "." + field);
             }
         }
         return parts;

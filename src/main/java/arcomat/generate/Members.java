@@ -12,6 +12,7 @@ import arcomat.model.Variable;
 import arcomat.semantics.Composition;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -29,6 +30,8 @@ final class Members {
     private final Map<String, String> locals = new LinkedHashMap<>();
     private final Map<String, String> parts = new LinkedHashMap<>();
     private final List<String> states = new ArrayList<>();
+    private final Map<String, String> methods = new LinkedHashMap<>();
+    private final boolean timed;
     private final Scope scope;
     private final String state;
     private final String taken;
@@ -39,6 +42,7 @@ final class Members {
     Members(Component component, Optional<Composition> composition, Names visible) {
         Language language = visible.language();
         scope = visible.scope();
+        timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
         component.ports().forEach(p -> ports.put(p.name(), claim(p.name())));
         component.parameters().forEach(p -> parameters.put(p.name(), claim(p.name())));
         component.constants().forEach(v -> variables.put(v.name(), claim(v.name())));
@@ -54,6 +58,12 @@ final class Members {
         }
         automaton.ifPresent(
                 a -> a.states().forEach(s -> states.add(scope.claim(Words.constant(s)))));
+        Scope methodNames = Scope.of(language.reserved());
+        Arrays.asList(language.words("reserved.methods")).forEach(methodNames::claim);
+        for (Port port : component.ports()) {
+            String wanted = port.isInput() ? port.name() : "send" + Words.capitalised(port.name());
+            methods.put(port.name(), methodNames.claim(Words.identifier(wanted)));
+        }
         state = claim("state");
         taken = claim("taken");
     }
@@ -74,6 +84,10 @@ final class Members {
         return !(port.type() instanceof Type.EnumType) && !alwaysPresent;
     }
 
+    boolean mayBeAbsent(Port port) {
+        return !(port.total() && timed);
+    }
+
     /** A free name for something of the tool's own. */
     String claim(String wanted) {
         return scope.claim(Words.identifier(wanted));
@@ -87,6 +101,11 @@ final class Members {
 
     String of(Port port) {
         return ports.get(port.name());
+    }
+
+    /** Event-driven: the method that takes or sends the messages of a port. */
+    String method(Port port) {
+        return methods.get(port.name());
     }
 
     /** The presence flag; empty where the port needs none. */
@@ -126,6 +145,10 @@ final class Members {
 
     Map<String, String> flags() {
         return flags;
+    }
+
+    Map<String, String> methods() {
+        return methods;
     }
 
     Map<String, String> variables() {

@@ -69,6 +69,9 @@ final class MethodSize {
         for (FieldView local : transition.locals()) {
             words += 1 + words(local.initial());
         }
+        for (AssignmentView message : transition.messages()) {
+            words += 1 + words(message.value());
+        }
         for (AssignmentView assignment : transition.assignments()) {
             words += words(assignment.target()) + words(assignment.value());
         }

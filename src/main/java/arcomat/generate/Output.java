@@ -18,13 +18,15 @@ final class Output {
             new TreeSet<>(
                     List.of(
                             "atomic",
+                            "border",
+                            "class",
                             "composite",
+                            "enum",
                             "event",
                             "network",
                             "platform",
-                            "enum",
-                            "class",
-                            "program"));
+                            "program",
+                            "section"));
 
     private final Map<String, Target.Rule> rules;
     private final TemplateEngine engine;

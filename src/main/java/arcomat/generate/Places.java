@@ -1,6 +1,7 @@
 package arcomat.generate;
 
 import arcomat.generate.language.Escapes;
+import arcomat.model.Component;
 import arcomat.source.Span;
 
 /** Where something is written in the models, for comments. */
@@ -13,8 +14,15 @@ final class Places {
         return span == null ? 0 : span.startPosition().line();
     }
 
-    static String file(Span span) {
-        return span == null ? "" : Escapes.comment(span.file().path());
+    /** The file of a component under its model root, wherever that is: output must not differ. */
+    static String file(Component component) {
+        if (component.span() == null) {
+            return "";
+        }
+        String path = component.span().file().path();
+        String folder = component.packageName().replace('.', '/');
+        String name = path.substring(path.lastIndexOf('/') + 1);
+        return Escapes.comment(folder.isEmpty() ? name : folder + "/" + name);
     }
 
     /** {@code line 12: driving -> waiting {frontUS == tooClose}}. */

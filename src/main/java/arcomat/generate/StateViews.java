@@ -18,6 +18,8 @@ import java.util.List;
 final class StateViews {
     private static final int MOST_NAMED_STATES = 200;
 
+    private static final int MOST_DRAWN = 63;
+
     private final FileContext context;
     private final Automaton automaton;
     private final Effects effects;
@@ -123,7 +125,10 @@ final class StateViews {
                         last,
                         List.of(),
                         error(state));
-        return MethodSize.fits(transitions) ? whole : inChunks(whole, state);
+        if (chooses && transitions.size() > MOST_DRAWN) {
+            throw new TooManyChoices(context.component(), name, transitions.size());
+        }
+        return chooses || MethodSize.fits(transitions) ? whole : inChunks(whole, state);
     }
 
     private String error(int state) {
@@ -181,6 +186,7 @@ final class StateViews {
                 Places.quote(transition.span()),
                 always ? "" : context.expressions().text(condition).text(),
                 effect.locals(),
+                effect.messages(),
                 effect.assignments(),
                 stays ? "" : label(transition.target()));
     }

@@ -5,6 +5,7 @@ import arcomat.generate.language.TypeName;
 import arcomat.generate.view.ClassView;
 import arcomat.generate.view.EnumView;
 import arcomat.generate.view.HeadView;
+import arcomat.generate.view.PartsView;
 import arcomat.generate.view.PlatformView;
 import arcomat.generate.view.ProgramView;
 import arcomat.model.Component;
@@ -41,7 +42,9 @@ final class Views {
     private void component(FileContext context, Output output) throws TemplateFailure {
         Component component = context.component();
         HeadView head = Heads.of(context, program.draws(component));
-        if (component.platform()) {
+        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
+            eventDriven(context, head, output);
+        } else if (component.platform()) {
             write(
                     "platform",
                     head,
@@ -49,9 +52,24 @@ final class Views {
                             head, !component.outputs().isEmpty(), !component.inputs().isEmpty()),
                     output);
         } else if (context.composition().isPresent()) {
-            write("composite", head, new CompositeViews(context, program).view(head), output);
+            CompositeViews views = new CompositeViews(context, program);
+            write("composite", head, views.view(head), output);
+            for (PartsView view : views.sections(head)) {
+                output.write("section", view.folder(), view.prefix(), view.name(), view);
+            }
         } else if (Members.automaton(component).isPresent()) {
             write("atomic", head, new AtomicViews(context, program.choosing()).view(head), output);
+        }
+    }
+
+    private void eventDriven(FileContext context, HeadView head, Output output)
+            throws TemplateFailure {
+        EventViews views = new EventViews(context, program);
+        if (Members.automaton(context.component()).isPresent()) {
+            write("event", head, views.atomic(head), output);
+        } else {
+            boolean platform = context.component().platform();
+            write(platform ? "border" : "network", head, views.network(head), output);
         }
     }
 
@@ -65,7 +83,13 @@ final class Views {
         HeadView head = Heads.of(program.context(main), program.draws(main));
         ProgramView view =
                 new ProgramView(
-                        head, name.packageName(), name.prefix(), name.folder(), name.name());
+                        head,
+                        name.packageName(),
+                        name.prefix(),
+                        name.folder(),
+                        name.name(),
+                        program.senses(main),
+                        main.profile() == Component.Profile.EVENT_DRIVEN);
         output.write("program", name.folder(), name.prefix(), name.name(), view);
     }
 }

@@ -2,12 +2,15 @@ package arcomat.pipeline;
 
 import arcomat.generate.Layout;
 import arcomat.model.Automaton;
+import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.Network;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /** One instance of compiled code, as a trace shows it. */
@@ -37,6 +40,24 @@ final class CompiledActor {
         for (Variable variable : automaton.variables()) {
             variables.put(variable, new Slot(object, place.variables().get(variable.name())));
         }
+    }
+
+    /** The instances with an automaton, in the order of the network. */
+    static List<CompiledActor> all(
+            CompiledModel model,
+            Network network,
+            Map<String, CompiledModel.Part> parts,
+            Messages messages) {
+        List<CompiledActor> actors = new ArrayList<>();
+        for (Network.Instance instance : network.instances()) {
+            Component.Atomic body = (Component.Atomic) instance.component().body();
+            Object object = parts.get(instance.path()).object();
+            Layout.Place where = model.place(instance.component());
+            for (Automaton automaton : body.automata()) {
+                actors.add(new CompiledActor(instance, automaton, object, where, messages));
+            }
+        }
+        return actors;
     }
 
     String path() {

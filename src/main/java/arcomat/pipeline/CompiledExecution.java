@@ -7,18 +7,21 @@ import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.Network;
-import arcomat.simulate.Surroundings;
 
 import java.util.List;
 
 /** One run of compiled code, with the same traces as the interpreter's. */
 public final class CompiledExecution implements Execution {
+    /** Time-synchronous or event-driven. */
+    interface Engine {
+        Trace.Step step(Letter input, int number);
+    }
+
     private final CompiledModel model;
     private final Network network;
-    private final Surroundings surroundings;
     private final List<Value> arguments;
     private final int seed;
-    private CompiledSlices slices;
+    private Engine engine;
     private int number;
 
     /**
@@ -28,7 +31,6 @@ public final class CompiledExecution implements Execution {
     public CompiledExecution(CompiledModel model, List<Value> arguments, int seed) {
         this.model = model;
         this.network = Network.of(model.component(), arguments);
-        this.surroundings = new Surroundings(network);
         this.arguments = List.copyOf(arguments);
         this.seed = seed;
     }
@@ -42,13 +44,20 @@ public final class CompiledExecution implements Execution {
     public Trace.Step step(Letter input) {
         int now = number++;
         try {
-            if (slices == null) {
-                slices = new CompiledSlices(model, network, arguments, seed);
+            if (engine == null) {
+                engine =
+                        isTimed()
+                                ? new CompiledSlices(model, network, arguments, seed)
+                                : new CompiledEvents(model, network, arguments, seed);
             }
-            surroundings.requireSlice(input);
-            return slices.step(input, now);
+            return engine.step(input, now);
         } catch (ModelError problem) {
-            throw new ModelError("slice " + now + ": " + problem.getMessage());
+            String unit = isTimed() ? "slice " : "step ";
+            throw new ModelError(unit + now + ": " + problem.getMessage());
         }
+    }
+
+    private boolean isTimed() {
+        return component().profile() == Component.Profile.TIME_SYNCHRONOUS;
     }
 }

@@ -1,17 +1,15 @@
 package arcomat.pipeline;
 
 import arcomat.generate.Layout;
-import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Letter;
-import arcomat.model.Parameter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.rt.Choice;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Composition;
 import arcomat.semantics.Network;
 import arcomat.semantics.Source;
+import arcomat.simulate.Surroundings;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
@@ -27,8 +25,9 @@ import java.util.Set;
  * Drives time-synchronous compiled code slice by slice. What a delayed output shows in a slice
  * stands in its field before the step; what is sent without delay, after it.
  */
-final class CompiledSlices {
+final class CompiledSlices implements CompiledExecution.Engine {
     private final CompiledModel model;
+    private final Surroundings surroundings;
     private final Messages messages;
     private final Object whole;
     private final MethodHandle sense;
@@ -40,10 +39,13 @@ final class CompiledSlices {
 
     CompiledSlices(CompiledModel model, Network network, List<Value> arguments, int seed) {
         this.model = model;
+        this.surroundings = new Surroundings(network);
         this.messages = new Messages(model);
         Component component = model.component();
         Layout.Place place = model.place(component);
-        whole = model.instantiate(place.className(), constructorArguments(place, arguments, seed));
+        whole =
+                model.instantiate(
+                        place.className(), messages.constructorArguments(arguments, seed));
         step = method("step");
         sense = place.senses() ? method("sense") : null;
         delayed = delayed(component);
@@ -56,26 +58,7 @@ final class CompiledSlices {
                 outputs.add(slot(external, parts));
             }
         }
-        for (Network.Instance instance : network.instances()) {
-            Component.Atomic body = (Component.Atomic) instance.component().body();
-            Object object = parts.get(instance.path()).object();
-            Layout.Place where = model.place(instance.component());
-            for (Automaton automaton : body.automata()) {
-                actors.add(new CompiledActor(instance, automaton, object, where, messages));
-            }
-        }
-    }
-
-    private List<Object> constructorArguments(Layout.Place place, List<Value> arguments, int seed) {
-        List<Object> all = new ArrayList<>();
-        if (place.draws()) {
-            all.add(new Choice(seed));
-        }
-        List<Parameter> parameters = model.component().parameters();
-        for (int i = 0; i < parameters.size(); i++) {
-            all.add(messages.toJava(arguments.get(i), parameters.get(i).type()));
-        }
-        return all;
+        actors.addAll(CompiledActor.all(model, network, parts, messages));
     }
 
     private MethodHandle method(String name) {
@@ -117,7 +100,9 @@ final class CompiledSlices {
                 messages);
     }
 
-    Trace.Step step(Letter input, int number) {
+    @Override
+    public Trace.Step step(Letter input, int number) {
+        surroundings.requireSlice(input);
         inputs.forEach(slot -> slot.write(input));
         actors.forEach(CompiledActor::begin);
         Map<String, Value> shown = new LinkedHashMap<>();

@@ -6,7 +6,6 @@ import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.semantics.Arguments;
 import arcomat.symbols.Nearest;
-import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -61,19 +60,18 @@ record MainComponent(Component component, List<Value> arguments) {
                             + "' is generic and cannot run by itself; give --main a component with"
                             + " a part that says its type arguments");
         }
-        throw new WrongUse(
-                "there is no component '" + name + "'." + hint(name, checked.workspace(), model));
+        throw new WrongUse("there is no component '" + name + "'" + hint(name, model));
     }
 
-    private static String hint(String name, Workspace workspace, Model model) {
+    private static String hint(String name, Model model) {
         List<String> names = model.components().stream().map(Component::qualifiedName).toList();
         // A simple name means the component of that name in whatever package.
         Optional<String> sameSimpleName =
                 names.stream().filter(n -> n.endsWith("." + name)).findFirst();
         return sameSimpleName
                 .or(() -> Nearest.to(name, names))
-                .map(meant -> " Did you mean '" + meant + "'?")
-                .orElseGet(() -> " There are " + listing(model));
+                .map(meant -> "; did you mean '" + meant + "'?")
+                .orElseGet(() -> "; there are " + listing(model));
     }
 
     private static String listing(Model model) {

@@ -1,8 +1,10 @@
 package arcomat.pipeline;
 
 import arcomat.generate.Layout;
+import arcomat.model.Parameter;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.rt.Choice;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +15,19 @@ final class Messages {
 
     Messages(CompiledModel model) {
         this.model = model;
+    }
+
+    /** What the constructor of the whole takes. */
+    List<Object> constructorArguments(List<Value> arguments, int seed) {
+        List<Object> all = new ArrayList<>();
+        if (model.place(model.component()).draws()) {
+            all.add(new Choice(seed));
+        }
+        List<Parameter> parameters = model.component().parameters();
+        for (int i = 0; i < parameters.size(); i++) {
+            all.add(toJava(arguments.get(i), parameters.get(i).type()));
+        }
+        return all;
     }
 
     /** Enums become their codes, integers Java's int or long, objects those of their class. */

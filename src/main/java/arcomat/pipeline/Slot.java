@@ -9,11 +9,19 @@ final class Slot {
 
     Slot(Object owner, String name) {
         this.owner = owner;
+        this.field = find(owner.getClass(), name);
+        field.setAccessible(true);
+    }
+
+    /** Parts of event-driven networks are of classes of their own that extend the generated one. */
+    private static Field find(Class<?> type, String name) {
         try {
-            field = owner.getClass().getDeclaredField(name);
-            field.setAccessible(true);
+            return type.getDeclaredField(name);
         } catch (NoSuchFieldException e) {
-            throw new IllegalStateException(e);
+            if (type.getSuperclass() == null) {
+                throw new IllegalStateException(e);
+            }
+            return find(type.getSuperclass(), name);
         }
     }
 

@@ -48,9 +48,9 @@ record TestReference(String file, String test) {
                 + file
                 + "' has no test '"
                 + test
-                + "'."
-                + Nearest.to(test, tests).map(t -> " Did you mean '" + t + "'?").orElse("")
-                + " Its tests: "
+                + "'"
+                + Nearest.hint(test, tests)
+                + "; it has "
                 + String.join(", ", tests);
     }
 }

@@ -157,10 +157,8 @@ final class Events implements Interpreter.Engine {
                     new ModelError(
                             "the queue is full: "
                                     + capacity
-                                    + " events wait, "
+                                    + " events wait, another on "
                                     + port
-                                    + " = "
-                                    + message
                                     + " does not fit"));
         }
         receiver.mailbox.queue.add(new Event(receiver.port, message));

@@ -89,7 +89,11 @@ public final class Agreement {
 
     private Letter letter(Random random) {
         Map<String, Value> messages = new LinkedHashMap<>();
+        boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
         for (Network.External external : network.inputs()) {
+            if (!timed && !messages.isEmpty()) {
+                break;
+            }
             if (external.port().total() || random.nextInt(3) > 0) {
                 messages.put(external.name(), value(external.port().type(), random));
             }

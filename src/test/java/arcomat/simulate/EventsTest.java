@@ -58,7 +58,8 @@ class EventsTest {
     void aFullQueueEndsTheRun() {
         assertThat(run(chain(repeater("A", "o = 1|2|3|4"), repeater("B", "")), "i=0"))
                 .containsExactly(
-                        "! step 0: second: the queue is full: 3 events wait, i = 4 does not fit");
+                        "! step 0: second: the queue is full: 3 events wait, another on i does not"
+                                + " fit");
     }
 
     @Test

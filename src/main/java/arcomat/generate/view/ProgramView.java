@@ -2,4 +2,10 @@ package arcomat.generate.view;
 
 /** A main program; {@code head} is that of the component that it runs, {@code name} its own. */
 public record ProgramView(
-        HeadView head, String packageName, String prefix, String folder, String name) {}
+        HeadView head,
+        String packageName,
+        String prefix,
+        String folder,
+        String name,
+        boolean senses,
+        boolean events) {}

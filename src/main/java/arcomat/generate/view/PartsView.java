@@ -1,0 +1,31 @@
+package arcomat.generate.view;
+
+import java.util.List;
+
+/**
+ * Some parts of a large composite, or some sections of them.
+ *
+ * @param head of the composite
+ * @param name of the section's own class
+ * @param members parts in the order of their schedule, or sections
+ * @param fixed flags of messages that are always there
+ * @param sensors members that have a method {@code sense}
+ * @param knowers members that are sections
+ * @param known copies of what is known when a slice starts
+ * @param steps the schedule
+ * @param whole name of the field that leads to the composite
+ */
+public record PartsView(
+        HeadView head,
+        String packageName,
+        String prefix,
+        String folder,
+        String name,
+        List<PartView> members,
+        List<AssignmentView> fixed,
+        List<String> sensors,
+        List<String> knowers,
+        List<AssignmentView> known,
+        List<StepView> steps,
+        String whole,
+        boolean checks) {}

@@ -1,0 +1,29 @@
+<#import "parts.ftl" as parts>
+<@parts.header head/>
+<@parts.imports head checks/>
+/** Some parts of component ${head.model}, which has too many for one class. */
+final class ${name} {
+    private final ${head.name} ${whole};
+<@parts.members members ""/>
+
+    ${name}(${head.name} ${whole}<#if head.draws || head.parameters?has_content>, </#if><@parts.parameters head/>) {
+        this.${whole} = ${whole};
+<@parts.construct members fixed/>
+    }
+<#if sensors?has_content>
+
+    void sense() {
+<@parts.call sensors "sense"/>
+    }
+</#if>
+
+    /** Copies what is known when the slice starts. */
+    void know() {
+<@parts.assign known/>
+<@parts.call knowers "know"/>
+    }
+
+    void step() {
+<@parts.schedule steps/>
+    }
+}

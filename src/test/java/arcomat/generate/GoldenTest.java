@@ -1,0 +1,93 @@
+package arcomat.generate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.lower.Lowering;
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.symbols.Scenario;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/**
+ * Generated files as they are, kept to be read and compared. After a change that is meant: {@code
+ * ./gradlew test --tests '*GoldenTest' -PrefreshGolden}, then read what has changed.
+ */
+class GoldenTest {
+    private static final Path FOLDER = Path.of("src/test/resources/golden");
+
+    @TestFactory
+    List<DynamicTest> generatedFilesAreAsTheyWere() throws IOException {
+        Model coffee = Lowering.lower(Scenario.models("models/coffee"));
+        Component fetcher = coffee.component("coffee.fetcher.Fetcher").orElseThrow();
+        Component fig3 = coffee.component("coffee.fig3.AvoidCrash").orElseThrow();
+        List<DynamicTest> tests = new ArrayList<>();
+        tests.addAll(compare("jvm/fetcher", Request.program(fetcher, Choosing.FIRST)));
+        tests.addAll(compare("jvm/random", Request.library(fig3, Choosing.RANDOM)));
+        for (String folder : List.of("events", "expressions", "names")) {
+            Path file = Path.of("src/test/resources/agreement", folder + ".txt");
+            Model model = Lowering.lower(Scenario.read(file).workspace());
+            tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));
+        }
+        return tests;
+    }
+
+    private static List<DynamicTest> compare(String folder, Request request) throws IOException {
+        Generation generation = Generator.generate(request, Target.shipped("jvm").orElseThrow());
+        assertThat(generation.findings()).isEmpty();
+        TreeMap<String, String> files = new TreeMap<>();
+        generation.files().forEach(f -> files.put(f.path(), f.text()));
+        if (Boolean.getBoolean("golden.refresh")) {
+            refresh(FOLDER.resolve(folder), files);
+        }
+        List<DynamicTest> tests = new ArrayList<>();
+        files.forEach(
+                (path, text) ->
+                        tests.add(
+                                DynamicTest.dynamicTest(
+                                        folder + "/" + path,
+                                        () -> {
+                                            Path golden = FOLDER.resolve(folder).resolve(path);
+                                            assertThat(text).isEqualTo(Files.readString(golden));
+                                        })));
+        tests.add(
+                DynamicTest.dynamicTest(
+                        folder + " has no other files",
+                        () -> assertThat(files.keySet()).containsExactlyElementsOf(in(folder))));
+        return tests;
+    }
+
+    private static List<String> in(String folder) throws IOException {
+        Path root = FOLDER.resolve(folder);
+        try (Stream<Path> files = Files.walk(root)) {
+            return files.filter(Files::isRegularFile)
+                    .map(f -> root.relativize(f).toString().replace('\\', '/'))
+                    .sorted()
+                    .toList();
+        }
+    }
+
+    private static void refresh(Path folder, TreeMap<String, String> files) throws IOException {
+        if (Files.exists(folder)) {
+            try (Stream<Path> old = Files.walk(folder)) {
+                for (Path file : old.sorted((a, b) -> b.compareTo(a)).toList()) {
+                    Files.delete(file);
+                }
+            }
+        }
+        for (var file : files.entrySet()) {
+            Path path = folder.resolve(file.getKey());
+            Files.createDirectories(path.getParent());
+            Files.writeString(path, file.getValue());
+        }
+    }
+}

@@ -1,0 +1,128 @@
+package arcomat.generate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.model.Component;
+import arcomat.source.Diagnostic;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.util.List;
+import java.util.Map;
+
+/** Targets that a user brings along: what they can do, and what they cannot. */
+class OwnTargetTest {
+    private static final Request REQUEST =
+            Request.library(SampleComponents.undecided(), Choosing.FIRST);
+
+    private static Generation generate(String template, String path) {
+        String description =
+                "template.t.ftl = atomic | "
+                        + path
+                        + "\nflag = has{Port}\n"
+                        + "reference.brief = {name}\nexpression.type = {type}\n"
+                        + "expression.literal = {code}\nexpression.port = {name}\n"
+                        + "expression.equal = {0} = {1}\nexpression.not_equal = {0} /= {1}\n"
+                        + "expression.present = there is {name}\nexpression.silence = nothing\n"
+                        + "expression.literal.string = <{value}>\n";
+        Target target =
+                new Target("own", Map.of("target.properties", description, "t.ftl", template));
+        return Generator.generate(REQUEST, target);
+    }
+
+    @Test
+    void templatesSeeReadyMadeText() {
+        String template =
+                "<#list sections as section><#list section.states as some>"
+                        + "<#list some.transitions as t>${some.name}: ${t.condition}\n"
+                        + "</#list></#list></#list>";
+        assertThat(generate(template, "{folder}{name}.txt").files())
+                .containsExactly(
+                        new GeneratedFile(
+                                "coffee/logic/Undecided.txt",
+                                "driving: frontUS = TOO_CLOSE\n"
+                                        + "driving: frontUS = TOO_CLOSE\n"
+                                        + "waiting: frontUS = CLEAR\n"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "${\"freemarker.template.utility.Execute\"?new()(\"id\")}",
+                "${\"freemarker.template.utility.ObjectConstructor\"?new()(\"java.lang.Object\")}",
+                "${head?api.getClass()}",
+                "${head.class}",
+                "${head.getClass()}",
+                "${.data_model.class}",
+                "${head.name.class.protectionDomain}",
+                "<#include \"/etc/passwd\">",
+                "<#include \"../../secret.txt\">",
+                "${missing}",
+                "<#if>",
+                "<#list sections as s>${s.x.y}</#list>"
+            })
+    void templatesReachNothingElse(String template) {
+        Generation generation = generate("\n" + template, "{name}.txt");
+        assertThat(generation.files()).isEmpty();
+        assertThat(generation.findings()).hasSize(1);
+        Diagnostic finding = generation.findings().get(0);
+        assertThat(finding.code()).isEqualTo("ARC0802");
+        assertThat(finding.span().file().path()).isEqualTo("own/t.ftl");
+        assertThat(finding.span().startPosition().line()).isEqualTo(2);
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "../{name}.txt",
+                "/tmp/{name}.txt",
+                "a/../../{name}",
+                "a//{name}",
+                "C:{name}",
+                "..\\\\{name}",
+                "a/./{name}",
+                "{folder}"
+            })
+    void noPathLeavesTheOutputFolder(String path) {
+        Generation generation = generate("x", path);
+        assertThat(generation.files()).isEmpty();
+        assertThat(generation.findings()).extracting(Diagnostic::code).containsExactly("ARC0804");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "expression.port, the model needs an entry that is not there, ARC0803",
+        "template.t.ftl = nothing | x, a subject that does not exist, ARC0803"
+    })
+    void whatADescriptionLacksIsSaid(String entry, String why, String code) {
+        String description = entry.contains("=") ? entry : "template.t.ftl = atomic | {name}";
+        Target target = new Target("own", Map.of("target.properties", description, "t.ftl", "x"));
+        List<Diagnostic> findings = Generator.generate(REQUEST, target).findings();
+        assertThat(findings).as(why).extracting(Diagnostic::code).containsExactly(code);
+    }
+
+    /** Two components whose files get one path overwrite nothing silently. */
+    @Test
+    void noFileIsWrittenTwice() {
+        Component whole = SampleComponents.whole();
+        String description = "template.t.ftl = enum | types.txt\nflag = has{Port}\n";
+        Target base = Target.shipped("jvm").orElseThrow();
+        Target target =
+                new Target(
+                        "own",
+                        Map.of(
+                                "target.properties",
+                                base.files()
+                                                .get("target.properties")
+                                                .replaceAll("(?m)^template.*", "")
+                                        + description,
+                                "t.ftl",
+                                "x"));
+        assertThat(Generator.generate(Request.library(whole, Choosing.FIRST), target).findings())
+                .extracting(Diagnostic::code)
+                .contains("ARC0804");
+    }
+}
