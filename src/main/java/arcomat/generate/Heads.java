@@ -57,6 +57,7 @@ final class Heads {
                 context.members().flag(port),
                 Language.kind(port.type()),
                 port.total(),
+                port.delay(),
                 total + direction + simpleName(port.type()) + " " + port.name());
     }
 
