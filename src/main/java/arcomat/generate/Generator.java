@@ -19,10 +19,11 @@ public final class Generator {
     /**
      * Generates components with all that they are made of.
      *
-     * @return files, or findings that say why there are none: {@code ARC0802} template that cannot
-     *     be filled in, {@code ARC0803} description of the target that lacks something, {@code
-     *     ARC0804} file that would leave the output folder or be written twice, {@code ARC0805}
-     *     more alternatives in one state than random choices are generated for
+     * @return files, or findings that say why there are none: {@code ARC0801} platform component
+     *     without an implementation, {@code ARC0802} template that cannot be filled in, {@code
+     *     ARC0803} description of the target that lacks something, {@code ARC0804} file that would
+     *     leave the output folder or be written twice, {@code ARC0805} more alternatives in one
+     *     state than random choices are generated for
      */
     public static Generation generate(Request request, Target target) {
         TargetFindings findings = new TargetFindings(target);
@@ -37,7 +38,7 @@ public final class Generator {
                     new Output(
                             target, new TemplateEngine(target.files()), program.names(), findings);
             MessageTypes types = new MessageTypes(program);
-            new Views(program, types, request.programs()).all(output);
+            new Views(program, types, request, findings).all(output);
             return new Generation(
                     findings.all().isEmpty() ? output.files() : List.of(),
                     findings.all(),

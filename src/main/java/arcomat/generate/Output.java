@@ -3,12 +3,14 @@ package arcomat.generate;
 import arcomat.generate.language.Names;
 import arcomat.generate.language.TemplateEngine;
 import arcomat.generate.language.TemplateFailure;
+import arcomat.generate.view.HeadView;
 
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -54,11 +56,7 @@ final class Output {
             throws TemplateFailure {
         for (Target.Rule rule : rules.values()) {
             if (rule.subject().equals(subject)) {
-                String path =
-                        rule.path()
-                                .replace("{folder}", folder)
-                                .replace("{prefix}", prefix)
-                                .replace("{name}", name);
+                String path = path(rule, folder, prefix, name);
                 if (isFine(rule.template(), path)) {
                     files.add(new GeneratedFile(path, engine.render(rule.template(), view)));
                 }
@@ -77,6 +75,31 @@ final class Output {
             return false;
         }
         return true;
+    }
+
+    /** Text that is no template's. */
+    void copy(String path, String text) {
+        paths.add(path.toLowerCase(Locale.ROOT));
+        files.add(new GeneratedFile(path, text));
+    }
+
+    /** What the first template for a subject gives, and where it would go. */
+    Optional<GeneratedFile> draft(String subject, HeadView head, Record view)
+            throws TemplateFailure {
+        for (Target.Rule rule : rules.values()) {
+            if (rule.subject().equals(subject)) {
+                String path = path(rule, head.folder(), head.prefix(), head.name());
+                return Optional.of(new GeneratedFile(path, engine.render(rule.template(), view)));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static String path(Target.Rule rule, String folder, String prefix, String name) {
+        return rule.path()
+                .replace("{folder}", folder)
+                .replace("{prefix}", prefix)
+                .replace("{name}", name);
     }
 
     /** Relative, made of plain names only. */

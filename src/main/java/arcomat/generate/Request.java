@@ -4,17 +4,29 @@ import arcomat.model.Component;
 import arcomat.model.Model;
 
 import java.util.List;
+import java.util.Map;
 
 /**
  * What is to be generated.
  *
  * @param components with all their parts
+ * @param handwritten texts of implementations of platform components, by their path
  * @param programs those of them that get a main program: they take no arguments
  */
-public record Request(List<Component> components, List<Component> programs, Choosing choosing) {
+public record Request(
+        List<Component> components,
+        List<Component> programs,
+        Choosing choosing,
+        Map<String, String> handwritten) {
     public Request {
         components = List.copyOf(components);
         programs = List.copyOf(programs);
+        handwritten = Map.copyOf(handwritten);
+    }
+
+    /** The same with implementations of platform components, for targets that need them. */
+    public Request with(Map<String, String> implementations) {
+        return new Request(components, programs, choosing, implementations);
     }
 
     /** Every component of a model, and a program for each that is to be deployed. */
@@ -23,16 +35,16 @@ public record Request(List<Component> components, List<Component> programs, Choo
                 model.components().stream()
                         .filter(c -> c.deploy() && c.parameters().isEmpty())
                         .toList();
-        return new Request(model.components(), programs, choosing);
+        return new Request(model.components(), programs, choosing, Map.of());
     }
 
     /** One component with its parts and a program for it. */
     public static Request program(Component main, Choosing choosing) {
-        return new Request(List.of(main), List.of(main), choosing);
+        return new Request(List.of(main), List.of(main), choosing, Map.of());
     }
 
     /** One component with its parts, to be driven from outside. */
     public static Request library(Component component, Choosing choosing) {
-        return new Request(List.of(component), List.of(), choosing);
+        return new Request(List.of(component), List.of(), choosing, Map.of());
     }
 }

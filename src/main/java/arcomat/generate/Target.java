@@ -66,6 +66,11 @@ public record Target(String name, Map<String, String> files) {
         }
     }
 
+    /** Where implementations of platform components are kept, under a model root. */
+    public String platformFolder() {
+        return "platform/" + name.substring(name.lastIndexOf('/') + 1);
+    }
+
     /** The entries of the description, ordered by key; empty where there is no description. */
     Map<String, String> entries() {
         return entries(files.getOrDefault(DESCRIPTION, ""));

@@ -1,6 +1,7 @@
 package arcomat.generate;
 
 import arcomat.generate.language.TemplateFailure;
+import arcomat.model.Component;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
@@ -10,6 +11,7 @@ import java.util.List;
 
 /** Findings about the files of a target, at their places. */
 final class TargetFindings {
+    private static final String IMPLEMENTATION = "ARC0801";
     private static final String TEMPLATE = "ARC0802";
     private static final String DESCRIPTION = "ARC0803";
     private static final String PATH = "ARC0804";
@@ -23,6 +25,24 @@ final class TargetFindings {
 
     List<Diagnostic> all() {
         return List.copyOf(all);
+    }
+
+    /** A platform component that somebody has to write a class for. */
+    void implementation(Component component, GeneratedFile skeleton) {
+        all.add(
+                Diagnostic.error(
+                        IMPLEMENTATION,
+                        component.span(),
+                        "platform component "
+                                + component.qualifiedName()
+                                + " needs an implementation for target "
+                                + target.name()
+                                + ": write "
+                                + target.platformFolder()
+                                + "/"
+                                + skeleton.path()
+                                + " under the model root, beginning with\n"
+                                + skeleton.text()));
     }
 
     Diagnostic template(TemplateFailure failure) {

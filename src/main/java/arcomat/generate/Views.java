@@ -10,18 +10,20 @@ import arcomat.generate.view.PlatformView;
 import arcomat.generate.view.ProgramView;
 import arcomat.model.Component;
 
-import java.util.List;
+import java.util.Optional;
 
 /** Everything that files are made for, in a fixed order. */
 final class Views {
     private final Program program;
     private final MessageTypes types;
-    private final List<Component> programs;
+    private final Request request;
+    private final TargetFindings findings;
 
-    Views(Program program, MessageTypes types, List<Component> programs) {
+    Views(Program program, MessageTypes types, Request request, TargetFindings findings) {
         this.program = program;
         this.types = types;
-        this.programs = programs;
+        this.request = request;
+        this.findings = findings;
     }
 
     void all(Output output) throws TemplateFailure {
@@ -34,7 +36,7 @@ final class Views {
         for (FileContext context : program.contexts()) {
             component(context, output);
         }
-        for (Component main : programs) {
+        for (Component main : request.programs()) {
             program(main, output);
         }
     }
@@ -45,12 +47,10 @@ final class Views {
         if (component.profile() == Component.Profile.EVENT_DRIVEN) {
             eventDriven(context, head, output);
         } else if (component.platform()) {
-            write(
-                    "platform",
-                    head,
+            PlatformView view =
                     new PlatformView(
-                            head, !component.outputs().isEmpty(), !component.inputs().isEmpty()),
-                    output);
+                            head, !component.outputs().isEmpty(), !component.inputs().isEmpty());
+            platform(context, "platform", head, view, output);
         } else if (context.composition().isPresent()) {
             CompositeViews views = new CompositeViews(context, program);
             write("composite", head, views.view(head), output);
@@ -68,8 +68,32 @@ final class Views {
         if (Members.automaton(context.component()).isPresent()) {
             write("event", head, views.atomic(head), output);
         } else {
-            boolean platform = context.component().platform();
-            write(platform ? "border" : "network", head, views.network(head), output);
+            if (context.component().platform()) {
+                platform(context, "border", head, views.network(head), output);
+            } else {
+                write("network", head, views.network(head), output);
+            }
+        }
+    }
+
+    /** Some targets make platform components themselves, others need a class written by hand. */
+    private void platform(
+            FileContext context, String subject, HeadView head, Record view, Output output)
+            throws TemplateFailure {
+        boolean byHand =
+                program.names().language().entry("platform").orElse("").strip().equals("class");
+        Optional<GeneratedFile> skeleton =
+                byHand ? output.draft(subject, head, view) : Optional.empty();
+        if (skeleton.isEmpty()) {
+            write(subject, head, view, output);
+            return;
+        }
+        String path = skeleton.get().path();
+        String text = request.handwritten().get(path);
+        if (text == null) {
+            findings.implementation(context.component(), skeleton.get());
+        } else {
+            output.copy(path, text);
         }
     }
 

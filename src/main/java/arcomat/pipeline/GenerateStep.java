@@ -29,7 +29,10 @@ final class GenerateStep {
         }
         Model model = checked.lower(progress);
         progress.step("generating");
-        Generation generation = Generator.generate(wanted(request, checked, model), target);
+        Request wanted = wanted(request, checked, model);
+        Generation generation =
+                Generator.generate(
+                        wanted.with(Targets.implementations(target, paths, names)), target);
         List<Diagnostic> findings = new ArrayList<>(checked.findings());
         findings.addAll(generation.findings());
         CheckResult result = new CheckResult(findings, checked.loaded().files());

@@ -36,6 +36,20 @@ final class Targets {
         return new Target(written, texts(folder, written));
     }
 
+    /** Classes written by hand, in the target's folder under each model root. */
+    static Map<String, String> implementations(Target target, List<String> roots, PathNames names)
+            throws WrongUse {
+        Map<String, String> found = new TreeMap<>();
+        for (String root : roots) {
+            String written = root + "/" + target.platformFolder();
+            Path folder = names.resolve(written);
+            if (Files.isDirectory(folder)) {
+                found.putAll(texts(folder, written));
+            }
+        }
+        return found;
+    }
+
     private static Map<String, String> texts(Path folder, String written) throws WrongUse {
         Map<String, String> texts = new TreeMap<>();
         for (Path file : files(folder, written)) {

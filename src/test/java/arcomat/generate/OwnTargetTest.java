@@ -10,6 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
@@ -124,5 +125,29 @@ class OwnTargetTest {
         assertThat(Generator.generate(Request.library(whole, Choosing.FIRST), target).findings())
                 .extracting(Diagnostic::code)
                 .contains("ARC0804");
+    }
+
+    /** A target may leave platform components to classes that somebody writes. */
+    @Test
+    void aMissingImplementationIsNamedWithItsPlaceAndASkeleton() {
+        Target jvm = Target.shipped("jvm").orElseThrow();
+        Map<String, String> files = new HashMap<>(jvm.files());
+        files.merge("target.properties", "\nplatform = class\n", String::concat);
+        Target brick = new Target("my/brick", files);
+        Request request = Request.library(SampleComponents.whole(), Choosing.FIRST);
+
+        Generation missing = Generator.generate(request, brick);
+        assertThat(missing.files()).isEmpty();
+        assertThat(missing.findings()).hasSize(1);
+        assertThat(missing.findings().get(0).code()).isEqualTo("ARC0801");
+        assertThat(missing.findings().get(0).message())
+                .contains("write platform/brick/coffee/logic/Light.java under the model root")
+                .contains("public final class Light {");
+
+        String own = "package coffee.logic; public class Light {}";
+        Generation found =
+                Generator.generate(request.with(Map.of("coffee/logic/Light.java", own)), brick);
+        assertThat(found.findings()).isEmpty();
+        assertThat(found.files()).contains(new GeneratedFile("coffee/logic/Light.java", own));
     }
 }

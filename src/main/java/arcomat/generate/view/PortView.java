@@ -9,4 +9,10 @@ package arcomat.generate.view;
  * @param comment the declaration in the model
  */
 public record PortView(
-        String name, String type, String flag, String kind, boolean total, int delay, String comment) {}
+        String name,
+        String type,
+        String flag,
+        String kind,
+        boolean total,
+        int delay,
+        String comment) {}
