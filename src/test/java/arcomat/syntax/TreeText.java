@@ -20,12 +20,12 @@ import java.util.Optional;
  * A tree as text, without places: {@code (Kind field: value ..)}, what is absent left out. Two
  * trees are the same if and only if their texts are.
  */
-final class TreeText {
+public final class TreeText {
     private static final int WIDTH = 100;
 
     private TreeText() {}
 
-    static String of(Object node) {
+    public static String of(Object node) {
         return pretty(node, "") + "\n";
     }
 

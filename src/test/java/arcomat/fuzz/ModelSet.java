@@ -1,0 +1,105 @@
+package arcomat.fuzz;
+
+import arcomat.source.SourceFile;
+import arcomat.syntax.Parsed;
+import arcomat.syntax.Parser;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * Files that are models together.
+ *
+ * @param files what parsing each of them gives, by path
+ */
+record ModelSet(String name, TreeMap<String, Parsing> files) {
+    private static final Pattern MODEL = Pattern.compile(".*\\.(arc|cd|mt|ioautomaton)");
+    private static final Pattern FENCE =
+            Pattern.compile("(?ms)^```(arc|cd|mt|ioautomaton)\n(.*?)^```$");
+    private static final Pattern DEFINITION =
+            Pattern.compile("(?m)^(?:component|automaton|classdiagram|testsuite) (\\w+)");
+
+    /** A file and what the parser made of it. */
+    record Parsing(SourceFile file, Parsed parsed) {
+        static Parsing of(String path, String text) {
+            SourceFile file = new SourceFile(path, text);
+            return new Parsing(file, Parser.parse(file));
+        }
+    }
+
+    static ModelSet folder(String name, Path root) {
+        TreeMap<String, Parsing> files = new TreeMap<>();
+        try (Stream<Path> paths = Files.walk(root)) {
+            for (Path path : paths.filter(p -> MODEL.matcher(p.toString()).matches()).toList()) {
+                String shown = root.relativize(path).toString().replace('\\', '/');
+                files.put(shown, Parsing.of(shown, Files.readString(path)));
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return new ModelSet(name, files);
+    }
+
+    /** The examples of a page that are not about older tools: together they are one model. */
+    static ModelSet page(String name, Path page) {
+        TreeMap<String, Parsing> files = new TreeMap<>();
+        Matcher fence = FENCE.matcher(read(page));
+        while (fence.find()) {
+            Matcher definition = DEFINITION.matcher(fence.group(2));
+            if (definition.find()) {
+                String path = "tour/" + definition.group(1) + "." + fence.group(1);
+                files.put(path, Parsing.of(path, fence.group(2)));
+            }
+        }
+        return new ModelSet(name, files);
+    }
+
+    /** The same files but for one, which is new or has another text. */
+    ModelSet with(String path, String text) {
+        TreeMap<String, Parsing> changed = new TreeMap<>(files);
+        changed.put(path, Parsing.of(path, text));
+        return new ModelSet(name, changed);
+    }
+
+    ModelSet without(String path) {
+        TreeMap<String, Parsing> changed = new TreeMap<>(files);
+        changed.remove(path);
+        return new ModelSet(name, changed);
+    }
+
+    String text(String path) {
+        return files.get(path).file().text();
+    }
+
+    /** What was done to another set: the files that are not the same. */
+    String differenceFrom(ModelSet original) {
+        StringBuilder text = new StringBuilder();
+        for (Map.Entry<String, Parsing> file : files.entrySet()) {
+            if (!file.getValue().equals(original.files.get(file.getKey()))) {
+                text.append("==== ").append(file.getKey()).append('\n');
+                text.append(file.getValue().file().text()).append('\n');
+            }
+        }
+        for (String path : original.files.keySet()) {
+            if (!files.containsKey(path)) {
+                text.append("==== ").append(path).append(" is gone\n");
+            }
+        }
+        return text.toString();
+    }
+
+    private static String read(Path file) {
+        try {
+            return Files.readString(file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+}
