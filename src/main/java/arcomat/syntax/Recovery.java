@@ -100,7 +100,9 @@ final class Recovery extends DefaultErrorStrategy {
     public void recover(Parser parser, RecognitionException error) {
         ParserRuleContext context = parser.getContext();
         if (isElement(context)) {
-            if (!isOnlySemicolonMissing(parser, error)) {
+            if (isOnlySemicolonMissing(parser, error)) {
+                skipTo(parser, error.getOffendingToken().getTokenIndex());
+            } else {
                 skip(parser, context.start.getTokenIndex(), mayHaveBody(context));
             }
             endErrorCondition(parser);
@@ -115,11 +117,16 @@ final class Recovery extends DefaultErrorStrategy {
 
     private void skip(Parser parser, int start, boolean hasBody) {
         TokenStream tokens = parser.getInputStream();
-        int end = ElementEnd.find(tokens, start, tokens.index(), hasBody);
+        skipTo(parser, ElementEnd.find(tokens, start, tokens.index(), hasBody));
+        resumedAt = tokens.index();
+    }
+
+    /** A prediction that fails has consumed nothing: the parser may still stand at the start. */
+    private static void skipTo(Parser parser, int end) {
+        TokenStream tokens = parser.getInputStream();
         while (tokens.index() < end && tokens.LA(1) != Token.EOF) {
             parser.consume();
         }
-        resumedAt = tokens.index();
     }
 
     /** Contexts that are followed by a sibling or by the brace that closes their parent. */

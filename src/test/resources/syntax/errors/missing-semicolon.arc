@@ -1,0 +1,5 @@
+component C {
+    component Part part
+    timing untimed;
+    port in Integer n, { Integer sum; }
+}
