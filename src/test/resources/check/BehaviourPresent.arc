@@ -32,3 +32,10 @@ component GoodTable {
     | false | => | true  |;
   }
 }
+
+//// GoodWire.arc
+component GoodWire {
+  port in Integer i, out Integer o;
+
+  connect i -> o;
+}

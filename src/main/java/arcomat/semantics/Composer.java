@@ -64,12 +64,13 @@ final class Composer {
 
     Composition compose() {
         Component.Composite body = (Component.Composite) component.body();
+        Substitution constants = Substitution.ofConstants(component);
         for (Component.Part part : body.parts()) {
             Draft draft =
                     new Draft(
                             part.name(),
                             part.component(),
-                            part.arguments(),
+                            part.arguments().stream().map(constants::apply).toList(),
                             Composition.inside(part.component(), known));
             drafts.add(draft);
             parts.put(part.name(), draft);

@@ -22,6 +22,11 @@ final class Substitution {
         }
     }
 
+    /** Replaces the constants only; what remains is over the parameters of the component. */
+    static Substitution ofConstants(Component component) {
+        return new Substitution(component, List.of());
+    }
+
     Expression apply(Expression expression) {
         return Rewriting.bottomUp(
                 expression,

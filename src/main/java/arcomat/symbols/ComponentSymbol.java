@@ -265,9 +265,9 @@ public final class ComponentSymbol {
         return this;
     }
 
-    /** Whether it is made of other components. */
+    /** Whether connectors make its behaviour: between parts, or straight from port to port. */
     public boolean isDecomposed() {
-        return !instances().isEmpty();
+        return !instances().isEmpty() || !connectors().isEmpty();
     }
 
     /** All instances: inherited, declared, and those made for inner components. */

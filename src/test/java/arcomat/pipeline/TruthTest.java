@@ -149,7 +149,7 @@ class TruthTest {
             return false;
         }
         if (component.body() instanceof Component.Composite composite) {
-            return !composite.parts().isEmpty()
+            return !(composite.parts().isEmpty() && composite.connections().isEmpty())
                     && composite.parts().stream()
                             .map(Component.Part::component)
                             .allMatch(part -> part.platform() || isExecutable(part));
