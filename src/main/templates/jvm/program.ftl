@@ -11,7 +11,7 @@ public final class ${name} {
 
     public static void main(String[] args) {
         ${head.name} whole = new ${head.name}(<#if head.draws>new Choice((int) System.currentTimeMillis())</#if>);
-        Cycle cycle = new Cycle(Cycle.USUAL);
+        Cycle cycle = new Cycle(${cycle});
 <#if events>
         whole.start();
 </#if>

@@ -36,6 +36,7 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
                     choice("layer", COMPONENT, "sensors", "logic", "actuators"),
                     choice("delay", PORT, "0", "1"),
                     new KnownStereotype("capacity", Form.COUNT, COMPONENT, List.of()),
+                    new KnownStereotype("cycle", Form.COUNT, COMPONENT, List.of()),
                     flag("platform", COMPONENT),
                     flag("deploy", COMPONENT),
                     flag("total", PORT),

@@ -36,7 +36,7 @@ public final class Generator {
                             request.components());
             Output output =
                     new Output(
-                            target, new TemplateEngine(target.files()), program.names(), findings);
+                            target, new TemplateEngine(target.allFiles()), program.names(), findings);
             MessageTypes types = new MessageTypes(program);
             new Views(program, types, request, findings).all(output);
             return new Generation(

@@ -1,5 +1,7 @@
 package arcomat.generate;
 
+import arcomat.source.SourceFile;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
@@ -13,17 +15,25 @@ import java.util.TreeMap;
 
 /**
  * What code is made for: a description and templates. Shipped with the tool, or a user's own
- * folder; both are the same kind of folder.
+ * folder; both are the same kind of folder. A target may stand on a shipped one and say only what
+ * is different.
  *
  * @param name of a shipped target or path of a folder, as findings show it
  * @param files texts by file name; {@value #DESCRIPTION} is the description
+ * @param base has the entries and templates that this target does not bring itself
  */
-public record Target(String name, Map<String, String> files) {
+public record Target(String name, Map<String, String> files, Optional<Target> base) {
     public static final String DESCRIPTION = "target.properties";
     private static final String TEMPLATE = "template.";
+    private static final String BASE = "base";
 
     public Target {
         files = Map.copyOf(files);
+    }
+
+    /** A target that stands on no other. */
+    public Target(String name, Map<String, String> files) {
+        this(name, files, Optional.empty());
     }
 
     /** A target that travels with the tool; empty where there is none of that name. */
@@ -31,7 +41,19 @@ public record Target(String name, Map<String, String> files) {
         if (!name.matches("[a-z][a-z0-9-]*")) {
             return Optional.empty();
         }
-        return resource(name, DESCRIPTION).map(text -> new Target(name, withTemplates(name, text)));
+        return resource(name, DESCRIPTION)
+                .map(text -> new Target(name, withTemplates(name, text)))
+                .map(target -> target.on(target.baseName().flatMap(Target::shipped)));
+    }
+
+    /** The shipped target that this one wants to stand on. */
+    public Optional<String> baseName() {
+        return Optional.ofNullable(entries().get(BASE)).map(String::strip);
+    }
+
+    /** The same target, standing on another. */
+    public Target on(Optional<Target> base) {
+        return new Target(name, files, base);
     }
 
     private static Map<String, String> withTemplates(String name, String description) {
@@ -71,9 +93,34 @@ public record Target(String name, Map<String, String> files) {
         return "platform/" + name.substring(name.lastIndexOf('/') + 1);
     }
 
+    /** Its own file of a name, or its base's. */
+    Optional<SourceFile> file(String file) {
+        String text = files.get(file);
+        return text == null
+                ? base.flatMap(b -> b.file(file))
+                : Optional.of(new SourceFile(name + "/" + file, text));
+    }
+
+    /** The description that has an entry: its own, or its base's. */
+    SourceFile descriptionWith(String key) {
+        boolean own = entries(files.getOrDefault(DESCRIPTION, "")).containsKey(key);
+        return own || base.isEmpty()
+                ? new SourceFile(name + "/" + DESCRIPTION, files.getOrDefault(DESCRIPTION, ""))
+                : base.get().descriptionWith(key);
+    }
+
+    /** Its own files and what the base has besides. */
+    Map<String, String> allFiles() {
+        Map<String, String> all = new TreeMap<>(base.map(Target::allFiles).orElse(Map.of()));
+        all.putAll(files);
+        return all;
+    }
+
     /** The entries of the description, ordered by key; empty where there is no description. */
     Map<String, String> entries() {
-        return entries(files.getOrDefault(DESCRIPTION, ""));
+        Map<String, String> all = new TreeMap<>(base.map(Target::entries).orElse(Map.of()));
+        all.putAll(entries(files.getOrDefault(DESCRIPTION, "")));
+        return all;
     }
 
     private static Map<String, String> entries(String description) {

@@ -88,12 +88,12 @@ final class TargetFindings {
     }
 
     private SourceFile file(String name) {
-        return new SourceFile(target.name() + "/" + name, target.files().getOrDefault(name, ""));
+        return target.file(name).orElseGet(() -> new SourceFile(target.name() + "/" + name, ""));
     }
 
     /** The line of an entry in the description. */
     private Span entry(String key) {
-        SourceFile file = file(Target.DESCRIPTION);
+        SourceFile file = target.descriptionWith(key);
         int start = Math.max(0, file.text().indexOf(key));
         int end = file.text().indexOf('\n', start);
         return file.span(start, end < 0 ? file.text().length() : end);

@@ -113,7 +113,8 @@ final class Views {
                         name.folder(),
                         name.name(),
                         program.senses(main),
-                        main.profile() == Component.Profile.EVENT_DRIVEN);
+                        main.profile() == Component.Profile.EVENT_DRIVEN,
+                        Integer.toString(main.cycle()));
         output.write("program", name.folder(), name.prefix(), name.name(), view);
     }
 }

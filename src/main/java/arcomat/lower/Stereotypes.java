@@ -13,6 +13,9 @@ import java.util.Optional;
 final class Stereotypes {
     static final int DEFAULT_CAPACITY = 16;
 
+    /** The usual length of a slice, in milliseconds. */
+    static final int DEFAULT_CYCLE = 100;
+
     private Stereotypes() {}
 
     static Automaton.Completion completion(Optional<String> value) {
@@ -36,11 +39,20 @@ final class Stereotypes {
 
     /** How many events wait for an event-driven component: {@code <<capacity = "32">>}. */
     static int queueCapacity(ComponentSymbol component) {
-        return Stereotype.find(component.stereotypes(), "capacity")
+        return count(component, "capacity", DEFAULT_CAPACITY);
+    }
+
+    /** The milliseconds of a slice on a robot: {@code <<cycle = "50">>}. */
+    static int cycle(ComponentSymbol component) {
+        return count(component, "cycle", DEFAULT_CYCLE);
+    }
+
+    private static int count(ComponentSymbol component, String stereotype, int usual) {
+        return Stereotype.find(component.stereotypes(), stereotype)
                 .flatMap(Stereotype::value)
                 .map(Name::text)
                 .filter(text -> text.matches("[1-9][0-9]{0,5}"))
                 .map(Integer::parseInt)
-                .orElse(DEFAULT_CAPACITY);
+                .orElse(usual);
     }
 }

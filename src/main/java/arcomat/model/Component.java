@@ -12,6 +12,7 @@ import java.util.Optional;
  * @param name the simple name; inner components are named {@code Outer.Inner}, an instantiation of
  *     a generic component carries its type arguments, {@code Buffer<Integer>}. Unique in its
  *     package.
+ * @param cycle length of a slice in milliseconds, where this component is a main component
  * @param requirements automata on a decomposed component: they constrain it, they do not run
  * @param refines qualified names of the components whose promises this one keeps
  */
@@ -23,6 +24,7 @@ public record Component(
         boolean deploy,
         Profile profile,
         int queueCapacity,
+        int cycle,
         List<Parameter> parameters,
         List<Variable> constants,
         List<Port> ports,

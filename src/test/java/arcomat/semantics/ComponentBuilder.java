@@ -157,6 +157,7 @@ public final class ComponentBuilder {
                 false,
                 profile,
                 capacity,
+                100,
                 parameters,
                 constants,
                 ports,

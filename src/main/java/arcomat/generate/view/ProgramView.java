@@ -1,6 +1,10 @@
 package arcomat.generate.view;
 
-/** A main program; {@code head} is that of the component that it runs, {@code name} its own. */
+/**
+ * A main program; {@code head} is that of the component that it runs, {@code name} its own.
+ *
+ * @param cycle length of a slice in milliseconds
+ */
 public record ProgramView(
         HeadView head,
         String packageName,
@@ -8,4 +12,5 @@ public record ProgramView(
         String folder,
         String name,
         boolean senses,
-        boolean events) {}
+        boolean events,
+        String cycle) {}

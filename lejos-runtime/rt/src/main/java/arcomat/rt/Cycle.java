@@ -2,9 +2,6 @@ package arcomat.rt;
 
 /** The clock of a program: slices of equal length. Durations in models count slices. */
 public final class Cycle {
-    /** The usual length of a slice, in milliseconds. */
-    public static final int USUAL = 100;
-
     private final int milliseconds;
     private long next;
 

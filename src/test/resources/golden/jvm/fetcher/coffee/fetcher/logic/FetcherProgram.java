@@ -10,7 +10,7 @@ public final class FetcherProgram {
 
     public static void main(String[] args) {
         Fetcher whole = new Fetcher();
-        Cycle cycle = new Cycle(Cycle.USUAL);
+        Cycle cycle = new Cycle(100);
         while (cycle.await()) {
             whole.sense();
             whole.step();
