@@ -16,7 +16,10 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 
-/** From paths to trees: finds files, reads them, parses them, and adds what they refer to. */
+/**
+ * From paths to trees: finds files, reads them, parses them, and adds what they refer to, from
+ * their model roots and from the library of the tool.
+ */
 final class ModelLoader {
     /** Below this many characters one thread is done before a second one has started. */
     private static final int WORTH_A_SECOND_THREAD = 500_000;
@@ -48,6 +51,13 @@ final class ModelLoader {
         Set<String> needed = new HashSet<>();
         while (!fresh.isEmpty()) {
             List<SourceFile> more = read(needed(fresh, roots, folders));
+            more.forEach(file -> needed.add(file.path()));
+            fresh = parse(more);
+        }
+        Library library = new Library();
+        fresh = List.copyOf(units);
+        while (!fresh.isEmpty()) {
+            List<SourceFile> more = library.neededBy(fresh, places.values());
             more.forEach(file -> needed.add(file.path()));
             fresh = parse(more);
         }

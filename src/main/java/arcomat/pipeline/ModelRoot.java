@@ -55,14 +55,20 @@ final class ModelRoot {
     Set<Path> neededBy(Unit unit, Path file, Path root) {
         Set<Path> needed = new LinkedHashSet<>();
         Path folder = file.toAbsolutePath().normalize().getParent();
+        for (String name : namesIn(unit)) {
+            addFilesNamed(name, folder, root, needed);
+        }
+        return needed;
+    }
+
+    /** Every name in the text of a unit, in comments too, in the order of the text. */
+    static Set<String> namesIn(Unit unit) {
         Set<String> names = new LinkedHashSet<>();
         Matcher matcher = DOTTED_NAME.matcher(unit.file().text());
         while (matcher.find()) {
-            if (names.add(matcher.group())) {
-                addFilesNamed(matcher.group(), folder, root, needed);
-            }
+            names.add(matcher.group());
         }
-        return needed;
+        return names;
     }
 
     private void addFilesNamed(String dottedName, Path folder, Path root, Set<Path> needed) {
