@@ -23,7 +23,7 @@ public final class Generator {
      *     without an implementation, {@code ARC0802} template that cannot be filled in, {@code
      *     ARC0803} description of the target that lacks something, {@code ARC0804} file that would
      *     leave the output folder or be written twice, {@code ARC0805} more alternatives in one
-     *     state than random choices are generated for
+     *     state than random choices are generated for, {@code ARC0806} two devices in one socket
      */
     public static Generation generate(Request request, Target target) {
         TargetFindings findings = new TargetFindings(target);
@@ -39,10 +39,11 @@ public final class Generator {
                             target, new TemplateEngine(target.allFiles()), program.names(), findings);
             MessageTypes types = new MessageTypes(program);
             new Views(program, types, request, findings).all(output);
+            findings.addAll(Sockets.check(request, entries));
             return new Generation(
                     findings.all().isEmpty() ? output.files() : List.of(),
                     findings.all(),
-                    Layouts.of(program, types));
+                    Layouts.of(program, types, request.programs()));
         } catch (Language.MissingEntry e) {
             return failed(findings.missing(e.getMessage()));
         } catch (TooManyChoices e) {

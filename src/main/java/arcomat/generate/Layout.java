@@ -8,14 +8,19 @@ import java.util.Map;
  *
  * @param components by qualified name of the model component
  * @param classes by qualified name of the class of a class diagram
+ * @param programs qualified name of the main class, by qualified name of the component that it runs
  */
-public record Layout(Map<String, Place> components, Map<String, MessageClass> classes) {
+public record Layout(
+        Map<String, Place> components,
+        Map<String, MessageClass> classes,
+        Map<String, String> programs) {
     /** Of nothing. */
-    static final Layout NONE = new Layout(Map.of(), Map.of());
+    static final Layout NONE = new Layout(Map.of(), Map.of(), Map.of());
 
     public Layout {
         components = Map.copyOf(components);
         classes = Map.copyOf(classes);
+        programs = Map.copyOf(programs);
     }
 
     /**

@@ -13,7 +13,7 @@ import java.util.Optional;
 final class Layouts {
     private Layouts() {}
 
-    static Layout of(Program program, MessageTypes types) {
+    static Layout of(Program program, MessageTypes types, List<Component> mains) {
         Map<String, Layout.Place> places = new LinkedHashMap<>();
         for (FileContext context : program.contexts()) {
             places.put(context.component().qualifiedName(), place(context, program));
@@ -26,7 +26,11 @@ final class Layouts {
                     view.attributes().stream().map(ClassView.AttributeView::name).toList();
             classes.put(view.model(), new Layout.MessageClass(qualified, attributes));
         }
-        return new Layout(places, classes);
+        Map<String, String> programs = new LinkedHashMap<>();
+        for (Component main : mains) {
+            programs.put(main.qualifiedName(), program.nameOfProgram(main).qualified());
+        }
+        return new Layout(places, classes, programs);
     }
 
     private static Layout.Place place(FileContext context, Program program) {

@@ -1,6 +1,7 @@
 package arcomat.generate;
 
 import arcomat.generate.language.Names;
+import arcomat.generate.language.TypeName;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.semantics.Composition;
@@ -68,6 +69,11 @@ final class Program {
 
     Members members(Component component) {
         return context(component).members();
+    }
+
+    /** The class of a main program. */
+    TypeName nameOfProgram(Component main) {
+        return names.beside(main, "Program");
     }
 
     /** Whether a component has to sample something when a slice starts. */

@@ -27,6 +27,10 @@ final class TargetFindings {
         return List.copyOf(all);
     }
 
+    void addAll(List<Diagnostic> findings) {
+        all.addAll(findings);
+    }
+
     /** A platform component that somebody has to write a class for. */
     void implementation(Component component, GeneratedFile skeleton) {
         all.add(

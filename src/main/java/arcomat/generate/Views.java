@@ -76,25 +76,27 @@ final class Views {
         }
     }
 
-    /** Some targets make platform components themselves, others need a class written by hand. */
+    /**
+     * A class written by hand wins. Where there is none, some targets make platform components
+     * themselves, and others cannot do without.
+     */
     private void platform(
             FileContext context, String subject, HeadView head, Record view, Output output)
             throws TemplateFailure {
-        boolean byHand =
-                program.names().language().entry("platform").orElse("").strip().equals("class");
-        Optional<GeneratedFile> skeleton =
-                byHand ? output.draft(subject, head, view) : Optional.empty();
-        if (skeleton.isEmpty()) {
-            write(subject, head, view, output);
-            return;
-        }
-        String path = skeleton.get().path();
-        String text = request.handwritten().get(path);
-        if (text == null) {
+        Optional<GeneratedFile> skeleton = output.draft(subject, head, view);
+        Optional<String> byHand =
+                skeleton.map(GeneratedFile::path).map(request.handwritten()::get);
+        if (byHand.isPresent()) {
+            output.copy(skeleton.get().path(), byHand.get());
+        } else if (skeleton.isPresent() && needsClass()) {
             findings.implementation(context.component(), skeleton.get());
         } else {
-            output.copy(path, text);
+            write(subject, head, view, output);
         }
+    }
+
+    private boolean needsClass() {
+        return program.names().language().entry("platform").orElse("").strip().equals("class");
     }
 
     private static void write(String subject, HeadView head, Record view, Output output)
@@ -103,7 +105,7 @@ final class Views {
     }
 
     private void program(Component main, Output output) throws TemplateFailure {
-        TypeName name = program.names().beside(main, "Program");
+        TypeName name = program.nameOfProgram(main);
         HeadView head = Heads.of(program.context(main), program.draws(main));
         ProgramView view =
                 new ProgramView(

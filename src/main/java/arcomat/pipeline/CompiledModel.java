@@ -35,11 +35,13 @@ public record CompiledModel(
         for (GeneratedFile file : generation.files()) {
             sources.put(file.path(), file.text());
         }
+        Compilation compilation =
+                MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+        if (!compilation.problems().isEmpty()) {
+            throw new IllegalStateException(compilation.problems().toString());
+        }
         return new CompiledModel(
-                component,
-                choosing,
-                generation.layout(),
-                new Loader(MemoryCompiler.compile(sources)));
+                component, choosing, generation.layout(), new Loader(compilation.classes()));
     }
 
     /** Finds classes in memory; what generated code needs besides is the tool's own runtime. */
@@ -55,7 +57,7 @@ public record CompiledModel(
         protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
             // A model may use package names of the tool; its own classes come first.
             synchronized (getClassLoadingLock(name)) {
-                byte[] file = classes.get(name);
+                byte[] file = classes.get(name.replace('.', '/'));
                 if (file == null) {
                     return super.loadClass(name, resolve);
                 }

@@ -113,6 +113,26 @@ final class Library {
                                 TreeMap::new));
     }
 
+    /**
+     * Code written by hand for a target.
+     *
+     * @param folder the target's folder under a model root
+     * @return files by their path below the folder
+     */
+    static Map<String, SourceFile> code(String folder) {
+        Map<String, SourceFile> code = new TreeMap<>();
+        String prefix = folder + "/";
+        text("code.txt")
+                .lines()
+                .filter(path -> path.startsWith(prefix))
+                .forEach(
+                        path ->
+                                code.put(
+                                        path.substring(prefix.length()),
+                                        new SourceFile(ROOT + "/" + path, text(path))));
+        return code;
+    }
+
     private static String text(String path) {
         String resource = "/" + ROOT + "/" + path;
         try (InputStream stream = Library.class.getResourceAsStream(resource)) {

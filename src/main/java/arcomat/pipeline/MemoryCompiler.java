@@ -22,22 +22,24 @@ import java.util.Map;
  */
 final class MemoryCompiler {
     private final Map<String, byte[]> classes = new HashMap<>();
-    private final List<String> errors = new ArrayList<>();
+    private final Map<String, String> origins = new HashMap<>();
+    private final List<Compilation.Problem> problems = new ArrayList<>();
 
     /**
-     * Compiles a set of files that may refer to each other, to the JDK and to {@code arcomat.rt}.
+     * Compiles a set of files that may refer to each other.
      *
      * @param sources texts by path
-     * @return class files by the qualified name of their class
-     * @throws IllegalArgumentException where the text is not Java 6; the message has all errors
+     * @param onDemand more texts by path, compiled where something refers to them
+     * @param available all other classes that may be referred to
      */
-    static Map<String, byte[]> compile(Map<String, String> sources) {
+    static Compilation compile(
+            Map<String, String> sources, Map<String, String> onDemand, ClassFiles available) {
         MemoryCompiler memory = new MemoryCompiler();
         ICompilationUnit[] units =
                 sources.entrySet().stream()
                         .map(MemoryCompiler::unit)
                         .toArray(ICompilationUnit[]::new);
-        try (LoadedTypes types = new LoadedTypes(sources.keySet())) {
+        try (CompilerTypes types = new CompilerTypes(sources.keySet(), onDemand, available)) {
             Compiler compiler =
                     new Compiler(
                             types,
@@ -47,10 +49,7 @@ final class MemoryCompiler {
                             new DefaultProblemFactory(Locale.ENGLISH));
             compiler.compile(units);
         }
-        if (!memory.errors.isEmpty()) {
-            throw new IllegalArgumentException(String.join("\n", memory.errors));
-        }
-        return memory.classes;
+        return new Compilation(memory.classes, memory.origins, memory.problems);
     }
 
     private static ICompilationUnit unit(Map.Entry<String, String> source) {
@@ -67,19 +66,22 @@ final class MemoryCompiler {
     }
 
     private void accept(CompilationResult result) {
-        for (ClassFile file : result.getClassFiles()) {
-            String name = new String(file.fileName()).replace('/', '.');
-            classes.put(name, file.getBytes());
-        }
-        if (result.hasErrors()) {
-            for (CategorizedProblem problem : result.getErrors()) {
-                errors.add(
-                        new String(problem.getOriginatingFileName())
-                                + ":"
-                                + problem.getSourceLineNumber()
-                                + ": "
-                                + problem.getMessage());
+        if (!result.hasErrors()) {
+            for (ClassFile file : result.getClassFiles()) {
+                String name = new String(file.fileName());
+                classes.put(name, file.getBytes());
+                origins.put(name, new String(result.getFileName()));
             }
+            return;
+        }
+        for (CategorizedProblem problem : result.getErrors()) {
+            problems.add(
+                    new Compilation.Problem(
+                            new String(problem.getOriginatingFileName()),
+                            problem.getSourceLineNumber(),
+                            problem.getSourceStart(),
+                            problem.getSourceEnd() + 1,
+                            problem.getMessage()));
         }
     }
 }

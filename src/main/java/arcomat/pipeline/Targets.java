@@ -27,27 +27,27 @@ final class Targets {
             throw new WrongUse(
                     "there is no target '"
                             + written
-                            + "': neither shipped (jvm) nor a folder of templates");
+                            + "': neither shipped (jvm, lejos) nor a folder of templates");
         }
         if (!Files.exists(folder.resolve(Target.DESCRIPTION))) {
             throw new WrongUse(
                     "folder '" + written + "' is no target: it has no " + Target.DESCRIPTION);
         }
-        return new Target(written, texts(folder, written));
+        Target target = new Target(written, texts(folder, written));
+        Optional<String> base = target.baseName();
+        return base.isPresent() ? target.on(Optional.of(base(base.get(), written))) : target;
     }
 
-    /** Classes written by hand, in the target's folder under each model root. */
-    static Map<String, String> implementations(Target target, List<String> roots, PathNames names)
-            throws WrongUse {
-        Map<String, String> found = new TreeMap<>();
-        for (String root : roots) {
-            String written = root + "/" + target.platformFolder();
-            Path folder = names.resolve(written);
-            if (Files.isDirectory(folder)) {
-                found.putAll(texts(folder, written));
-            }
-        }
-        return found;
+    private static Target base(String name, String written) throws WrongUse {
+        return Target.shipped(name)
+                .orElseThrow(
+                        () ->
+                                new WrongUse(
+                                        "target '"
+                                                + written
+                                                + "' stands on base '"
+                                                + name
+                                                + "', which is not a shipped target (jvm, lejos)"));
     }
 
     private static Map<String, String> texts(Path folder, String written) throws WrongUse {
@@ -64,7 +64,7 @@ final class Targets {
         return texts;
     }
 
-    private static List<Path> files(Path folder, String written) throws WrongUse {
+    static List<Path> files(Path folder, String written) throws WrongUse {
         try (Stream<Path> paths = Files.walk(folder)) {
             return paths.filter(Files::isRegularFile)
                     .filter(p -> !p.getFileName().toString().startsWith("."))

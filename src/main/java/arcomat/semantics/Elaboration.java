@@ -20,6 +20,7 @@ final class Elaboration {
     private final List<Network.Instance> instances = new ArrayList<>();
     private final List<Network.External> inputs = new ArrayList<>();
     private final List<Network.External> outputs = new ArrayList<>();
+    private final List<Network.Device> devices = new ArrayList<>();
     private int signals;
 
     /**
@@ -56,7 +57,7 @@ final class Elaboration {
         } else {
             single(outside);
         }
-        return new Network(whole, arguments, instances, inputs, outputs, signals);
+        return new Network(whole, arguments, instances, inputs, outputs, signals, devices);
     }
 
     private void single(int[] outside) {
@@ -154,6 +155,7 @@ final class Elaboration {
             instances.add(new Network.Instance(path, component, values, received, sent));
             return;
         }
+        devices.add(new Network.Device(path, component, values));
         for (int k = 0; k < sent.size(); k++) {
             Port port = component.outputs().get(k);
             inputs.add(new Network.External(path + "." + port.name(), port, sent.get(k)));

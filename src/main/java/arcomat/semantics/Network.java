@@ -24,6 +24,7 @@ import java.util.List;
  * @param inputs ports of the whole, then output ports of platform components, by instance path
  * @param outputs ports of the whole, then input ports of platform components, by instance path
  * @param signals how many there are
+ * @param devices platform components, in schedule order
  */
 public record Network(
         Component component,
@@ -31,7 +32,8 @@ public record Network(
         List<Instance> instances,
         List<External> inputs,
         List<External> outputs,
-        int signals) {
+        int signals,
+        List<Device> devices) {
 
     /** The signal of a port that has no sender. */
     public static final int UNCONNECTED = -1;
@@ -41,6 +43,18 @@ public record Network(
         instances = List.copyOf(instances);
         inputs = List.copyOf(inputs);
         outputs = List.copyOf(outputs);
+        devices = List.copyOf(devices);
+    }
+
+    /**
+     * A platform component at its place.
+     *
+     * @param path names from the whole to the instance, with dots
+     */
+    public record Device(String path, Component component, List<Value> arguments) {
+        public Device {
+            arguments = List.copyOf(arguments);
+        }
     }
 
     /**
