@@ -22,9 +22,6 @@ import org.junit.jupiter.api.TestFactory;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
@@ -34,32 +31,19 @@ import java.util.stream.Stream;
 /** The case study is flawless: no findings, every test passes, no component goes untested. */
 class CoffeeModelsTest {
     private static final Path ROOT = Path.of("models/coffee");
-    private static final String LANGUAGES = ".*\\.(arc|cd|mt)";
 
     private static Workspace workspace;
     private static Model model;
 
     @BeforeAll
-    static void read() throws IOException {
-        try (Stream<Path> files = Files.walk(ROOT)) {
-            workspace =
-                    Workspace.of(
-                            files.filter(f -> f.toString().matches(LANGUAGES))
-                                    .sorted()
-                                    .map(CoffeeModelsTest::source)
-                                    .map(file -> Parser.parse(file).unit().orElseThrow())
-                                    .toList(),
-                            Set.of());
-        }
+    static void read() {
+        workspace =
+                Workspace.of(
+                        ModelFiles.of(ROOT).stream()
+                                .map(file -> Parser.parse(file).unit().orElseThrow())
+                                .toList(),
+                        Set.of());
         model = Lowering.lower(workspace);
-    }
-
-    private static SourceFile source(Path file) {
-        try {
-            return new SourceFile(file.toString(), Files.readString(file));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 
     /** The requirements of Fig. 3 and 5 included: what they leave open is no fault of theirs. */
@@ -70,11 +54,9 @@ class CoffeeModelsTest {
     }
 
     @Test
-    void everyFileIsFormatted() throws IOException {
-        try (Stream<Path> files = Files.walk(ROOT)) {
-            files.filter(f -> f.toString().matches(LANGUAGES))
-                    .map(CoffeeModelsTest::source)
-                    .forEach(f -> assertThat(Formatter.format(f).text()).contains(f.text()));
+    void everyFileIsFormatted() {
+        for (SourceFile file : ModelFiles.under(ROOT)) {
+            assertThat(Formatter.format(file).text()).contains(file.text());
         }
     }
 

@@ -13,6 +13,7 @@ import arcomat.model.Parameter;
 import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.models.ModelFiles;
 import arcomat.semantics.Execution;
 import arcomat.semantics.FirstValue;
 import arcomat.simulate.Choice;
@@ -21,15 +22,14 @@ import arcomat.simulate.Simulation;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
+import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.tree.Unit;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.TestFactory;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -112,7 +112,7 @@ class TruthTest {
     }
 
     private static Model model(Path root) {
-        Workspace workspace = Workspace.of(files(root).map(TruthTest::unit).toList(), Set.of());
+        Workspace workspace = Workspace.of(ModelFiles.of(root).stream().map(TruthTest::unit).toList(), Set.of());
         List<Diagnostic> errors =
                 Checks.run(workspace, Profile.REQUIREMENTS).stream()
                         .filter(Diagnostic::isError)
@@ -121,26 +121,10 @@ class TruthTest {
         return Lowering.lower(workspace);
     }
 
-    private static Stream<Path> files(Path root) {
-        try (Stream<Path> files = Files.walk(root)) {
-            return files
-                    .filter(f -> f.toString().matches(".*\\.(arc|cd|mt)"))
-                    .sorted()
-                    .toList()
-                    .stream();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static arcomat.tree.Unit unit(Path file) {
-        try {
-            var parsed = Parser.parse(new SourceFile(file.toString(), Files.readString(file)));
-            assertThat(parsed.findings()).isEmpty();
-            return parsed.unit().orElseThrow();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+    private static Unit unit(SourceFile file) {
+        Parsed parsed = Parser.parse(file);
+        assertThat(parsed.findings()).isEmpty();
+        return parsed.unit().orElseThrow();
     }
 
     /** What the executable profile asks for, as far as it is a matter of the component. */

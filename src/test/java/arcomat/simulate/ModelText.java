@@ -2,21 +2,18 @@ package arcomat.simulate;
 
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
+import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
 import arcomat.tree.Unit;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Stream;
 
 /** Models from text, for tests: no checks are run. */
 final class ModelText {
@@ -29,19 +26,9 @@ final class ModelText {
 
     /** All models and tests under a folder, and further texts by path. */
     static Model read(Path folder, Map<String, String> texts) {
-        try (Stream<Path> files = Files.walk(folder)) {
-            List<SourceFile> sources = new ArrayList<>();
-            for (Path file : files.sorted().toList()) {
-                if (file.toString().matches(".*\\.(arc|cd|mt|ioautomaton)")) {
-                    String path = folder.relativize(file).toString().replace('\\', '/');
-                    sources.add(new SourceFile(path, Files.readString(file)));
-                }
-            }
-            texts.forEach((path, text) -> sources.add(new SourceFile(path, text)));
-            return lower(sources);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        List<SourceFile> sources = new ArrayList<>(ModelFiles.of(folder));
+        texts.forEach((path, text) -> sources.add(new SourceFile(path, text)));
+        return lower(sources);
     }
 
     private static Model lower(List<SourceFile> sources) {

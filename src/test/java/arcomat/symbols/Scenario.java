@@ -2,6 +2,7 @@ package arcomat.symbols;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
@@ -65,26 +66,13 @@ public record Scenario(Workspace workspace, String expected) {
         return new Scenario(Workspace.of(units, broken), expected);
     }
 
-    /** The files of a folder with models. */
+    /** The files of a folder with models, and what they need of the library. */
     public static Workspace models(String root) {
-        try (Stream<Path> files = Files.walk(Path.of(root))) {
-            List<Unit> units =
-                    files.filter(f -> f.toString().matches(".*\\.(arc|cd|mt|ioautomaton)"))
-                            .sorted()
-                            .map(Scenario::parse)
-                            .toList();
-            return Workspace.of(units, Set.of());
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-    }
-
-    private static Unit parse(Path file) {
-        try {
-            return parse(file.toString(), Files.readString(file));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+        List<Unit> units =
+                ModelFiles.of(Path.of(root)).stream()
+                        .map(file -> parse(file.path(), file.text()))
+                        .toList();
+        return Workspace.of(units, Set.of());
     }
 
     private static Unit parse(String path, String text) {

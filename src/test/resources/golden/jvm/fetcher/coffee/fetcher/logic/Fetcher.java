@@ -29,8 +29,8 @@ public final class Fetcher {
 
     public Fetcher() {
         ultrasonic = new UltrasonicSensor(SensorPortCode.S1);
-        left = new LightSensor(SensorPortCode.S2);
-        right = new LightSensor(SensorPortCode.S3);
+        left = new LightSensor(SensorPortCode.S2, 0, 1023);
+        right = new LightSensor(SensorPortCode.S3, 0, 1023);
         cup = new TouchSensor(SensorPortCode.S4);
         proximity = new Proximity(25, 35);
         line = new LineStatusComp(45);
