@@ -88,6 +88,11 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
         }
     }
 
+    /** Whether its programs are compiled and packed for the brick. */
+    public boolean isForBrick() {
+        return entries().getOrDefault("programs", "").strip().equals("brick");
+    }
+
     /** Where implementations of platform components are kept, under a model root. */
     public String platformFolder() {
         return "platform/" + name.substring(name.lastIndexOf('/') + 1);

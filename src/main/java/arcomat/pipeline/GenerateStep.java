@@ -2,7 +2,6 @@ package arcomat.pipeline;
 
 import arcomat.check.Profile;
 import arcomat.generate.Choosing;
-import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
@@ -10,6 +9,7 @@ import arcomat.generate.Target;
 import arcomat.model.Model;
 import arcomat.source.Diagnostic;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -25,27 +25,53 @@ final class GenerateStep {
         Target target = Targets.find(request.target(), names);
         CheckedModels checked = CheckedModels.check(paths, Profile.EXECUTABLE, names, progress);
         if (checked.hasErrors()) {
-            return new GenerationResult(checked.result(), List.of());
+            return refused(checked.result());
         }
         Model model = checked.lower(progress);
         progress.step("generating");
-        Request wanted = wanted(request, checked, model);
-        Generation generation =
-                Generator.generate(
-                        wanted.with(Targets.implementations(target, paths, names)), target);
+        Implementations implementations =
+                Implementations.find(target, checked.loaded().roots(names), names);
+        Request wanted = wanted(request, checked, model).with(implementations.texts());
+        Generation generation = Generator.generate(wanted, target);
         List<Diagnostic> findings = new ArrayList<>(checked.findings());
         findings.addAll(generation.findings());
-        CheckResult result = new CheckResult(findings, checked.loaded().files());
+        int files = checked.loaded().files();
+        CheckResult result = new CheckResult(findings, files);
         if (result.hasErrors()) {
-            return new GenerationResult(result, List.of());
+            return refused(result);
         }
-        Map<String, String> files = new LinkedHashMap<>();
-        for (GeneratedFile file : generation.files()) {
-            files.put(file.path(), file.text());
+        RobotBuilder.Result built = RobotBuilder.NOTHING;
+        if (target.isForBrick()) {
+            progress.step("compiling for the brick");
+            built = RobotBuilder.build(generation, implementations);
+            findings.addAll(built.findings());
+            result = new CheckResult(findings, files);
         }
-        progress.step("writing " + files.size() + " files");
-        OutputFolder.replace(names.resolve(request.out()), request.out(), files);
-        return new GenerationResult(result, List.copyOf(files.keySet()));
+        if (result.hasErrors()) {
+            return refused(result);
+        }
+        Map<String, byte[]> output = output(generation, implementations, built);
+        progress.step("writing " + output.size() + " files");
+        OutputFolder.replace(names.resolve(request.out()), request.out(), output);
+        return new GenerationResult(result, List.copyOf(output.keySet()), built.robots());
+    }
+
+    private static GenerationResult refused(CheckResult result) {
+        return new GenerationResult(result, List.of(), List.of());
+    }
+
+    /** What the user wrote by hand stands beside what was generated for it. */
+    private static Map<String, byte[]> output(
+            Generation generation, Implementations implementations, RobotBuilder.Result built) {
+        Map<String, byte[]> output = new LinkedHashMap<>();
+        implementations.own().forEach((path, file) -> output.put(path, bytes(file.text())));
+        generation.files().forEach(file -> output.put(file.path(), bytes(file.text())));
+        output.putAll(built.jars());
+        return output;
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 
     private static Request wanted(GenerationRequest request, CheckedModels checked, Model model)

@@ -3,6 +3,8 @@ package arcomat.pipeline;
 import arcomat.source.Diagnostic;
 import arcomat.tree.Unit;
 
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
@@ -26,6 +28,15 @@ record LoadedModels(
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);
         needed = Set.copyOf(needed);
+    }
+
+    /** The model roots of all files that lie where their package says. */
+    Set<Path> roots(PathNames names) {
+        Set<Path> roots = new LinkedHashSet<>();
+        for (Unit unit : units) {
+            ModelRoot.of(unit, names.resolve(unit.file().path())).ifPresent(roots::add);
+        }
+        return roots;
     }
 
     boolean isNamedByUser(String path) {

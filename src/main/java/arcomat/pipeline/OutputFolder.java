@@ -39,10 +39,10 @@ final class OutputFolder {
      * Replaces what the folder holds.
      *
      * @param shown the folder as the user wrote it
-     * @param files texts by path, relative to the folder with forward slashes
+     * @param files contents by path, relative to the folder with forward slashes
      * @throws WrongUse where the folder is somebody else's, or cannot be written
      */
-    static void replace(Path folder, String shown, Map<String, String> files) throws WrongUse {
+    static void replace(Path folder, String shown, Map<String, byte[]> files) throws WrongUse {
         files.keySet().forEach(path -> requireInside(folder, path));
         Path place = Files.exists(folder) ? PathNames.real(folder) : folder.toAbsolutePath();
         try {
@@ -59,7 +59,7 @@ final class OutputFolder {
         }
     }
 
-    private void replace(Map<String, String> files) throws IOException, WrongUse {
+    private void replace(Map<String, byte[]> files) throws IOException, WrongUse {
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new WrongUse("'" + shown + "' is a file; --out names a folder");
         }
@@ -80,12 +80,12 @@ final class OutputFolder {
         }
     }
 
-    private void write(Path fresh, Map<String, String> files) throws IOException {
+    private void write(Path fresh, Map<String, byte[]> files) throws IOException {
         Files.createDirectory(fresh);
-        for (Map.Entry<String, String> file : files.entrySet()) {
+        for (Map.Entry<String, byte[]> file : files.entrySet()) {
             Path path = fresh.resolve(file.getKey());
             Files.createDirectories(path.getParent());
-            Files.writeString(path, file.getValue());
+            Files.write(path, file.getValue());
         }
         String list = String.join("\n", new TreeSet<>(files.keySet())) + "\n";
         Files.writeString(fresh.resolve(LIST), list);
