@@ -1,6 +1,6 @@
 package nxt.actuators;
 
-import arcomat.nxt.Wheel;
+import arcomat.nxt.Shaft;
 
 /** Platform component nxt.DifferentialDrive on the brick. */
 public final class DifferentialDrive {
@@ -14,8 +14,8 @@ public final class DifferentialDrive {
 
     public boolean hasTurn;
 
-    private final Wheel left;
-    private final Wheel right;
+    private final Shaft left;
+    private final Shaft right;
 
     /** Degrees of a wheel for one mm of way. */
     private final float degreesPerMillimetre;
@@ -27,8 +27,8 @@ public final class DifferentialDrive {
     private int currentTurn;
 
     public DifferentialDrive(int left, int right, int diameter, int track) {
-        this.left = new Wheel(left);
-        this.right = new Wheel(right);
+        this.left = new Shaft(left);
+        this.right = new Shaft(right);
         this.degreesPerMillimetre = 360f / ((float) Math.PI * diameter);
         this.degreesPerDegree = (float) track / diameter;
     }

@@ -1,6 +1,6 @@
 package nxt.actuators;
 
-import arcomat.nxt.Wheel;
+import arcomat.nxt.Shaft;
 
 /** Platform component nxt.RegulatedMotor on the brick. */
 public final class RegulatedMotor {
@@ -9,16 +9,16 @@ public final class RegulatedMotor {
 
     public boolean hasSpeed;
 
-    private final Wheel wheel;
+    private final Shaft shaft;
 
     public RegulatedMotor(int socket) {
-        wheel = new Wheel(socket);
+        shaft = new Shaft(socket);
     }
 
     /** Carries out the message of a slice. */
     public void act() {
         if (hasSpeed) {
-            wheel.turn(speed);
+            shaft.turn(speed);
         }
     }
 }

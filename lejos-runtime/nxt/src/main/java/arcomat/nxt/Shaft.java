@@ -3,8 +3,8 @@ package arcomat.nxt;
 import lejos.nxt.Motor;
 import lejos.nxt.NXTRegulatedMotor;
 
-/** A motor that keeps its speed until the next one. No call waits for the motor. */
-public final class Wheel {
+/** What a motor turns. It keeps its speed until the next one; no call waits for the motor. */
+public final class Shaft {
     /** In degrees per second, more than any motor reaches. */
     private static final int LIMIT = 10000;
 
@@ -14,7 +14,7 @@ public final class Wheel {
     /**
      * @param socket code of nxt.Brick.MotorPort
      */
-    public Wheel(int socket) {
+    public Shaft(int socket) {
         motor = Motor.getInstance(socket - 1);
     }
 
