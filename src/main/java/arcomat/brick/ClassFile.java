@@ -104,10 +104,18 @@ final class ClassFile {
 
     /** Says where an instruction is: {@code robot.Main.run}, with its line where no text shows it. */
     String where(MethodNode method, AbstractInsnNode instruction) {
-        String name = name() + "." + method.name;
         return given.text().isPresent()
-                ? name
-                : name + lineNumber(instruction).map(line -> " (line " + line + ")").orElse("");
+                ? where(method)
+                : where(method) + lineNumber(instruction).map(line -> " (line " + line + ")").orElse("");
+    }
+
+    /** Names a method for people. */
+    String where(MethodNode method) {
+        return switch (method.name) {
+            case "<init>" -> "the constructor of " + name();
+            case "<clinit>" -> "the static part of " + name();
+            default -> name() + "." + method.name;
+        };
     }
 
     private static Optional<Integer> lineNumber(AbstractInsnNode instruction) {
