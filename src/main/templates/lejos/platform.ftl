@@ -1,4 +1,13 @@
 <#import "parts.ftl" as parts>
+<#if general != "">
+<@parts.header head/>
+/** Platform component ${head.model} on the brick. */
+public final class ${head.name} extends ${general} {
+    public ${head.name}(<@parts.parameters head/>) {
+        super(<#list head.parameters as parameter>${parameter.name}<#sep>, </#list>);
+    }
+}
+<#else>
 package ${head.packageName};
 
 <@parts.imports head/>
@@ -17,3 +26,4 @@ public final class ${head.name} {
     public void act() {}
 </#if>
 }
+</#if>

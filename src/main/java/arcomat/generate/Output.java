@@ -77,10 +77,11 @@ final class Output {
         return true;
     }
 
-    /** Text that is no template's. */
+    /** Text that is no template's; once, however many ask for it. */
     void copy(String path, String text) {
-        paths.add(path.toLowerCase(Locale.ROOT));
-        files.add(new GeneratedFile(path, text));
+        if (paths.add(path.toLowerCase(Locale.ROOT))) {
+            files.add(new GeneratedFile(path, text));
+        }
     }
 
     /** What the first template for a subject gives, and where it would go. */

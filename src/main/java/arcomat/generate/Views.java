@@ -9,6 +9,7 @@ import arcomat.generate.view.PartsView;
 import arcomat.generate.view.PlatformView;
 import arcomat.generate.view.ProgramView;
 import arcomat.model.Component;
+import arcomat.model.Type;
 
 import java.util.Optional;
 
@@ -49,7 +50,10 @@ final class Views {
         } else if (component.platform()) {
             PlatformView view =
                     new PlatformView(
-                            head, !component.outputs().isEmpty(), !component.inputs().isEmpty());
+                            head,
+                            !component.outputs().isEmpty(),
+                            !component.inputs().isEmpty(),
+                            "");
             platform(context, "platform", head, view, output);
         } else if (context.composition().isPresent()) {
             CompositeViews views = new CompositeViews(context, program);
@@ -88,11 +92,37 @@ final class Views {
                 skeleton.map(GeneratedFile::path).map(request.handwritten()::get);
         if (byHand.isPresent()) {
             output.copy(skeleton.get().path(), byHand.get());
+        } else if (view instanceof PlatformView platform
+                && skeleton.isPresent()
+                && isWrittenForAll(context.component(), skeleton.get(), head)) {
+            String general = generalName(context.component());
+            String path = generalPath(context.component(), skeleton.get(), head);
+            output.copy(path, request.handwritten().get(path));
+            write(subject, head, platform.extending(general), output);
         } else if (skeleton.isPresent() && needsClass()) {
             findings.implementation(context.component(), skeleton.get());
         } else {
             write(subject, head, view, output);
         }
+    }
+
+    /**
+     * Whether one class serves every instantiation of a generic component. It can where all
+     * messages are enums: they are numbers, whatever the enum.
+     */
+    private boolean isWrittenForAll(Component component, GeneratedFile skeleton, HeadView head) {
+        return !generalName(component).equals(component.name())
+                && component.ports().stream().allMatch(p -> p.type() instanceof Type.EnumType)
+                && request.handwritten().containsKey(generalPath(component, skeleton, head));
+    }
+
+    private static String generalPath(Component component, GeneratedFile skeleton, HeadView head) {
+        return skeleton.path().replace(head.name(), generalName(component));
+    }
+
+    /** Without type arguments. */
+    private static String generalName(Component component) {
+        return component.name().replaceFirst("<.*", "");
     }
 
     private boolean needsClass() {
