@@ -119,12 +119,15 @@ final class ClassFile {
     }
 
     private static Optional<Integer> lineNumber(AbstractInsnNode instruction) {
-        for (AbstractInsnNode each = instruction; each != null; each = each.getPrevious()) {
-            if (each instanceof LineNumberNode line) {
-                return Optional.of(line.line);
-            }
+        AbstractInsnNode each = instruction;
+        // The line of a label, where a handler starts, stands behind it.
+        while (each.getOpcode() < 0 && !(each instanceof LineNumberNode) && each.getNext() != null) {
+            each = each.getNext();
         }
-        return Optional.empty();
+        while (each != null && !(each instanceof LineNumberNode)) {
+            each = each.getPrevious();
+        }
+        return each instanceof LineNumberNode line ? Optional.of(line.line) : Optional.empty();
     }
 
     /** A line without its indentation; the whole file's start where the text does not have it. */
