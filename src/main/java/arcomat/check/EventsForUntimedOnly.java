@@ -21,7 +21,7 @@ final class EventsForUntimedOnly implements Check.OnStreamTest {
     }
 
     private static void check(TestSuite.Test test, ComponentSymbol component, Findings findings) {
-        boolean eventDriven = component.timing().eventDriven();
+        boolean eventDriven = component.isEventDriven();
         for (TestSuite.Streams streams : test.streams()) {
             if (streams.kind() == TestSuite.Kind.EVENTS && !eventDriven) {
                 findings.report(
