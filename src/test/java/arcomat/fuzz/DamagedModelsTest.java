@@ -1,0 +1,52 @@
+package arcomat.fuzz;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.ShrinkingMode;
+import net.jqwik.api.Tag;
+import net.jqwik.api.statistics.Statistics;
+
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+
+/** Models that are nearly good: no stage fails, none is slow, none lets pass what breaks the next. */
+class DamagedModelsTest {
+    /** A hundred times what the slowest needs on an idle machine. */
+    private static final Duration PATIENCE = Duration.ofSeconds(30);
+
+    private static final List<ModelSet> SETS =
+            List.of(
+                    ModelSet.folder("coffee", Path.of("models/coffee")),
+                    ModelSet.folder("truth", Path.of("src/test/resources/truth")),
+                    ModelSet.page("language", Path.of("docs/language.md")));
+    private static final List<Harmless> LAWS = SETS.stream().map(Harmless::new).toList();
+
+    @Property(tries = 150, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    void nothingFails(@ForAll long seed) {
+        check(seed);
+    }
+
+    @Tag("slow")
+    @Property(tries = 6000, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    void nothingFailsInThousandsOfModels(@ForAll long seed) {
+        check(seed);
+    }
+
+    private static void check(long seed) {
+        int number = Math.floorMod(seed, SETS.size());
+        ModelSet original = SETS.get(number);
+        long start = System.nanoTime();
+        ModelSet damaged = new Damage(SETS, seed).apply(original);
+        try {
+            Statistics.label("reached").collect(LAWS.get(number).check(damaged));
+        } catch (RuntimeException | Error problem) {
+            throw new AssertionError(
+                    "seed " + seed + "\n" + damaged.differenceFrom(original), problem);
+        }
+        assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(PATIENCE);
+    }
+}
