@@ -116,7 +116,9 @@ final class InstantGraph {
         }
     }
 
-    /** A name that is declared twice, in and out, is a circle in itself: that is another finding. */
+    /**
+     * A name that is declared twice, in and out, is a circle in itself: that is another finding.
+     */
     List<DelayCycle> cycles() {
         return graph.cycles().stream()
                 .map(this::cycle)

@@ -1,6 +1,6 @@
 package arcomat.fuzz;
 
-import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -14,10 +14,12 @@ import java.time.Duration;
 import java.util.List;
 import java.util.function.UnaryOperator;
 
-/** Models that are nearly good: no stage fails, none is slow, none lets pass what breaks the next. */
+/**
+ * Models that are nearly good: no stage fails, none is slow, none lets pass what breaks the next.
+ */
 class DamagedModelsTest {
-    /** A hundred times what the slowest needs on an idle machine. */
-    private static final Duration PATIENCE = Duration.ofSeconds(30);
+    /** Much more than a busy machine needs for the slowest; less than for ever. */
+    private static final Duration PATIENCE = Duration.ofMinutes(2);
 
     private static final List<ModelSet> SETS =
             List.of(
@@ -51,14 +53,14 @@ class DamagedModelsTest {
     private static void check(long seed, UnaryOperator<ModelSet> change) {
         int number = Math.floorMod(seed, SETS.size());
         ModelSet original = SETS.get(number);
-        long start = System.nanoTime();
         ModelSet changed = change.apply(original);
         try {
-            Statistics.label("reached").collect(LAWS.get(number).check(changed));
+            Harmless.Stage reached =
+                    assertTimeoutPreemptively(PATIENCE, () -> LAWS.get(number).check(changed));
+            Statistics.label("reached").collect(reached);
         } catch (RuntimeException | Error problem) {
             throw new AssertionError(
                     "seed " + seed + "\n" + changed.differenceFrom(original), problem);
         }
-        assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(PATIENCE);
     }
 }

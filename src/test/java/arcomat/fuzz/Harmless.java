@@ -4,16 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
 import arcomat.check.Profile;
-import arcomat.generate.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
-import arcomat.model.StreamTest;
 import arcomat.model.Value;
 import arcomat.pipeline.Agreement;
-import arcomat.report.FindingsJson;
 import arcomat.report.FindingsText;
 import arcomat.report.Style;
 import arcomat.semantics.FirstValue;
@@ -62,7 +59,9 @@ final class Harmless {
         Workspace workspace = workspace(original);
         assertThat(errors(Checks.run(workspace, Profile.REQUIREMENTS))).isEmpty();
         this.originalErrors = errors(Checks.run(workspace, Profile.EXECUTABLE));
-        Lowering.lower(workspace).components().forEach(c -> originalComponents.put(c.qualifiedName(), c));
+        Lowering.lower(workspace)
+                .components()
+                .forEach(c -> originalComponents.put(c.qualifiedName(), c));
     }
 
     Stage check(ModelSet damaged) {
@@ -73,7 +72,8 @@ final class Harmless {
         List<Diagnostic> findings = Checks.run(workspace, Profile.REQUIREMENTS);
         checkPlaces(findings);
         FindingsText.render(findings, Style.PLAIN);
-        boolean broken = damaged.files().values().stream().anyMatch(p -> p.parsed().unit().isEmpty());
+        boolean broken =
+                damaged.files().values().stream().anyMatch(p -> p.parsed().unit().isEmpty());
         if (broken || !errors(findings).isEmpty()) {
             checkPlaces(Checks.run(workspace, Profile.EXECUTABLE));
             return broken ? Stage.TEXT : Stage.TREE;

@@ -11,9 +11,36 @@ final class Variation {
     private static final String NUMBER = "\\d[\\d.]*|true|false";
     private static final String SMALL_NAME = "(?!in|out|port|state|initial|component)[a-z_]\\w*";
     private static final String[] NUMBERS = {
-        "0", "1", "2", "-1", "3", "127", "128", "255", "300", "2147483647", "-2147483648", "1.5",
-        "9223372036854775807L", "0.1", "1e308", "0x7f", "'x'", "\"a\\\"b\"", "true", "false", "5L",
-        "2.5f", "(byte) 300", "(char) 65", "-7 % 3", "5 / 2", "1 / 3.0", "(int) 2.9", "-(-3)", "'\\u0041'",
+        "0",
+        "1",
+        "2",
+        "-1",
+        "3",
+        "127",
+        "128",
+        "255",
+        "300",
+        "2147483647",
+        "-2147483648",
+        "1.5",
+        "9223372036854775807L",
+        "0.1",
+        "1e308",
+        "0x7f",
+        "'x'",
+        "\"a\\\"b\"",
+        "true",
+        "false",
+        "5L",
+        "2.5f",
+        "(byte) 300",
+        "(char) 65",
+        "-7 % 3",
+        "5 / 2",
+        "1 / 3.0",
+        "(int) 2.9",
+        "-(-3)",
+        "'\\u0041'",
     };
     private static final String[] TYPES = {
         "Integer", "int", "Integer[0..3]", "Integer[-2..2]", "byte", "short", "long", "Long",
@@ -21,22 +48,65 @@ final class Variation {
         "byte[0..100]", "Integer[1..9]",
     };
     private static final String[] EXPRESSIONS = {
-        "(%s)", "(%s + 1)", "(%s - 1)", "-%s", "(%s * 2)", "(%s / 2)", "(%s %% 3)", "(3 / %s)",
-        "(1 %% %s)", "(byte) %s", "(int) %s", "(char) %s", "(long) %s", "(double) %s", "(float) %s",
-        "(short) %s", "!%s", "(%s == %s)", "(%s != %s)", "(%s < 2)", "(%s >= 1.5)", "(%s && true)",
-        "(%s || %s)", "(%s implies %s)", "(%s <=> true)", "(if true then %s else %s)",
-        "(%s == %s ? %s : %s)", "(%s isin {%s})", "(%s isin {1, 2})", "alt {%s, %s}", "[%s]", "--", "?",
-        "(%s == --)", "(%s + \"\")", "(%s * 1000000)", "(1.0 / %s)", "%s + %s",
+        "(%s)",
+        "(%s + 1)",
+        "(%s - 1)",
+        "-%s",
+        "(%s * 2)",
+        "(%s / 2)",
+        "(%s %% 3)",
+        "(3 / %s)",
+        "(1 %% %s)",
+        "(byte) %s",
+        "(int) %s",
+        "(char) %s",
+        "(long) %s",
+        "(double) %s",
+        "(float) %s",
+        "(short) %s",
+        "!%s",
+        "(%s == %s)",
+        "(%s != %s)",
+        "(%s < 2)",
+        "(%s >= 1.5)",
+        "(%s && true)",
+        "(%s || %s)",
+        "(%s implies %s)",
+        "(%s <=> true)",
+        "(if true then %s else %s)",
+        "(%s == %s ? %s : %s)",
+        "(%s isin {%s})",
+        "(%s isin {1, 2})",
+        "alt {%s, %s}",
+        "[%s]",
+        "--",
+        "?",
+        "(%s == --)",
+        "(%s + \"\")",
+        "(%s * 1000000)",
+        "(1.0 / %s)",
+        "%s + %s",
     };
     private static final String[] AUTOMATA = {
-        "<<completion = \"chaos\">> automaton", "<<completion = \"output\">> automaton",
-        "<<completion = \"ignore\">> automaton", "<<completion = \"error\">> automaton",
-        "<<omitted = \"free\">> automaton", "<<completion = \"output\", omitted = \"free\">> automaton",
-        "timing instant; automaton", "timing delayed; automaton", "timing untimed; automaton",
-        "Integer constant = 7; automaton", "autoconnect type; automaton",
+        "<<completion = \"chaos\">> automaton",
+        "<<completion = \"output\">> automaton",
+        "<<completion = \"ignore\">> automaton",
+        "<<completion = \"error\">> automaton",
+        "<<omitted = \"free\">> automaton",
+        "<<completion = \"output\", omitted = \"free\">> automaton",
+        "timing instant; automaton",
+        "timing delayed; automaton",
+        "timing untimed; automaton",
+        "Integer constant = 7; automaton",
+        "autoconnect type; automaton",
     };
     private static final String[] DIRECTIONS = {
-        "in", "out", "<<total>> in", "<<total>> out", "<<delay = \"0\">> out", "<<delay = \"1\">> out",
+        "in",
+        "out",
+        "<<total>> in",
+        "<<total>> out",
+        "<<delay = \"0\">> out",
+        "<<delay = \"1\">> out",
         "<<state>> in",
     };
 
@@ -79,7 +149,8 @@ final class Variation {
 
     private String operator(String text) {
         return switch (dice.below(3)) {
-            case 0 -> dice.replaceOne(text, "==|!=|<=|>=|[<>]", t -> dice.one("==", "!=", "<", ">="));
+            case 0 ->
+                    dice.replaceOne(text, "==|!=|<=|>=|[<>]", t -> dice.one("==", "!=", "<", ">="));
             case 1 -> dice.replaceOne(text, "[-+*/%]", t -> dice.one("+", "-", "*", "/", "%"));
             default -> dice.replaceOne(text, "&&|\\|\\|", t -> dice.one("&&", "||", "implies"));
         };
