@@ -1,6 +1,5 @@
 package arcomat.pipeline;
 
-import arcomat.check.Profile;
 import arcomat.generate.Choosing;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
@@ -9,6 +8,8 @@ import arcomat.generate.Request;
 import arcomat.generate.Target;
 import arcomat.model.Model;
 import arcomat.source.Diagnostic;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -23,7 +24,9 @@ final class GenerateStep {
             GenerationRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         Target target = Targets.find(request.target(), names);
-        CheckedModels checked = CheckedModels.check(paths, Profile.EXECUTABLE, names, progress);
+        CheckedModels checked =
+                CheckedModels.checkToRun(
+                        paths, models -> wantedOf(request, models), names, progress);
         if (checked.hasErrors()) {
             return new GenerationResult(checked.result(), List.of());
         }
@@ -43,9 +46,16 @@ final class GenerateStep {
         for (GeneratedFile file : generation.files()) {
             files.put(file.path(), file.text());
         }
-        progress.step("writing " + files.size() + " files");
+        progress.step("writing", files.size(), "file");
         OutputFolder.replace(names.resolve(request.out()), request.out(), files);
         return new GenerationResult(result, List.copyOf(files.keySet()));
+    }
+
+    /** What code is to be made of; nothing where {@code --main} names nothing. */
+    private static List<ComponentSymbol> wantedOf(GenerationRequest request, Workspace models) {
+        return request.main()
+                .map(main -> MainComponent.symbols(main, models))
+                .orElseGet(models::components);
     }
 
     private static Request wanted(GenerationRequest request, CheckedModels checked, Model model)
