@@ -2,7 +2,8 @@
 <#import "automaton.ftl" as automaton>
 <#assign self = .data_model>
 <@parts.header head/>
-<@parts.imports head checks completion.kind == "error"/>
+<#assign errors = sections?filter(one -> one.states?filter(some -> some.error != "")?has_content)>
+<@parts.imports head checks errors?has_content/>
 /** Component ${head.model}. */
 public final class ${head.name} {
 <@automaton.states self/>

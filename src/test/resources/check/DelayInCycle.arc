@@ -81,3 +81,18 @@ component GoodParallel {
   connect two.c -> two.b;
   connect two.d -> o;
 }
+
+//// GoodEvents.arc
+component GoodEvents {
+  component Control ctrl {
+    timing untimed;
+    port in Boolean alert, out Boolean start;
+  }
+  component Timer timer {
+    timing untimed;
+    port in Boolean start, out Boolean alert;
+  }
+
+  connect ctrl.start -> timer.start;
+  connect timer.alert -> ctrl.alert;
+}

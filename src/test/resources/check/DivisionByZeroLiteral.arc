@@ -32,3 +32,33 @@ component Remainder {
 //                 ~ error ARC0323: division by zero would stop the run; correct the divisor
   }
 }
+
+//// Computed.arc
+component Computed(Integer size = 8 / (3 - 3)) {
+//                                     ~~~~~ error ARC0323: division by zero would stop the run; correct the divisor
+  port in Integer sum, out Integer mean;
+
+  automaton {
+    state running;
+    variable Integer left = 1 / (2 * 0 + 1);
+    initial running;
+    running {sum == ?} / {mean = sum / size, left = 1 % (7 / 8)};
+//                                                       ~~~~~ error ARC0323: division by zero would stop the run; correct the divisor
+  }
+}
+
+//// ComputedTest.mt
+testsuite ComputedTest for Computed(4 / (5 - 5)) {
+//                                       ~~~~~ error ARC0323: division by zero would stop the run; correct the divisor
+  test mean {
+    input { sum: <8>; }
+  }
+}
+
+//// UncertainTest.mt
+testsuite UncertainTest for Computed(4 / (if 1 > 2 then 1 else 0)) {
+//                                        ~~~~~~~~~~~~~~~~~~~~~~ error ARC0323: whether this divisor is zero shows only in a run; write the number
+  test mean {
+    input { sum: <8>; }
+  }
+}

@@ -31,3 +31,29 @@ component Guard {
     driving {tooClose == true} / {drive = false};
   }
 }
+
+//// robot/Bell.arc
+package robot;
+
+component Bell {
+  timing untimed;
+  port in Boolean button, out Boolean ring;
+
+  automaton {
+    state idle;
+    initial idle;
+    idle {button == true} / {ring = true};
+  }
+}
+
+//// robot/SlicedBellTest.mt
+package robot;
+
+testsuite SlicedBellTest for Bell {
+  test rings {
+    events { button: <true, 2*(Tk, true)>; }
+//                             ~~ error ARC0707: 'Tk' ends a slice, but an untimed component knows none; leave it out
+    expect { ring: <true, Tk, true>; }
+//                        ~~ error ARC0707: 'Tk' ends a slice, but an untimed component knows none; leave it out
+  }
+}

@@ -34,3 +34,16 @@ component Everywhere {
 //                            ~~ error ARC0322: 10 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
   }
 }
+
+//// Sum.arc
+component Sum {
+  port in Boolean go, out Integer[0..9] digit;
+
+  automaton {
+    state only;
+    initial only;
+    only {go == true} / {digit = 5 + 5};
+//                               ~~~~~ error ARC0322: 10 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+    only {go == false} / {digit = 5 + 4};
+  }
+}

@@ -34,6 +34,21 @@ component BadImplicit {
   connect motor -> motor.step;
 }
 
+//// p/BadInAndOut.arc
+package p;
+component BadInAndOut {
+  port in Integer go, out Integer go;
+//                                ~~ error ARC0201: component 'BadInAndOut' has a port 'go' already; rename this port
+
+  component Gate gate {
+    timing instant;
+    port in Integer go, out Integer go;
+//                                  ~~ error ARC0201: component 'Gate' has a port 'go' already; rename this port
+  }
+
+  connect go -> gate.go;
+}
+
 //// p/Base.arc
 package p;
 component Base {

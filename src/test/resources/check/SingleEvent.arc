@@ -49,3 +49,20 @@ component LatchedOnly {
 //       ~~~~~~~~~~~~~~ error ARC0320: a transition of an untimed component waits for an event; name the message that triggers it
   }
 }
+
+//// BadTable.arc
+component BadTable {
+  timing untimed;
+  port in Boolean button, in Boolean door, <<state>> in Integer floor, out Boolean bell;
+
+  table {
+    in button, door, floor;
+    out bell;
+    | true | --    | 3 | => | true  |;
+    | *    | false | * | => | false |;
+    | true | true  | * | => | true  |;
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: an untimed component handles one event at a time, but this row waits for 'button', 'door' at once; write a row for each
+    | *    | --    | 3 | => | false |;
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0320: a row of an untimed component waits for an event; name the message in one of its input cells
+  }
+}

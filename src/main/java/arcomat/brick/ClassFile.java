@@ -82,9 +82,7 @@ final class ClassFile {
         Matcher declared =
                 Pattern.compile("\\b(?:class|interface|enum) (" + Pattern.quote(simple) + ")\\b")
                         .matcher(file.text());
-        return declared.find()
-                ? file.span(declared.start(1), declared.end(1))
-                : file.span(0, 0);
+        return declared.find() ? file.span(declared.start(1), declared.end(1)) : file.span(0, 0);
     }
 
     /** The first line of a method's body; the class if it has none. */
@@ -102,11 +100,14 @@ final class ClassFile {
         return lineNumber(instruction).map(this::line).orElseGet(() -> span(method));
     }
 
-    /** Says where an instruction is: {@code robot.Main.run}, with its line where no text shows it. */
+    /**
+     * Says where an instruction is: {@code robot.Main.run}, with its line where no text shows it.
+     */
     String where(MethodNode method, AbstractInsnNode instruction) {
         return given.text().isPresent()
                 ? where(method)
-                : where(method) + lineNumber(instruction).map(line -> " (line " + line + ")").orElse("");
+                : where(method)
+                        + lineNumber(instruction).map(line -> " (line " + line + ")").orElse("");
     }
 
     /** Names a method for people. */
@@ -121,7 +122,9 @@ final class ClassFile {
     private static Optional<Integer> lineNumber(AbstractInsnNode instruction) {
         AbstractInsnNode each = instruction;
         // The line of a label, where a handler starts, stands behind it.
-        while (each.getOpcode() < 0 && !(each instanceof LineNumberNode) && each.getNext() != null) {
+        while (each.getOpcode() < 0
+                && !(each instanceof LineNumberNode)
+                && each.getNext() != null) {
             each = each.getNext();
         }
         while (each != null && !(each instanceof LineNumberNode)) {
@@ -132,16 +135,12 @@ final class ClassFile {
 
     /** A line without its indentation; the whole file's start where the text does not have it. */
     private Span line(int number) {
-        int start = 0;
-        for (int line = 1; line < number && start >= 0; line++) {
-            start = file.text().indexOf('\n', start) + 1;
-            if (start == 0) {
-                return file.span(0, 0);
-            }
+        if (number < 1 || number > file.lineCount()) {
+            return file.span(0, 0);
         }
-        int end = file.text().indexOf('\n', start);
-        String text = file.text().substring(start, end < 0 ? file.text().length() : end);
+        String text = file.line(number);
         int indent = text.length() - text.stripLeading().length();
+        int start = file.lineStart(number);
         return file.span(start + indent, start + Math.max(indent, text.stripTrailing().length()));
     }
 }

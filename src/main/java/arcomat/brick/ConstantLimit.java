@@ -22,8 +22,7 @@ final class ConstantLimit implements BrickLaw {
 
     @Override
     public Stream<Diagnostic> findings(Program program) {
-        int constants =
-                (int) program.inClasses((file, node) -> constants(node)).distinct().count();
+        int constants = (int) program.inClasses((file, node) -> constants(node)).distinct().count();
         return constants <= CONSTANTS
                 ? Stream.empty()
                 : Stream.of(

@@ -26,8 +26,7 @@ final class FieldLimit implements BrickLaw {
     }
 
     private static int fields(ClassNode node) {
-        return (int)
-                node.fields.stream().filter(f -> (f.access & Opcodes.ACC_STATIC) == 0).count();
+        return (int) node.fields.stream().filter(f -> (f.access & Opcodes.ACC_STATIC) == 0).count();
     }
 
     private Diagnostic finding(ClassFile file, int fields) {

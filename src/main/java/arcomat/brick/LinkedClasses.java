@@ -3,15 +3,20 @@ package arcomat.brick;
 import arcomat.brick.api.BrickTable;
 import arcomat.brick.api.BrickType;
 
+import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
+import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
-import org.objectweb.asm.tree.MethodNode;
+import org.objectweb.asm.tree.MultiANewArrayInsnNode;
+import org.objectweb.asm.tree.TypeInsnNode;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -27,11 +32,7 @@ final class LinkedClasses {
 
     /** What every program needs, besides the exceptions that the machine itself throws. */
     private static final List<String> ALWAYS =
-            List.of(
-                    "java/lang/Object",
-                    "java/lang/String",
-                    "java/lang/System",
-                    "java/lang/Thread");
+            List.of("java/lang/Object", "java/lang/String", "java/lang/System", "java/lang/Thread");
 
     private final BrickTable table;
 
@@ -47,9 +48,8 @@ final class LinkedClasses {
     /** The empty program, own classes and arrays, and what of leJOS is not in the empty program. */
     static int about(Program program) {
         LinkedClasses linked = new LinkedClasses(program.table());
-        program.inClasses((file, node) -> References.of(file, node).stream())
-                .forEach(reference -> linked.reachClass(reference.owner()));
-        program.inClasses((file, node) -> descriptors(node)).forEach(linked::reachNames);
+        program.references().forEach(reference -> linked.reachClass(reference.owner()));
+        program.inClasses((file, node) -> arrays(node)).forEach(linked::reach);
         linked.follow();
         linked.reached.removeAll(emptyProgram(program.table()));
         return EMPTY_PROGRAM + program.files().size() + linked.reached.size();
@@ -68,14 +68,30 @@ final class LinkedClasses {
 
     private static boolean isThrowable(BrickTable table, BrickType type) {
         return type.name().equals("java/lang/Throwable")
-                || type.superclass().flatMap(table::type).filter(s -> isThrowable(table, s)).isPresent();
+                || type.superclass()
+                        .flatMap(table::type)
+                        .filter(s -> isThrowable(table, s))
+                        .isPresent();
     }
 
-    /** Of fields and methods: only there do arrays show that are not made in the robot's code. */
-    private static Stream<String> descriptors(ClassNode node) {
-        Stream<String> fields = node.fields.stream().map(field -> field.desc);
-        Stream<String> methods = node.methods.stream().map((MethodNode method) -> method.desc);
-        return Stream.concat(fields, methods);
+    /** The arrays that a class makes, and those it declares fields for. */
+    private static Stream<Type> arrays(ClassNode node) {
+        Stream<Type> fields = node.fields.stream().map(field -> Type.getType(field.desc));
+        Stream<Type> made =
+                node.methods.stream()
+                        .flatMap(method -> Arrays.stream(method.instructions.toArray()))
+                        .flatMap(instruction -> arrayMadeBy(instruction).stream());
+        return Stream.concat(fields, made);
+    }
+
+    private static Optional<Type> arrayMadeBy(AbstractInsnNode instruction) {
+        if (instruction instanceof MultiANewArrayInsnNode several) {
+            return Optional.of(Type.getType(several.desc));
+        }
+        if (instruction instanceof TypeInsnNode one && one.getOpcode() == Opcodes.ANEWARRAY) {
+            return Optional.of(Type.getType("[" + Type.getObjectType(one.desc).getDescriptor()));
+        }
+        return Optional.empty();
     }
 
     private void reachNames(String descriptor) {

@@ -19,10 +19,7 @@ final class MembersOnTheBrick implements BrickLaw {
     @Override
     public Stream<Diagnostic> findings(Program program) {
         Hierarchy hierarchy = new Hierarchy(program);
-        return program.inClasses(
-                (file, node) ->
-                        References.of(file, node).stream()
-                                .flatMap(each -> finding(hierarchy, each).stream()));
+        return program.references().stream().flatMap(each -> finding(hierarchy, each).stream());
     }
 
     private Optional<Diagnostic> finding(Hierarchy hierarchy, Reference reference) {

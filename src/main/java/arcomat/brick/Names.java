@@ -11,7 +11,9 @@ final class Names {
 
     private Names() {}
 
-    /** {@code java.util.Map.Entry} of {@code java/util/Map$Entry}; classes without name keep theirs. */
+    /**
+     * {@code java.util.Map.Entry} of {@code java/util/Map$Entry}; classes without name keep theirs.
+     */
     static String type(String internalName) {
         return internalName.replace('/', '.').replaceAll("\\$(?=\\p{L})", ".");
     }

@@ -19,12 +19,14 @@ final class Program {
     private final BrickTable table;
     private final List<ClassFile> files;
     private final Map<String, ClassNode> own = new HashMap<>();
+    private final List<Reference> references;
 
     private Program(RobotJar jar, BrickTable table, List<ClassFile> files) {
         this.jar = jar;
         this.table = table;
         this.files = List.copyOf(files);
         files.forEach(file -> file.node().ifPresent(node -> own.put(node.name, node)));
+        this.references = inClasses((f, node) -> References.of(f, node).stream()).toList();
     }
 
     static Program read(RobotJar jar, BrickTable table) {
@@ -47,6 +49,11 @@ final class Program {
         return Optional.ofNullable(own.get(name));
     }
 
+    /** All places where the robot's classes name types and members. */
+    List<Reference> references() {
+        return references;
+    }
+
     /** The place of findings about the program as a whole. */
     Span span() {
         return new SourceFile(jar.path(), "").span(0, 0);
@@ -55,8 +62,6 @@ final class Program {
     /** Applies a function to each class that could be read. */
     <T> Stream<T> inClasses(BiFunction<ClassFile, ClassNode, Stream<T>> function) {
         return files.stream()
-                .flatMap(
-                        file ->
-                                file.node().stream().flatMap(node -> function.apply(file, node)));
+                .flatMap(file -> file.node().stream().flatMap(node -> function.apply(file, node)));
     }
 }

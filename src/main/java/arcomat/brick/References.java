@@ -96,7 +96,11 @@ final class References {
 
     /** Arrays have the members of objects, and every array can be cloned. */
     private void member(
-            MethodNode method, AbstractInsnNode each, String owner, String name, String descriptor) {
+            MethodNode method,
+            AbstractInsnNode each,
+            String owner,
+            String name,
+            String descriptor) {
         if (owner.startsWith("[")) {
             type(method, each, Type.getObjectType(owner));
             return;

@@ -19,10 +19,7 @@ final class StaticFieldLimit implements BrickLaw {
 
     @Override
     public Stream<Diagnostic> findings(Program program) {
-        int fields =
-                (int)
-                        program.inClasses((file, node) -> variables(node))
-                                .count();
+        int fields = (int) program.inClasses((file, node) -> variables(node)).count();
         return fields <= FIELDS
                 ? Stream.empty()
                 : Stream.of(

@@ -6,7 +6,7 @@ import arcomat.symbols.DelayCycle;
 
 import java.util.List;
 
-/** ARC0124: in each circle of messages some port is delayed. (Hab16 CG1) */
+/** ARC0124: in each circle of time-synchronous messages some port is delayed. (Hab16 CG1) */
 final class DelayInCycle implements Check.OnComponent {
 
     @Override
@@ -16,6 +16,9 @@ final class DelayInCycle implements Check.OnComponent {
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
+        if (component.isEventDriven()) {
+            return;
+        }
         for (DelayCycle cycle : context.workspace().delays().cycles(component)) {
             report(cycle, findings);
         }

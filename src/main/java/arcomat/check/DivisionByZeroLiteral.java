@@ -1,12 +1,20 @@
 package arcomat.check;
 
+import arcomat.symbols.ConstantFolding;
 import arcomat.symbols.ExpressionProblem.Kind;
 import arcomat.symbols.Typed;
+import arcomat.symbols.TypedExpression;
+import arcomat.tree.Expression.BinaryOperator;
+import arcomat.tree.TestSuite;
 
 import java.util.EnumSet;
 import java.util.Set;
 
-/** ARC0323: no whole number is divided by a literal zero. */
+/**
+ * ARC0323: no whole number is divided by a zero that is written or computed from what is written.
+ * Messages and arguments of tests are computed before anything runs: there, every divisor has to be
+ * known.
+ */
 final class DivisionByZeroLiteral implements Check.OnExpression {
     private static final Set<Kind> KINDS = EnumSet.of(Kind.DIVISION_BY_ZERO);
 
@@ -18,5 +26,23 @@ final class DivisionByZeroLiteral implements Check.OnExpression {
     @Override
     public void check(Typed typed, Context context, Findings findings) {
         Expressions.report(typed, KINDS, findings);
+        if (context.unit().definition() instanceof TestSuite) {
+            typed.expression().walk(part -> checkDivisor(part, findings));
+        }
+    }
+
+    private static void checkDivisor(TypedExpression expression, Findings findings) {
+        if (expression instanceof TypedExpression.Binary binary
+                && isDivision(binary.node().operator())
+                && binary.operandType().isIntegral()
+                && ConstantFolding.computed(binary.right()).isEmpty()) {
+            findings.report(
+                    binary.right().node(),
+                    "whether this divisor is zero shows only in a run; write the number");
+        }
+    }
+
+    private static boolean isDivision(BinaryOperator operator) {
+        return operator == BinaryOperator.DIVIDE || operator == BinaryOperator.REMAINDER;
     }
 }

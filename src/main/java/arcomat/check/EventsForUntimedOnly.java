@@ -4,6 +4,8 @@ import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.StreamTestSymbol;
 import arcomat.tree.TestSuite;
 
+import java.util.List;
+
 /** ARC0707: events drive untimed components, input streams drive the others. */
 final class EventsForUntimedOnly implements Check.OnStreamTest {
 
@@ -21,7 +23,7 @@ final class EventsForUntimedOnly implements Check.OnStreamTest {
     }
 
     private static void check(TestSuite.Test test, ComponentSymbol component, Findings findings) {
-        boolean eventDriven = component.timing().eventDriven();
+        boolean eventDriven = component.isEventDriven();
         for (TestSuite.Streams streams : test.streams()) {
             if (streams.kind() == TestSuite.Kind.EVENTS && !eventDriven) {
                 findings.report(
@@ -35,6 +37,20 @@ final class EventsForUntimedOnly implements Check.OnStreamTest {
                         "component '"
                                 + component.name()
                                 + "' is untimed; drive it with an 'events' block");
+            } else if (eventDriven) {
+                streams.streams().forEach(stream -> checkTicks(stream.elements(), findings));
+            }
+        }
+    }
+
+    private static void checkTicks(List<TestSuite.StreamElement> elements, Findings findings) {
+        for (TestSuite.StreamElement element : elements) {
+            if (element instanceof TestSuite.Tick) {
+                findings.report(
+                        element,
+                        "'Tk' ends a slice, but an untimed component knows none; leave it out");
+            } else if (element instanceof TestSuite.Repeat repeat) {
+                checkTicks(repeat.elements(), findings);
             }
         }
     }

@@ -91,7 +91,7 @@ final class Items {
     }
 
     static boolean isEventDriven(AutomatonSymbol automaton) {
-        return automaton.component().filter(c -> c.timing().eventDriven()).isPresent();
+        return automaton.component().filter(ComponentSymbol::isEventDriven).isPresent();
     }
 
     /** Whether an automaton is a requirement on a composition: then it never runs itself. */

@@ -94,7 +94,7 @@ final class LiteralInRange
     /** A range that is reversed has a finding already. */
     private static void check(Typed typed, TypeSymbol type, Findings findings) {
         if (type instanceof RangeType range && range.low() <= range.high()) {
-            ConstantFolding.wholeNumber(typed.expression())
+            ConstantFolding.computed(typed.expression())
                     .filter(number -> !range.contains(number))
                     .ifPresent(number -> report(typed, number, range, findings));
         }

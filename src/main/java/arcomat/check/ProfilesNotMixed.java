@@ -2,10 +2,9 @@ package arcomat.check;
 
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.Profiles;
 
-import java.util.HashSet;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * ARC0129: the components of a network are all time-synchronous or all event-driven. A decomposed
@@ -78,24 +77,6 @@ final class ProfilesNotMixed implements Check.OnComponent {
     }
 
     private static Optional<Boolean> isEventDriven(InstanceSymbol instance) {
-        return instance.component().flatMap(c -> isEventDriven(c, new HashSet<>()));
-    }
-
-    /** Decided by the first atomic component inside that is no platform component. */
-    private static Optional<Boolean> isEventDriven(
-            ComponentSymbol component, Set<ComponentSymbol> seen) {
-        if (component.isPlatform() || !seen.add(component)) {
-            return Optional.empty();
-        }
-        if (!component.isDecomposed()) {
-            return Optional.of(component.timing().eventDriven());
-        }
-        for (InstanceSymbol instance : component.instances()) {
-            Optional<Boolean> found = instance.component().flatMap(c -> isEventDriven(c, seen));
-            if (found.isPresent()) {
-                return found;
-            }
-        }
-        return Optional.empty();
+        return instance.component().flatMap(Profiles::eventDriven);
     }
 }

@@ -3,7 +3,9 @@ package arcomat.check;
 import arcomat.source.Span;
 import arcomat.symbols.AutomatonSymbol;
 import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.ItemValue;
 import arcomat.symbols.PortSymbol;
+import arcomat.symbols.TableSymbol;
 import arcomat.symbols.TransitionSymbol;
 import arcomat.tree.Block;
 import arcomat.tree.Node;
@@ -12,8 +14,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** ARC0320: a transition of an untimed component names exactly one event. */
-final class SingleEvent implements Check.OnAutomaton {
+/** ARC0320: a transition, or a row, of an untimed component names exactly one event. */
+final class SingleEvent implements Check.OnAutomaton, Check.OnTable {
 
     @Override
     public Law law() {
@@ -42,6 +44,50 @@ final class SingleEvent implements Check.OnAutomaton {
         if (events.size() != 1) {
             report(transition, events, findings);
         }
+    }
+
+    @Override
+    public void check(TableSymbol table, Context context, Findings findings) {
+        if (table.component().timing().eventDriven()) {
+            table.rows().forEach(row -> check(row, table.inputs(), findings));
+        }
+    }
+
+    /** Rows of another width, and columns that are no ports, have findings. */
+    private static void check(
+            TableSymbol.Row row, List<TableSymbol.Column> columns, Findings findings) {
+        if (row.inputs().size() != columns.size()) {
+            return;
+        }
+        List<String> events = new ArrayList<>();
+        for (int i = 0; i < columns.size(); i++) {
+            Optional<PortSymbol> port = columns.get(i).port();
+            if (port.isEmpty()) {
+                return;
+            }
+            if (!port.get().isLatched() && asksForMessage(row.inputs().get(i))) {
+                events.add(port.get().name());
+            }
+        }
+        if (events.size() != 1) {
+            report(row, events, findings);
+        }
+    }
+
+    private static boolean asksForMessage(ItemValue cell) {
+        return !Items.isSilence(cell) && !(cell.node() instanceof Block.DontCare);
+    }
+
+    private static void report(TableSymbol.Row row, List<String> events, Findings findings) {
+        findings.report(
+                row.node(),
+                events.isEmpty()
+                        ? "a row of an untimed component waits for an event; name the message in"
+                                + " one of its input cells"
+                        : "an untimed component handles one event at a time, but this row waits"
+                                + " for "
+                                + Wording.quoted(events)
+                                + " at once; write a row for each");
     }
 
     private static void report(

@@ -17,7 +17,7 @@ final class TestSingleMessagePerSlice implements Check.OnTestSuite {
     @Override
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
         Optional<ComponentSymbol> component = suite.component().found();
-        if (component.isEmpty() || component.get().timing().eventDriven()) {
+        if (component.isEmpty() || component.get().isEventDriven()) {
             return;
         }
         for (TestSuite.Test test : Tests.of(suite.node())) {

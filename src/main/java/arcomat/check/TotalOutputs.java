@@ -29,7 +29,7 @@ final class TotalOutputs {
     }
 
     static List<PortSymbol> of(ComponentSymbol component) {
-        return component.timing().eventDriven() ? List.of() : totalOutputs(component.ports());
+        return component.isEventDriven() ? List.of() : totalOutputs(component.ports());
     }
 
     private static List<PortSymbol> totalOutputs(List<PortSymbol> ports) {

@@ -124,7 +124,7 @@ final class StateViews {
                         transitions.size() > 31,
                         last,
                         List.of(),
-                        error(state));
+                        last ? "" : error(state));
         if (chooses && transitions.size() > MOST_DRAWN) {
             throw new TooManyChoices(context.component(), name, transitions.size());
         }

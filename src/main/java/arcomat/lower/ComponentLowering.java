@@ -120,7 +120,7 @@ final class ComponentLowering {
     }
 
     private static Component.Profile profile(ComponentSymbol symbol) {
-        return symbol.timing().eventDriven()
+        return symbol.isEventDriven()
                 ? Component.Profile.EVENT_DRIVEN
                 : Component.Profile.TIME_SYNCHRONOUS;
     }

@@ -52,7 +52,7 @@ final class StreamTestLowering {
         List<StreamTest> tests = new ArrayList<>();
         for (StreamTestSymbol test : suite.tests()) {
             tests.add(
-                    symbol.timing().eventDriven()
+                    symbol.isEventDriven()
                             ? eventDriven(suite, test, component, arguments)
                             : timeSynchronous(suite, test, component, arguments));
         }

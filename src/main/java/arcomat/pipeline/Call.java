@@ -8,23 +8,26 @@ final class Call implements Runnable {
     private final Object owner;
     private final Method method;
 
-    Call(Object owner, String name) {
+    /**
+     * @param parameters how many the method has
+     */
+    Call(Object owner, String name, int parameters) {
         this.owner = owner;
-        this.method = find(owner.getClass(), name);
+        this.method = find(owner.getClass(), name, parameters);
         method.setAccessible(true);
     }
 
-    /** The most special one of that name; generated classes name each method once. */
-    private static Method find(Class<?> type, String name) {
+    /** The most special one of that name: a port may be called like a method without parameters. */
+    private static Method find(Class<?> type, String name, int parameters) {
         for (Method method : type.getDeclaredMethods()) {
-            if (method.getName().equals(name)) {
+            if (method.getName().equals(name) && method.getParameterCount() == parameters) {
                 return method;
             }
         }
         if (type.getSuperclass() == null) {
             throw new IllegalStateException("no method " + name);
         }
-        return find(type.getSuperclass(), name);
+        return find(type.getSuperclass(), name, parameters);
     }
 
     @Override

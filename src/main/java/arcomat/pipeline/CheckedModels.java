@@ -2,13 +2,17 @@ package arcomat.pipeline;
 
 import arcomat.check.Checks;
 import arcomat.check.Profile;
+import arcomat.check.Review;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.source.Diagnostic;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.function.Function;
 
 /**
  * The files behind a set of paths, read, parsed and checked: every finding of every file in one
@@ -18,14 +22,54 @@ import java.util.TreeSet;
  */
 record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> findings) {
 
+    /** Checks models for their own sake. */
     static CheckedModels check(
             List<String> paths, Profile profile, PathNames names, Progress progress) {
         LoadedModels loaded = ModelLoader.load(paths, names, progress);
-        progress.step("checking " + loaded.units().size() + " models");
-        Workspace workspace = Workspace.of(loaded.units(), loaded.broken());
+        Workspace workspace = workspace(loaded, progress);
+        return of(loaded, workspace, Checks.run(workspace, profile));
+    }
+
+    /**
+     * Checks models that are about to run: no error is excused by being meant.
+     *
+     * @param executable components that code is made of; requirements beside them need not be
+     *     executable
+     */
+    static CheckedModels checkToRun(
+            List<String> paths,
+            Function<Workspace, Collection<ComponentSymbol>> executable,
+            PathNames names,
+            Progress progress) {
+        LoadedModels loaded = ModelLoader.load(paths, names, progress);
+        Workspace workspace = workspace(loaded, progress);
+        Review review = Checks.review(workspace, Profile.REQUIREMENTS);
+        TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
+        findings.addAll(review.findings());
+        review.suppressed().stream()
+                .map(Review.Suppressed::finding)
+                .filter(Diagnostic::isError)
+                .forEach(findings::add);
+        MadeOf code = MadeOf.those(executable.apply(workspace));
+        if (!code.isEmpty()) {
+            findings.removeIf(code::contains);
+            Checks.run(workspace, Profile.EXECUTABLE).stream()
+                    .filter(code::contains)
+                    .forEach(findings::add);
+        }
+        return of(loaded, workspace, findings);
+    }
+
+    private static Workspace workspace(LoadedModels loaded, Progress progress) {
+        progress.step("checking", loaded.units().size(), "model");
+        return Workspace.of(loaded.units(), loaded.broken());
+    }
+
+    private static CheckedModels of(
+            LoadedModels loaded, Workspace workspace, Collection<Diagnostic> found) {
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(loaded.findings());
-        findings.addAll(Checks.run(workspace, profile));
+        findings.addAll(found);
         findings.removeIf(finding -> !loaded.isShown(finding));
         return new CheckedModels(loaded, workspace, List.copyOf(findings));
     }

@@ -52,8 +52,8 @@ final class CompiledEvents implements CompiledExecution.Engine {
                             actors.get(i),
                             new Slot(object, model.place(component).queued()),
                             component.queueCapacity(),
-                            new Call(object, "start"),
-                            new Call(object, "react")));
+                            new Call(object, "start", 0),
+                            new Call(object, "react", 0)));
         }
         network.inputs().forEach(this::connectInput);
         network.outputs().forEach(this::watchOutput);
@@ -62,7 +62,7 @@ final class CompiledEvents implements CompiledExecution.Engine {
     private void connectInput(Network.External external) {
         Layout.Place place = place(external);
         String method = place.methods().get(external.port().name());
-        senders.put(external.name(), new Call(part(external).object(), method));
+        senders.put(external.name(), new Call(part(external).object(), method, 1));
     }
 
     private void watchOutput(Network.External external) {

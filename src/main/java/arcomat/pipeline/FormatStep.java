@@ -21,7 +21,7 @@ final class FormatStep {
         paths.forEach(finder::find);
         List<Diagnostic> findings = new ArrayList<>(finder.findings());
         List<String> changed = new ArrayList<>();
-        progress.step("formatting " + finder.files().size() + " files");
+        progress.step("formatting", finder.files().size(), "file");
         for (FileFinder.Found found : finder.files()) {
             FileReader.Read read = FileReader.read(found.path(), found.shown());
             read.finding().ifPresent(findings::add);

@@ -1,6 +1,5 @@
 package arcomat.pipeline;
 
-import arcomat.check.Profile;
 import arcomat.generate.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
@@ -8,6 +7,8 @@ import arcomat.generate.Request;
 import arcomat.generate.Target;
 import arcomat.model.Model;
 import arcomat.source.Diagnostic;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Workspace;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -23,7 +24,9 @@ final class GenerateStep {
             GenerationRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         Target target = Targets.find(request.target(), names);
-        CheckedModels checked = CheckedModels.check(paths, Profile.EXECUTABLE, names, progress);
+        CheckedModels checked =
+                CheckedModels.checkToRun(
+                        paths, models -> wantedOf(request, models), names, progress);
         if (checked.hasErrors()) {
             return refused(checked.result());
         }
@@ -51,7 +54,7 @@ final class GenerateStep {
             return refused(result);
         }
         Map<String, byte[]> output = output(generation, implementations, built);
-        progress.step("writing " + output.size() + " files");
+        progress.step("writing", output.size(), "file");
         OutputFolder.replace(names.resolve(request.out()), request.out(), output);
         return new GenerationResult(result, List.copyOf(output.keySet()), built.robots());
     }
@@ -72,6 +75,13 @@ final class GenerateStep {
 
     private static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** What code is to be made of; nothing where {@code --main} names nothing. */
+    private static List<ComponentSymbol> wantedOf(GenerationRequest request, Workspace models) {
+        return request.main()
+                .map(main -> MainComponent.symbols(main, models))
+                .orElseGet(models::components);
     }
 
     private static Request wanted(GenerationRequest request, CheckedModels checked, Model model)

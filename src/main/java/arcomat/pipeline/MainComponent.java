@@ -5,7 +5,9 @@ import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.semantics.Arguments;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Nearest;
+import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -35,6 +37,12 @@ record MainComponent(Component component, List<Value> arguments) {
         }
         Component component = component(matcher.group(1), checked, model);
         return new MainComponent(component, arguments(component, split(matcher.group(2))));
+    }
+
+    /** What a name as for {@link #find} may mean before the models have a meaning. */
+    static List<ComponentSymbol> symbols(String written, Workspace models) {
+        Matcher matcher = WRITTEN.matcher(written);
+        return matcher.matches() ? models.components(matcher.group(1)) : List.of();
     }
 
     /** The only component that is there to be deployed, for a command that names none. */

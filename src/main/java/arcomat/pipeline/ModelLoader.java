@@ -76,7 +76,7 @@ final class ModelLoader {
     }
 
     private List<SourceFile> read(List<FileFinder.Found> found) {
-        progress.step("reading " + found.size() + " files");
+        progress.step("reading", found.size(), "file");
         List<SourceFile> read = new ArrayList<>();
         for (FileFinder.Found file : found) {
             known.add(PathNames.real(file.path()));
@@ -94,7 +94,7 @@ final class ModelLoader {
     }
 
     private List<Unit> parse(List<SourceFile> sources) {
-        progress.step("parsing " + sources.size() + " files");
+        progress.step("parsing", sources.size(), "file");
         long size = sources.stream().mapToLong(file -> file.text().length()).sum();
         Stream<SourceFile> stream =
                 size > WORTH_A_SECOND_THREAD ? sources.parallelStream() : sources.stream();

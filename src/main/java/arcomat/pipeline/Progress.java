@@ -8,4 +8,11 @@ public interface Progress {
      * @param what the work that begins, such as {@code parsing 300 files}
      */
     void step(String what);
+
+    /** Work on a number of things: {@code parsing 1 file}; nothing is said about no things. */
+    default void step(String work, int number, String noun) {
+        if (number > 0) {
+            step(work + " " + number + " " + noun + (number == 1 ? "" : "s"));
+        }
+    }
 }

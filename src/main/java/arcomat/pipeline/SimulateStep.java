@@ -1,6 +1,5 @@
 package arcomat.pipeline;
 
-import arcomat.check.Profile;
 import arcomat.generate.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Letter;
@@ -13,6 +12,8 @@ import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
 import arcomat.simulate.Simulation;
 import arcomat.simulate.StreamTests;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -49,9 +50,13 @@ final class SimulateStep {
             all.add(input.get().file());
         }
         boolean compiled = request.engine() == SimulationRequest.Engine.COMPILED;
+        Optional<TestReference> test = input;
         CheckedModels checked =
-                CheckedModels.check(
-                        all, compiled ? Profile.EXECUTABLE : Profile.REQUIREMENTS, names, progress);
+                CheckedModels.checkToRun(
+                        all,
+                        models -> compiled ? mayRun(request, test, models, names) : List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new SimulationResult(checked.result(), Optional.empty());
         }
@@ -59,6 +64,21 @@ final class SimulateStep {
         progress.step("simulating");
         Trace trace = new SimulateStep(request, names, dialogue).run(checked, model, input);
         return new SimulationResult(checked.result(), Optional.of(trace));
+    }
+
+    /** The component that code is made of, before it is sure that there is exactly one. */
+    private static List<ComponentSymbol> mayRun(
+            SimulationRequest request,
+            Optional<TestReference> input,
+            Workspace models,
+            PathNames names) {
+        if (request.main().isPresent()) {
+            return MainComponent.symbols(request.main().get(), models);
+        }
+        if (input.isPresent()) {
+            return input.get().components(models, names);
+        }
+        return models.components().stream().filter(ComponentSymbol::isDeploy).toList();
     }
 
     private Trace run(CheckedModels checked, Model model, Optional<TestReference> input)

@@ -2,7 +2,9 @@ package arcomat.pipeline;
 
 import arcomat.model.Model;
 import arcomat.model.StreamTest;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Nearest;
+import arcomat.symbols.Workspace;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -34,6 +36,15 @@ record TestReference(String file, String test) {
                 .filter(t -> t.name().equals(test))
                 .findFirst()
                 .orElseThrow(() -> new WrongUse(unknown(tests)));
+    }
+
+    /** What the suite of the file tests, by name. */
+    List<ComponentSymbol> components(Workspace models, PathNames names) {
+        Path wanted = PathNames.real(names.resolve(file));
+        return models.testSuites().stream()
+                .filter(s -> PathNames.real(names.resolve(s.unit().file().path())).equals(wanted))
+                .flatMap(suite -> suite.component().found().stream())
+                .toList();
     }
 
     private static Path placeOf(StreamTest test, PathNames names) {

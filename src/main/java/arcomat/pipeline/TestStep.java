@@ -1,6 +1,5 @@
 package arcomat.pipeline;
 
-import arcomat.check.Profile;
 import arcomat.model.Model;
 import arcomat.model.StreamTest;
 import arcomat.simulate.StreamTestResult;
@@ -14,7 +13,8 @@ final class TestStep {
     private TestStep() {}
 
     static TestResult run(List<String> paths, PathNames names, Progress progress) throws WrongUse {
-        CheckedModels checked = CheckedModels.check(paths, Profile.REQUIREMENTS, names, progress);
+        CheckedModels checked =
+                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
         if (checked.hasErrors()) {
             return new TestResult(checked.result(), List.of());
         }

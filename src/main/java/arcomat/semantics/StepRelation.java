@@ -10,6 +10,7 @@ import arcomat.model.Variable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -159,6 +160,18 @@ public final class StepRelation {
             }
         }
         return enabled;
+    }
+
+    /** The first of the enabled transitions; the guards behind it are not looked at. */
+    public Optional<Trace.Taken> firstEnabled(Configuration before, Input input) {
+        if (before.isState()) {
+            for (Ready ready : byState.get(before.state())) {
+                if (isEnabled(ready, before, input)) {
+                    return Optional.of(ready.cause);
+                }
+            }
+        }
+        return Optional.empty();
     }
 
     private static List<Trace.Taken> plus(List<Trace.Taken> enabled, Trace.Taken next) {

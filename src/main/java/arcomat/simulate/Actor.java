@@ -81,7 +81,10 @@ final class Actor {
     private JointReaction single(Input input, int step) {
         StepRelation relation = relations.get(0);
         Configuration before = configurations.get(0);
-        List<Trace.Taken> enabled = relation.enabled(before, input);
+        List<Trace.Taken> enabled =
+                choice.isTextOrder()
+                        ? relation.firstEnabled(before, input).map(List::of).orElse(List.of())
+                        : relation.enabled(before, input);
         Reaction reaction =
                 enabled.isEmpty()
                         ? relation.complete(before)

@@ -28,6 +28,14 @@ public interface Choice {
      */
     Optional<Value> message(Port port, boolean required);
 
+    /**
+     * Whether the first alternative is always picked. Then nobody looks for others, as in generated
+     * code, and a guard behind an enabled one cannot divide by zero.
+     */
+    default boolean isTextOrder() {
+        return false;
+    }
+
     /** The first alternative in text order. */
     static Choice first() {
         return new FirstChoice();

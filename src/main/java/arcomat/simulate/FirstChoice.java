@@ -9,6 +9,11 @@ import java.util.Optional;
 /** The first of everything. */
 final class FirstChoice implements Choice {
     @Override
+    public boolean isTextOrder() {
+        return true;
+    }
+
+    @Override
     public int pick(Question question) {
         return 0;
     }

@@ -17,6 +17,11 @@ final class RememberedChoice implements Choice {
     }
 
     @Override
+    public boolean isTextOrder() {
+        return choice.isTextOrder();
+    }
+
+    @Override
     public int pick(Question question) {
         int picked = choice.pick(question);
         String instance = question.instance().isEmpty() ? "" : question.instance() + ": ";

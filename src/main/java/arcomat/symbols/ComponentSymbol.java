@@ -270,6 +270,11 @@ public final class ComponentSymbol {
         return !instances().isEmpty() || !connectors().isEmpty();
     }
 
+    /** Whether it steps once per event instead of once per slice. */
+    public boolean isEventDriven() {
+        return Profiles.eventDriven(this).orElse(timing().eventDriven());
+    }
+
     /** All instances: inherited, declared, and those made for inner components. */
     public List<InstanceSymbol> instances() {
         return instances.get().all();

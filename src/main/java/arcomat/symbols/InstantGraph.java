@@ -116,8 +116,14 @@ final class InstantGraph {
         }
     }
 
+    /**
+     * A name that is declared twice, in and out, is a circle in itself: that is another finding.
+     */
     List<DelayCycle> cycles() {
-        return graph.cycles().stream().map(this::cycle).toList();
+        return graph.cycles().stream()
+                .map(this::cycle)
+                .filter(c -> !c.connectors().isEmpty() && !c.instances().isEmpty())
+                .toList();
     }
 
     private DelayCycle cycle(List<Integer> ports) {

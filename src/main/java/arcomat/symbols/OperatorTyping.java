@@ -76,7 +76,7 @@ final class OperatorTyping {
                         || operator == Expression.BinaryOperator.REMAINDER;
         return divides
                 && operands.isIntegral()
-                && ConstantFolding.wholeNumber(right).filter(v -> v == 0).isPresent();
+                && ConstantFolding.computed(right).filter(v -> v == 0).isPresent();
     }
 
     private static String message(Expression.BinaryOperator operator, TypeSymbol a, TypeSymbol b) {

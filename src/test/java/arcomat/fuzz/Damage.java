@@ -2,10 +2,7 @@ package arcomat.fuzz;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Random;
 import java.util.regex.MatchResult;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * Damages models as people and machines do: a token too many or too few, a wrong name, a wrong
@@ -13,12 +10,7 @@ import java.util.regex.Pattern;
  * is gone. The same seed does the same damage.
  */
 final class Damage {
-    private static final Pattern TOKEN =
-            Pattern.compile(
-                    "//[^\n]*|/\\*.*?\\*/|\"[^\"\n]*\"|\\d+(?:\\.\\d+)?|\\w+|==|->|=>|--|&&|\\|\\||"
-                            + "[<>!]=|\\.\\.|\\S",
-                    Pattern.DOTALL);
-    private static final Pattern NAME = Pattern.compile("[A-Za-z_]\\w*");
+    private static final String NAME = "[A-Za-z_]\\w*";
     private static final String[] NUMBERS = {
         "0",
         "1",
@@ -79,59 +71,6 @@ final class Damage {
         "+", "-", "*", "/", "%", "==", "!=", "<", "<=", ">", ">=", "&&", "||", "implies", "<=>",
                 "?",
         "isin", "=", "--", ".", ",", ";", "->", ":", "[", "]", "{", "}", "(", ")", "alt", "++",
-    };
-    private static final String[] JAVA_NAMES = {
-        "class",
-        "String",
-        "Main",
-        "Object",
-        "step",
-        "this",
-        "int_",
-        "Integer",
-        "state",
-        "java",
-        "arcomat",
-        "rt",
-        "run",
-        "main",
-        "System",
-        "goto",
-        "enum",
-        "assert",
-        "Math",
-        "choice",
-        "reset",
-        "Boolean",
-        "Check",
-        "Choice",
-        "ModelError",
-        "INITIAL",
-        "input",
-        "output",
-        "getClass",
-        "wait",
-        "hashCode",
-        "notify",
-        "toString",
-        "void_",
-        "_",
-        "__",
-        "$",
-        "a$b",
-        "x1",
-        "X1",
-        "equals",
-        "const",
-        "clear",
-        "values",
-        "valueOf",
-        "ordinal",
-        "name",
-        "length",
-        "Override",
-        "slice",
-        "seed",
     };
     private static final String[] PIECES = {
         "<<total>> ",
@@ -224,89 +163,69 @@ final class Damage {
     };
 
     private final List<ModelSet> donors;
-    private final Random random;
+    private final Dice dice;
 
+    /**
+     * @param donors where lines and names of other models come from
+     */
     Damage(List<ModelSet> donors, long seed) {
         this.donors = donors;
-        this.random = new Random(seed);
+        this.dice = new Dice(seed);
     }
 
     /** The set with a few damages, most of them in one file. */
     ModelSet apply(ModelSet set) {
-        String path = anyPath(set);
+        String path = dice.path(set);
         ModelSet damaged = set;
-        for (int i = random.nextInt(3); i >= 0; i--) {
+        for (int i = dice.below(3); i >= 0; i--) {
             if (damaged.files().containsKey(path)) {
                 damaged = once(damaged, path);
             }
-            if (random.nextInt(4) == 0 && !damaged.files().isEmpty()) {
-                path = anyPath(damaged);
+            if (dice.below(4) == 0 && !damaged.files().isEmpty()) {
+                path = dice.path(damaged);
             }
         }
         return damaged;
     }
 
     private ModelSet once(ModelSet set, String path) {
-        return switch (random.nextInt(40)) {
+        return switch (dice.below(20)) {
             case 0 -> set.without(path);
-            case 1, 2, 3, 4, 5 -> renamedEverywhere(set);
-            case 6 -> set.with(path.replace(".arc", ".ioautomaton"), set.text(path));
-            default -> set.with(path, damaged(set, set.text(path)));
+            case 1 -> dice.renamedEverywhere(set);
+            case 2 -> set.with(path.replace(".arc", ".ioautomaton"), set.text(path));
+            default -> set.with(path, damaged(set.text(path)));
         };
     }
 
-    private String damaged(ModelSet set, String text) {
-        List<MatchResult> tokens = tokens(text);
+    private String damaged(String text) {
+        List<MatchResult> tokens = Dice.tokens(text);
         if (tokens.isEmpty()) {
-            return pick(PIECES) + text;
+            return dice.one(PIECES) + text;
         }
-        MatchResult token = pick(tokens);
-        return switch (random.nextInt(24)) {
-            case 0 -> replace(text, token, "");
-            case 1 -> replace(text, token, token.group() + " " + token.group());
-            case 2 -> swapped(text, token, pick(tokens));
-            case 3 -> text.substring(0, random.nextInt(text.length() + 1));
+        MatchResult token = dice.one(tokens);
+        return switch (dice.below(16)) {
+            case 0 -> Dice.replace(text, token, "");
+            case 1 -> Dice.replace(text, token, token.group() + " " + token.group());
+            case 2 -> swapped(text, token, dice.one(tokens));
+            case 3 -> text.substring(0, dice.below(text.length() + 1));
             case 4, 5 -> line(text, true);
             case 6 -> line(text, false);
-            case 7 -> insert(text, pick(ODD));
-            case 8, 9 -> replace(text, token, token.group() + " " + pick(PIECES));
-            case 10, 11 ->
-                    replaceOne(text, tokens, "[A-Z]\\w*|int|boolean|double|long", pick(TYPES));
-            case 12, 13 -> replaceOne(text, tokens, "\\d.*|[a-z]\\w*", pick(NUMBERS));
-            case 14, 15 -> replaceOne(text, tokens, "\\W.*", pick(OPERATORS));
-            case 16 -> replaceOne(text, tokens, "\\w+", pick(NAME, pick(tokens(anyText()))));
-            default -> replaceOne(text, tokens, "[A-Za-z_]\\w*", pick(NAME, pick(tokens)));
+            case 7 -> insert(text, dice.one(ODD));
+            case 8, 9 -> Dice.replace(text, token, token.group() + " " + dice.one(PIECES));
+            case 10 -> dice.replaceOne(text, "[A-Z]\\w*|int|double|long", t -> dice.one(TYPES));
+            case 11 -> dice.replaceOne(text, "\\d.*|[a-z]\\w*", t -> dice.one(NUMBERS));
+            case 12, 13 -> dice.replaceOne(text, "\\W.*", t -> dice.one(OPERATORS));
+            case 14 -> dice.replaceOne(text, "\\w+", t -> dice.token(anyText(), NAME));
+            default -> dice.replaceOne(text, NAME, t -> dice.token(text, NAME));
         };
-    }
-
-    /** A name for another, wherever it occurs: the models keep their meaning, or nearly. */
-    private ModelSet renamedEverywhere(ModelSet set) {
-        MatchResult token = pick(tokens(set.text(anyPath(set))));
-        if (!NAME.matcher(token.group()).matches()) {
-            return set;
-        }
-        Pattern old = Pattern.compile("\\b" + token.group() + "\\b");
-        String fresh = Matcher.quoteReplacement(pick(JAVA_NAMES));
-        ModelSet renamed = set;
-        for (String path : set.files().keySet()) {
-            String text = old.matcher(set.text(path)).replaceAll(fresh);
-            String place = old.matcher(path).replaceAll(fresh);
-            if (!place.equals(path)) {
-                renamed = renamed.without(path);
-            }
-            if (!place.equals(path) || !text.equals(set.text(path))) {
-                renamed = renamed.with(place, text);
-            }
-        }
-        return renamed;
     }
 
     /** A line of whatever model, at the place of another one or beside it. */
     private String line(String text, boolean beside) {
         List<String> lines = new ArrayList<>(text.lines().toList());
-        List<String> others = (random.nextBoolean() ? text : anyText()).lines().toList();
-        int at = random.nextInt(lines.size());
-        String other = others.isEmpty() ? "" : others.get(random.nextInt(others.size()));
+        List<String> others = (dice.below(2) == 0 ? text : anyText()).lines().toList();
+        int at = dice.below(lines.size());
+        String other = others.isEmpty() ? "" : dice.one(others);
         if (beside) {
             lines.add(at, other);
         } else {
@@ -316,48 +235,18 @@ final class Damage {
     }
 
     private String insert(String text, String piece) {
-        int at = random.nextInt(text.length() + 1);
+        int at = dice.below(text.length() + 1);
         return text.substring(0, at) + piece + text.substring(at);
-    }
-
-    private String replaceOne(String text, List<MatchResult> tokens, String kind, String fresh) {
-        List<MatchResult> fitting = tokens.stream().filter(t -> t.group().matches(kind)).toList();
-        return fitting.isEmpty() ? text : replace(text, pick(fitting), fresh);
     }
 
     private static String swapped(String text, MatchResult one, MatchResult other) {
         MatchResult first = one.start() < other.start() ? one : other;
         MatchResult second = first == one ? other : one;
-        return replace(replace(text, second, first.group()), first, second.group());
-    }
-
-    private static String replace(String text, MatchResult token, String fresh) {
-        return text.substring(0, token.start()) + fresh + text.substring(token.end());
-    }
-
-    private static List<MatchResult> tokens(String text) {
-        return TOKEN.matcher(text).results().toList();
+        return Dice.replace(Dice.replace(text, second, first.group()), first, second.group());
     }
 
     private String anyText() {
-        ModelSet donor = pick(donors);
-        return donor.text(anyPath(donor));
-    }
-
-    private String anyPath(ModelSet set) {
-        return pick(List.copyOf(set.files().keySet()));
-    }
-
-    /** A token where it is a name, else some name of Java's. */
-    private String pick(Pattern kind, MatchResult token) {
-        return kind.matcher(token.group()).matches() ? token.group() : pick(JAVA_NAMES);
-    }
-
-    private <T> T pick(List<T> from) {
-        return from.get(random.nextInt(from.size()));
-    }
-
-    private String pick(String[] from) {
-        return from[random.nextInt(from.length)];
+        ModelSet donor = dice.one(donors);
+        return donor.text(dice.path(donor));
     }
 }

@@ -35,6 +35,14 @@ import java.util.TreeSet;
  * that lie in their file; and what one stage lets pass, the next one can work with.
  */
 final class Harmless {
+    /** How far a set of models came. */
+    enum Stage {
+        TEXT,
+        TREE,
+        MODEL,
+        CODE
+    }
+
     private static final int RUN_COMPONENTS = 3;
     private static final int WORDS = 3;
     private static final int LETTERS = 20;
@@ -56,7 +64,7 @@ final class Harmless {
                 .forEach(c -> originalComponents.put(c.qualifiedName(), c));
     }
 
-    void check(ModelSet damaged) {
+    Stage check(ModelSet damaged) {
         damaged.files().values().stream()
                 .filter(parsing -> !original.files().containsValue(parsing))
                 .forEach(Harmless::checkText);
@@ -68,9 +76,9 @@ final class Harmless {
                 damaged.files().values().stream().anyMatch(p -> p.parsed().unit().isEmpty());
         if (broken || !errors(findings).isEmpty()) {
             checkPlaces(Checks.run(workspace, Profile.EXECUTABLE));
-            return;
+            return broken ? Stage.TEXT : Stage.TREE;
         }
-        checkModel(Lowering.lower(workspace), workspace);
+        return checkModel(Lowering.lower(workspace), workspace);
     }
 
     private static void checkText(ModelSet.Parsing parsing) {
@@ -89,18 +97,21 @@ final class Harmless {
         }
     }
 
-    private void checkModel(Model model, Workspace workspace) {
+    private Stage checkModel(Model model, Workspace workspace) {
         model.tests().forEach(StreamTests::run);
         List<Diagnostic> findings = Checks.run(workspace, Profile.EXECUTABLE);
         checkPlaces(findings);
         if (!originalErrors.containsAll(errors(findings))) {
-            return;
+            return Stage.MODEL;
         }
-        model.components().stream()
-                .filter(c -> !c.equals(originalComponents.get(c.qualifiedName())))
-                .filter(Harmless::isExecutable)
-                .limit(RUN_COMPONENTS)
-                .forEach(c -> new Agreement(c, arguments(c)).holds(WORDS, LETTERS));
+        List<Component> changed =
+                model.components().stream()
+                        .filter(c -> !c.equals(originalComponents.get(c.qualifiedName())))
+                        .filter(Harmless::isExecutable)
+                        .limit(RUN_COMPONENTS)
+                        .toList();
+        changed.forEach(c -> new Agreement(c, arguments(c)).holds(WORDS, LETTERS));
+        return changed.isEmpty() ? Stage.MODEL : Stage.CODE;
     }
 
     private static void checkPlaces(List<Diagnostic> findings) {

@@ -17,7 +17,7 @@ import java.util.stream.Stream;
 /**
  * Files that are models together.
  *
- * @param files what parsing each of them gives, by path
+ * @param files by path
  */
 record ModelSet(String name, TreeMap<String, Parsing> files) {
     private static final Pattern MODEL = Pattern.compile(".*\\.(arc|cd|mt|ioautomaton)");
@@ -26,11 +26,24 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
     private static final Pattern DEFINITION =
             Pattern.compile("(?m)^(?:component|automaton|classdiagram|testsuite) (\\w+)");
 
-    /** A file and what the parser made of it. */
-    record Parsing(SourceFile file, Parsed parsed) {
-        static Parsing of(String path, String text) {
-            SourceFile file = new SourceFile(path, text);
-            return new Parsing(file, Parser.parse(file));
+    /** A file and, once it is asked for, what the parser makes of it. */
+    static final class Parsing {
+        private final SourceFile file;
+        private Parsed parsed;
+
+        Parsing(String path, String text) {
+            file = new SourceFile(path, text);
+        }
+
+        SourceFile file() {
+            return file;
+        }
+
+        Parsed parsed() {
+            if (parsed == null) {
+                parsed = Parser.parse(file);
+            }
+            return parsed;
         }
     }
 
@@ -39,7 +52,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
         try (Stream<Path> paths = Files.walk(root)) {
             for (Path path : paths.filter(p -> MODEL.matcher(p.toString()).matches()).toList()) {
                 String shown = root.relativize(path).toString().replace('\\', '/');
-                files.put(shown, Parsing.of(shown, Files.readString(path)));
+                files.put(shown, new Parsing(shown, Files.readString(path)));
             }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
@@ -55,7 +68,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
             Matcher definition = DEFINITION.matcher(fence.group(2));
             if (definition.find()) {
                 String path = "tour/" + definition.group(1) + "." + fence.group(1);
-                files.put(path, Parsing.of(path, fence.group(2)));
+                files.put(path, new Parsing(path, fence.group(2)));
             }
         }
         return new ModelSet(name, files);
@@ -64,7 +77,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
     /** The same files but for one, which is new or has another text. */
     ModelSet with(String path, String text) {
         TreeMap<String, Parsing> changed = new TreeMap<>(files);
-        changed.put(path, Parsing.of(path, text));
+        changed.put(path, new Parsing(path, text));
         return new ModelSet(name, changed);
     }
 

@@ -118,6 +118,16 @@ public final class Agreement {
             object.attributes().forEach(a -> attributes.add(value(a.type(), random)));
             return new Value.ObjectValue(object, attributes);
         }
+        if (type instanceof Type.RealType real) {
+            double drawn = random.nextInt(4000) / 1000.0 - 2;
+            return new Value.RealValue(real.single() ? (float) drawn : drawn);
+        }
+        if (type instanceof Type.CharacterType) {
+            return new Value.CharacterValue("ab*\n".charAt(random.nextInt(4)));
+        }
+        if (type instanceof Type.StringType) {
+            return new Value.StringValue(List.of("", "a", "reading").get(random.nextInt(3)));
+        }
         return FirstValue.of(type);
     }
 }

@@ -31,7 +31,7 @@ public final class TreeText {
 
     private static String pretty(Object value, String indent) {
         String flat = flat(value);
-        if (indent.length() + flat.length() <= WIDTH || value instanceof Expression) {
+        if (indent.length() + flat.length() <= WIDTH || isOneLine(value)) {
             return flat;
         }
         String inner = indent + "  ";
@@ -102,6 +102,10 @@ public final class TreeText {
             }
         }
         return text.append(")").toString();
+    }
+
+    private static boolean isOneLine(Object value) {
+        return value instanceof Expression || value instanceof Comment || value instanceof String;
     }
 
     private static boolean isShown(Object content) {

@@ -14,7 +14,7 @@ final class Baseline {
 
     private Baseline() {}
 
-    static void write(Group group, Map<String, Measurement> results, List<String> verdicts)
+    static void write(Group group, Map<String, Measurement> results, List<String> notes)
             throws IOException {
         List<String> lines = new ArrayList<>();
         lines.add(
@@ -32,7 +32,7 @@ final class Baseline {
                             result.median(),
                             result.unit()));
         }
-        verdicts.forEach(verdict -> lines.add("# " + verdict));
+        notes.forEach(note -> lines.add("# " + note));
         Files.createDirectories(FOLDER);
         Files.writeString(FOLDER.resolve(group.name() + ".tsv"), String.join("\n", lines) + "\n");
     }

@@ -42,7 +42,8 @@ public final class Main {
 
     private static void run(Group group, int forks) throws RunnerException, IOException {
         System.out.println("== " + group.name());
-        group.prepare().forEach(System.out::println);
+        List<String> notes = new ArrayList<>(group.prepare());
+        notes.forEach(System.out::println);
         ChainedOptionsBuilder options =
                 new OptionsBuilder().forks(forks).verbosity(VerboseMode.SILENT);
         group.benchmarks().forEach(type -> options.include(type.getName() + "\\."));
@@ -50,7 +51,8 @@ public final class Main {
         results.values().forEach(Main::print);
         List<String> verdicts = verdicts(group, results);
         verdicts.forEach(System.out::println);
-        Baseline.write(group, results, verdicts);
+        notes.addAll(verdicts);
+        Baseline.write(group, results, notes);
     }
 
     private static void print(Measurement result) {

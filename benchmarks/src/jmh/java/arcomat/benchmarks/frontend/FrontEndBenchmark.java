@@ -16,7 +16,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 
-/** A thousand components against as many Java classes, warm. */
+/** A thousand components against as much Java, warm. */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
@@ -32,7 +32,7 @@ public class FrontEndBenchmark {
     @Setup
     public void write() {
         models = Texts.models(COUNT);
-        classes = Texts.classes(COUNT);
+        classes = Texts.classes(Texts.length(models));
     }
 
     @Benchmark

@@ -22,7 +22,7 @@ public final class FrontEndGroup implements Group {
     @Override
     public List<String> prepare() {
         List<SourceFile> models = Texts.models(FrontEndBenchmark.COUNT);
-        List<SourceFile> classes = Texts.classes(FrontEndBenchmark.COUNT);
+        List<SourceFile> classes = Texts.classes(Texts.length(models));
         List<Diagnostic> findings = FrontEnd.check(models);
         if (!findings.isEmpty()) {
             throw new IllegalStateException("the models should be clean: " + findings.get(0));
@@ -35,15 +35,9 @@ public final class FrontEndGroup implements Group {
 
     @Override
     public List<Goal> goals() {
-        // Times become times per byte; per model for the growth.
-        double bytes =
-                (double) Texts.length(Texts.classes(FrontEndBenchmark.COUNT))
-                        / Texts.length(Texts.models(FrontEndBenchmark.COUNT));
         return List.of(
-                Goal.promise("check, against javac in full", "arcomatCheck", "javacFull", 0.2)
-                        .times(bytes),
-                Goal.aim("check, against javac parsing only", "arcomatCheck", "javacParse", 1)
-                        .times(bytes),
+                Goal.promise("check, against javac in full", "arcomatCheck", "javacFull", 0.2),
+                Goal.aim("check, against javac parsing only", "arcomatCheck", "javacParse", 1),
                 Goal.promise(
                                 "cost per model, 10,000 against 100 models",
                                 "growth 10000",

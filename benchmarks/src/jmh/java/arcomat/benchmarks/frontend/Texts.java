@@ -60,10 +60,14 @@ final class Texts {
         return text.append("  }\n}\n").toString();
     }
 
-    static List<SourceFile> classes(int count) {
+    /** As many classes as make up a length: Java says the same at greater length. */
+    static List<SourceFile> classes(long length) {
         List<SourceFile> files = new ArrayList<>();
-        for (int i = 0; i < count; i++) {
-            files.add(new SourceFile("load/Controller" + i + ".java", javaClass(i)));
+        long written = 0;
+        for (int i = 0; written < length; i++) {
+            SourceFile file = new SourceFile("load/Controller" + i + ".java", javaClass(i));
+            files.add(file);
+            written += file.text().length();
         }
         return files;
     }

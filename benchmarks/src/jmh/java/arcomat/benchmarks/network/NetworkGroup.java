@@ -1,11 +1,14 @@
 package arcomat.benchmarks.network;
 
 import arcomat.benchmarks.Allocation;
+import arcomat.benchmarks.Alternation;
 import arcomat.benchmarks.Goal;
 import arcomat.benchmarks.Group;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** Many small components. */
 public final class NetworkGroup implements Group {
@@ -29,8 +32,21 @@ public final class NetworkGroup implements Group {
             found.add(agreement(Shape.parse(shape)));
             Network network = Networks.of("generated", Shape.parse(shape));
             found.add(Allocation.perRun(500, Messages.COUNT, () -> network.run(messages)));
+            found.add(inTurn(shape));
         }
         return found;
+    }
+
+    private static String inTurn(String shape) {
+        int[] messages = Messages.draw();
+        int[] sink = new int[1];
+        Map<String, Runnable> contestants = new LinkedHashMap<>();
+        for (String contestant : List.of("generated", "objects", "arrays")) {
+            Network network = Networks.of(contestant, Shape.parse(shape));
+            contestants.put(contestant, () -> sink[0] += network.run(messages));
+        }
+        long operations = (long) Messages.COUNT * Shape.parse(shape).parts();
+        return Alternation.of(shape, contestants, operations);
     }
 
     /** Long enough for every message to reach the end of its chain. */

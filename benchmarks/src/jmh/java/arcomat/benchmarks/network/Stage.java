@@ -8,15 +8,29 @@ final class Stage {
     boolean hasOutput;
     int output;
 
-    private boolean odd;
+    private int state;
 
     void step() {
-        if (hasInput) {
-            output = odd ? input : input + 1;
-            hasOutput = true;
-            odd = !odd;
-        } else {
-            hasOutput = false;
+        switch (state) {
+            case 0:
+                if (hasInput) {
+                    output = input + 1;
+                    hasOutput = true;
+                    state = 1;
+                    return;
+                }
+                break;
+            case 1:
+                if (hasInput) {
+                    output = input;
+                    hasOutput = true;
+                    state = 0;
+                    return;
+                }
+                break;
+            default:
+                throw new IllegalStateException();
         }
+        hasOutput = false;
     }
 }

@@ -1,13 +1,16 @@
 package arcomat.benchmarks.step;
 
 import arcomat.benchmarks.Allocation;
+import arcomat.benchmarks.Alternation;
 import arcomat.benchmarks.Goal;
 import arcomat.benchmarks.Group;
 
 import coffee.fig6.logic.AvoidCrash;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** One atomic component. */
 public final class StepGroup implements Group {
@@ -26,11 +29,26 @@ public final class StepGroup implements Group {
         List<String> found = new ArrayList<>();
         for (double density : new double[] {0.9, 0.05}) {
             found.add(agreement(density));
+            found.add(inTurn(density));
         }
         AvoidCrash machine = new AvoidCrash();
         Letters letters = new Letters(0.9);
         found.add(Allocation.perRun(1000, Letters.COUNT, () -> Contestants.run(machine, letters)));
         return found;
+    }
+
+    private static String inTurn(double density) {
+        Letters letters = new Letters(density);
+        EnumLetters enumLetters = new EnumLetters(letters);
+        AvoidCrash generated = new AvoidCrash();
+        IntSwitch intSwitch = new IntSwitch();
+        EnumSwitch enumSwitch = new EnumSwitch();
+        int[] sink = new int[1];
+        Map<String, Runnable> contestants = new LinkedHashMap<>();
+        contestants.put("generated", () -> sink[0] += Contestants.run(generated, letters));
+        contestants.put("intSwitch", () -> sink[0] += Contestants.run(intSwitch, letters));
+        contestants.put("enumSwitch", () -> sink[0] += Contestants.run(enumSwitch, enumLetters));
+        return Alternation.of("step at " + density, contestants, Letters.COUNT);
     }
 
     private static String agreement(double density) {

@@ -1,0 +1,100 @@
+package arcomat.check;
+
+import arcomat.symbols.ClassSymbol;
+import arcomat.symbols.ClassSymbol.AttributeSymbol;
+import arcomat.symbols.DefinedType;
+import arcomat.symbols.DiagramSymbol;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * ARC0607: no object contains one of its own class, over any number of attributes. Messages are
+ * values, and such a value would have no end.
+ */
+final class ClassContainsItself implements Check.OnClassDiagram {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0607");
+    }
+
+    /** A cycle is reported at its first class in the text. */
+    @Override
+    public void check(DiagramSymbol diagram, Context context, Findings findings) {
+        for (DefinedType type : diagram.types()) {
+            if (type instanceof ClassSymbol symbol) {
+                List<AttributeSymbol> cycle = shortestCycle(symbol);
+                if (!cycle.isEmpty() && isFirst(symbol, cycle)) {
+                    report(symbol, cycle, findings);
+                }
+            }
+        }
+    }
+
+    /** The attributes that lead from a class back to it; empty if none do. */
+    private static List<AttributeSymbol> shortestCycle(ClassSymbol start) {
+        Map<ClassSymbol, List<AttributeSymbol>> ways = new HashMap<>();
+        Deque<ClassSymbol> open = new ArrayDeque<>();
+        ways.put(start, List.of());
+        open.add(start);
+        while (!open.isEmpty()) {
+            ClassSymbol current = open.remove();
+            for (AttributeSymbol attribute : current.attributes()) {
+                Optional<ClassSymbol> next = contained(attribute);
+                if (next.isEmpty()) {
+                    continue;
+                }
+                List<AttributeSymbol> way = new ArrayList<>(ways.get(current));
+                way.add(attribute);
+                if (next.get().equals(start)) {
+                    return way;
+                }
+                if (ways.putIfAbsent(next.get(), way) == null) {
+                    open.add(next.get());
+                }
+            }
+        }
+        return List.of();
+    }
+
+    private static Optional<ClassSymbol> contained(AttributeSymbol attribute) {
+        return attribute.type() instanceof ClassSymbol type ? Optional.of(type) : Optional.empty();
+    }
+
+    private static boolean isFirst(ClassSymbol symbol, List<AttributeSymbol> cycle) {
+        return cycle.stream()
+                .flatMap(attribute -> contained(attribute).stream())
+                .allMatch(
+                        other ->
+                                !other.unit().equals(symbol.unit())
+                                        || other.nameSpan().start() >= symbol.nameSpan().start());
+    }
+
+    private static void report(ClassSymbol symbol, List<AttributeSymbol> cycle, Findings findings) {
+        String names =
+                cycle.stream()
+                        .map(attribute -> " -> " + attribute.type().text())
+                        .collect(Collectors.joining());
+        AttributeSymbol first = cycle.get(0);
+        findings.report(
+                first.node().type(),
+                "class '"
+                        + symbol.text()
+                        + "' would contain itself without end ("
+                        + symbol.text()
+                        + names
+                        + "); remove attribute '"
+                        + first.name()
+                        + "', or send a number that stands for the other object");
+        for (AttributeSymbol other : cycle.subList(1, cycle.size())) {
+            findings.related(other.node().name().span(), "on the cycle");
+        }
+    }
+}
