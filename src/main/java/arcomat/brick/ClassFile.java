@@ -104,19 +104,30 @@ final class ClassFile {
 
     /** Says where an instruction is: {@code robot.Main.run}, with its line where no text shows it. */
     String where(MethodNode method, AbstractInsnNode instruction) {
-        String name = name() + "." + method.name;
         return given.text().isPresent()
-                ? name
-                : name + lineNumber(instruction).map(line -> " (line " + line + ")").orElse("");
+                ? where(method)
+                : where(method) + lineNumber(instruction).map(line -> " (line " + line + ")").orElse("");
+    }
+
+    /** Names a method for people. */
+    String where(MethodNode method) {
+        return switch (method.name) {
+            case "<init>" -> "the constructor of " + name();
+            case "<clinit>" -> "the static part of " + name();
+            default -> name() + "." + method.name;
+        };
     }
 
     private static Optional<Integer> lineNumber(AbstractInsnNode instruction) {
-        for (AbstractInsnNode each = instruction; each != null; each = each.getPrevious()) {
-            if (each instanceof LineNumberNode line) {
-                return Optional.of(line.line);
-            }
+        AbstractInsnNode each = instruction;
+        // The line of a label, where a handler starts, stands behind it.
+        while (each.getOpcode() < 0 && !(each instanceof LineNumberNode) && each.getNext() != null) {
+            each = each.getNext();
         }
-        return Optional.empty();
+        while (each != null && !(each instanceof LineNumberNode)) {
+            each = each.getPrevious();
+        }
+        return each instanceof LineNumberNode line ? Optional.of(line.line) : Optional.empty();
     }
 
     /** A line without its indentation; the whole file's start where the text does not have it. */

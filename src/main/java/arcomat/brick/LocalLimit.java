@@ -29,7 +29,7 @@ final class LocalLimit implements BrickLaw {
                 code(),
                 file.span(method),
                 Limit.message(
-                        file.name() + "." + method.name,
+                        file.where(method),
                         method.maxLocals,
                         "words of local variables",
                         LOCALS,

@@ -2,19 +2,12 @@ package arcomat.brick;
 
 /** Where a class of a robot's jar comes from. */
 public enum Origin {
-    GENERATED("generated from models"),
-    RUNTIME("runtime of generated code"),
-    PLATFORM("platform library"),
-    HAND_WRITTEN("written by hand");
-
-    private final String description;
-
-    Origin(String description) {
-        this.description = description;
-    }
-
-    /** For people: completes "classes that are ...". */
-    public String description() {
-        return description;
-    }
+    /** Generated from models. */
+    GENERATED,
+    /** The runtime that generated code of every target needs. */
+    RUNTIME,
+    /** The platform library: sensors and actuators that come with the product. */
+    PLATFORM,
+    /** A team's own platform components. */
+    HAND_WRITTEN
 }

@@ -40,7 +40,7 @@ final class ParameterLimit implements BrickLaw {
                 code(),
                 file.span(method),
                 Limit.message(
-                        file.name() + "." + method.name,
+                        file.where(method),
                         words(method),
                         "parameter words",
                         WORDS,

@@ -49,7 +49,7 @@ final class References {
 
     private void inMethod(MethodNode method) {
         Span span = file.span(method);
-        String where = file.name() + "." + method.name;
+        String where = file.where(method);
         Type type = Type.getMethodType(method.desc);
         type(span, where, type.getReturnType());
         for (Type parameter : type.getArgumentTypes()) {

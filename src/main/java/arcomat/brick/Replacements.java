@@ -5,7 +5,7 @@ import java.util.Map;
 
 /** What to write instead of the things that are missed most. */
 final class Replacements {
-    private static final String WITH_WHAT_IS_THERE = "write it with what is there";
+    private static final String NOTHING = "do without it";
 
     private static final Map<String, String> TYPES =
             Map.ofEntries(
@@ -33,7 +33,7 @@ final class Replacements {
     private Replacements() {}
 
     static String ofType(String name) {
-        return TYPES.getOrDefault(name, WITH_WHAT_IS_THERE);
+        return TYPES.getOrDefault(name, NOTHING);
     }
 
     /** Advice, or the methods of the same name that do exist. */
@@ -48,6 +48,6 @@ final class Replacements {
                         .map(other -> Names.method(owner, other.name(), other.descriptor()))
                         .distinct()
                         .toList();
-        return others.isEmpty() ? WITH_WHAT_IS_THERE : "it has " + String.join(", ", others);
+        return others.isEmpty() ? NOTHING : "it has " + String.join(", ", others);
     }
 }

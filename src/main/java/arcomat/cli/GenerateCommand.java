@@ -3,7 +3,9 @@ package arcomat.cli;
 import arcomat.pipeline.GenerationRequest;
 import arcomat.pipeline.GenerationResult;
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Robot;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.BrickReportText;
 import arcomat.report.FindingsText;
 
 import picocli.CommandLine;
@@ -22,6 +24,7 @@ import java.util.Optional;
             "  arcomat generate --target jvm --out build/coffee models/coffee",
             "  arcomat generate --target jvm --out build/coffee --main coffee.fetcher.Fetcher"
                 + " models/coffee",
+            "  arcomat generate --target lejos --out build/brick models/coffee",
             "  arcomat generate --target templates/c --out build/c models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
@@ -37,7 +40,7 @@ final class GenerateCommand extends Command {
             names = "--target",
             paramLabel = "TARGET",
             required = true,
-            description = "What to write code for: jvm, or a folder of templates.")
+            description = "What to write code for: jvm, lejos, or a folder of templates.")
     private String target;
 
     @Option(
@@ -79,7 +82,17 @@ final class GenerateCommand extends Command {
             return reportErrors(result.check());
         }
         print(FindingsText.render(result.check().findings(), console.style()));
+        result.robots().forEach(this::report);
         printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
         return ExitStatus.FINE;
+    }
+
+    private void report(Robot robot) {
+        String jar = out + "/" + robot.jar();
+        printLine(jar + ", a program for the brick");
+        print(BrickReportText.render(robot.report(), console.style()));
+        printLine("try it: arcomat run-brick --jar " + jar);
+        printLine("link it: arcomat link --jar " + jar + ", with NXJ_HOME set");
+        printLine("");
     }
 }

@@ -54,12 +54,16 @@ final class CompositeViews {
         final List<StepView> steps = new ArrayList<>();
 
         void addNodes(int first, int end) {
+            List<StepView> actuators = new ArrayList<>();
             for (int i = first; i < end; i++) {
-                addNode(i);
+                boolean acts = composition.nodes().get(i).component().platform();
+                addNode(i, acts ? actuators : steps);
             }
+            // Nobody waits for them, and what they show is settled: they come behind all logic.
+            steps.addAll(actuators);
         }
 
-        private void addNode(int index) {
+        private void addNode(int index, List<StepView> steps) {
             Composition.Node node = composition.nodes().get(index);
             String field = context.members().part(node.path());
             members.add(part(context, program, node, field));

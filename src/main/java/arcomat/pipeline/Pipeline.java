@@ -66,4 +66,22 @@ public final class Pipeline {
             throws WrongUse {
         return GenerateStep.run(request, paths, names, progress);
     }
+
+    /**
+     * Runs a robot's jar on a simulated brick.
+     *
+     * @throws WrongUse where jar or script cannot be read
+     */
+    public BrickRunResult runBrick(BrickRunRequest request) throws WrongUse {
+        return BrickRunStep.run(request, names, progress);
+    }
+
+    /**
+     * Checks a robot's jar and links it for the brick.
+     *
+     * @throws WrongUse where there is no such jar or no linker
+     */
+    public LinkResult link(LinkRequest request) throws WrongUse {
+        return LinkStep.run(request, names, progress);
+    }
 }

@@ -19,7 +19,7 @@ public final class TraceCsv {
 
     public static String render(Trace trace) {
         TraceColumns columns = TraceColumns.of(trace);
-        StringBuilder out = new StringBuilder(line(headings(columns)));
+        StringBuilder out = new StringBuilder(CsvLine.of(headings(columns)));
         for (Trace.Step step : trace.steps()) {
             List<String> fields = new ArrayList<>();
             fields.add(String.valueOf(step.number()));
@@ -31,7 +31,7 @@ public final class TraceCsv {
                 fields.add(activity == null ? "" : activity.after());
                 fields.add(activity == null ? "" : CauseText.brief(activity.cause()));
             }
-            out.append(line(fields));
+            out.append(CsvLine.of(fields));
         }
         return out.toString();
     }
@@ -50,14 +50,5 @@ public final class TraceCsv {
 
     private static String messages(Letter letter, String port) {
         return letter.messages(port).stream().map(Value::toString).collect(Collectors.joining(" "));
-    }
-
-    private static String line(List<String> fields) {
-        return fields.stream().map(TraceCsv::quoted).collect(Collectors.joining(",", "", "\n"));
-    }
-
-    private static String quoted(String field) {
-        boolean plain = field.chars().noneMatch(c -> c == '"' || c == ',' || c < ' ');
-        return plain ? field : '"' + field.replace("\"", "\"\"") + '"';
     }
 }

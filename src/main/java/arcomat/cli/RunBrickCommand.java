@@ -1,0 +1,113 @@
+package arcomat.cli;
+
+import arcomat.pipeline.BrickRunRequest;
+import arcomat.pipeline.BrickRunResult;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.BrickTraceCsv;
+import arcomat.report.BrickTraceJson;
+import arcomat.report.BrickTraceText;
+import arcomat.report.FindingsText;
+import arcomat.report.Printable;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/** {@code arcomat run-brick}: runs a robot's jar on a simulated brick. */
+@CommandLine.Command(
+        name = "run-brick",
+        description = "Runs a robot's jar on a simulated brick, faster than real time.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat run-brick --jar build/brick/Fetcher.jar --script meets-another.script",
+            "  arcomat run-brick --jar build/brick/Fetcher.jar --seconds 60 --trace csv > run.csv",
+            "",
+            "A script has one line per event: milliseconds since switching on, what, and how.",
+            "  0     S1 255              a sensor's value in its own unit",
+            "  1500  S4 pressed          also released, unplugged, raw 612",
+            "  3000  button ESCAPE       pressed for a moment; also ESCAPE 800, ESCAPE down, up",
+            "  10000 end"
+        })
+final class RunBrickCommand extends Command {
+    enum TraceFormat {
+        table,
+        csv,
+        json
+    }
+
+    @Option(
+            names = "--jar",
+            paramLabel = "ROBOT.jar",
+            required = true,
+            description = "The program, as 'generate --target lejos' makes it.")
+    private String jar;
+
+    @Option(
+            names = "--script",
+            paramLabel = "FILE",
+            description = "What happens to the brick; without it, nothing.")
+    private String script;
+
+    @Option(
+            names = "--seconds",
+            paramLabel = "N",
+            description =
+                    "How long at most, in the brick's time; default: to the script's end, or 10"
+                            + " seconds behind its last line.")
+    private Integer seconds;
+
+    @Option(
+            names = "--trace",
+            paramLabel = "FORMAT",
+            defaultValue = "table",
+            description =
+                    "How to write what happened: ${COMPLETION-CANDIDATES}; default table, which"
+                            + " leaves out cycles that change nothing.")
+    private TraceFormat trace;
+
+    RunBrickCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        if (seconds != null && seconds < 1) {
+            throw new WrongUse("--seconds " + seconds + " is less than 1");
+        }
+        OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);
+        BrickRunResult result =
+                pipeline.runBrick(new BrickRunRequest(jar, Optional.ofNullable(script), limit));
+        if (result.run().isEmpty()) {
+            print(FindingsText.render(result.findings(), console.style()));
+            printLine(FindingsText.summary(result.findings(), 1, console.style()));
+            return ExitStatus.FINDINGS;
+        }
+        return report(result.run().get());
+    }
+
+    private int report(BrickRunResult.Run run) {
+        switch (trace) {
+            case table -> {
+                print(BrickTraceText.render(run.trace(), console.style()));
+                run.screen().forEach(row -> printLine("| " + Printable.escape(row)));
+                printLine(summary(run));
+            }
+            case csv -> print(BrickTraceCsv.render(run.trace()));
+            case json -> print(BrickTraceJson.render(run.trace()));
+        }
+        if (run.failure().isPresent()) {
+            console.err().println("stopped: " + Printable.escape(run.failure().get()));
+            return ExitStatus.FINDINGS;
+        }
+        return ExitStatus.FINE;
+    }
+
+    private static String summary(BrickRunResult.Run run) {
+        return String.format(
+                Locale.ROOT, "%s after %.1f s", run.ending(), run.milliseconds() / 1000.0);
+    }
+}
