@@ -88,8 +88,7 @@ final class Views {
             FileContext context, String subject, HeadView head, Record view, Output output)
             throws TemplateFailure {
         Optional<GeneratedFile> skeleton = output.draft(subject, head, view);
-        Optional<String> byHand =
-                skeleton.map(GeneratedFile::path).map(request.handwritten()::get);
+        Optional<String> byHand = skeleton.map(GeneratedFile::path).map(request.handwritten()::get);
         if (byHand.isPresent()) {
             output.copy(skeleton.get().path(), byHand.get());
         } else if (view instanceof PlatformView platform

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** The files of a model root and what they need of the library, for tests without a pipeline. */
@@ -37,9 +38,12 @@ public final class ModelFiles {
                 .toList();
     }
 
+    /** Whether a text has the name, or the wildcard, of what a file defines. */
     private static boolean names(SourceFile file, String path) {
-        String name = path.substring(0, path.lastIndexOf('.')).replace("/", "\\.");
-        return file.text().lines().anyMatch(line -> line.matches(".*\\b" + name + "\\b.*"));
+        String name = path.substring(0, path.lastIndexOf('.')).replace('/', '.');
+        String wildcard = name.substring(0, name.lastIndexOf('.')) + ".*";
+        return file.text().contains("import " + wildcard + ";")
+                || Pattern.compile("\\b" + Pattern.quote(name) + "\\b").matcher(file.text()).find();
     }
 
     /** The files under a folder alone, ordered; paths are relative to it. */

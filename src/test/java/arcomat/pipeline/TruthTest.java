@@ -112,7 +112,8 @@ class TruthTest {
     }
 
     private static Model model(Path root) {
-        Workspace workspace = Workspace.of(ModelFiles.of(root).stream().map(TruthTest::unit).toList(), Set.of());
+        Workspace workspace =
+                Workspace.of(ModelFiles.of(root).stream().map(TruthTest::unit).toList(), Set.of());
         List<Diagnostic> errors =
                 Checks.run(workspace, Profile.REQUIREMENTS).stream()
                         .filter(Diagnostic::isError)

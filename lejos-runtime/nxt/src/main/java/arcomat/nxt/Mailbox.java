@@ -23,7 +23,10 @@ public final class Mailbox {
         return count == 0;
     }
 
-    /** The oldest message. There is one, where only the caller takes them and none is lost meanwhile. */
+    /**
+     * The oldest message. There is one, where only the caller takes them and none is lost
+     * meanwhile.
+     */
     public synchronized int take() {
         int message = messages[oldest];
         oldest = (oldest + 1) % CAPACITY;

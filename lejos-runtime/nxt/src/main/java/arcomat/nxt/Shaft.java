@@ -41,8 +41,8 @@ public final class Shaft {
     }
 
     /**
-     * A turning motor takes a new speed as it goes. It is sent on its way only where it is to change
-     * its direction, stands, or has given up because something held it.
+     * A turning motor takes a new speed as it goes. It is sent on its way only where it is to
+     * change its direction, stands, or has given up because something held it.
      */
     private void drive(int wanted) {
         if (wanted != speed) {

@@ -19,7 +19,10 @@ public final class LcdNumber {
         this.row.show(label);
     }
 
-    /** Carries out the message of a slice. Drawing takes some milliseconds, so only what is new is drawn. */
+    /**
+     * Carries out the message of a slice. Drawing takes some milliseconds, so only what is new is
+     * drawn.
+     */
     public void act() {
         if (hasNumber && (number != shown || !isShown)) {
             row.show(label, number);

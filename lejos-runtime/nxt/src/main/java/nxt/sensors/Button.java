@@ -2,7 +2,9 @@ package nxt.sensors;
 
 /** Platform component nxt.Button on the brick. */
 public final class Button {
-    /** The constants of nxt.Brick.Key in their order; ESCAPE ends the program and is not among them. */
+    /**
+     * The constants of nxt.Brick.Key in their order; ESCAPE ends the program and is not among them.
+     */
     private static final int ENTER = 1;
 
     private static final int LEFT = 2;

@@ -15,7 +15,9 @@ public final class LightSensor {
         device.setHigh(bright);
     }
 
-    /** Samples the device: the start of a slice. The device does not keep to 0 to 100, this does. */
+    /**
+     * Samples the device: the start of a slice. The device does not keep to 0 to 100, this does.
+     */
     public void sense() {
         value = Math.max(0, Math.min(100, device.getLightValue()));
     }
