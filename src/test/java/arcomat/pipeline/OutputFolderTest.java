@@ -1,5 +1,7 @@
 package arcomat.pipeline;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
+
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -9,6 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
@@ -20,7 +23,9 @@ class OutputFolderTest {
     @TempDir private Path temporary;
 
     private void replace(Map<String, String> files) throws WrongUse {
-        OutputFolder.replace(temporary.resolve("out"), "out", files);
+        Map<String, byte[]> contents = new LinkedHashMap<>();
+        files.forEach((path, text) -> contents.put(path, text.getBytes(UTF_8)));
+        OutputFolder.replace(temporary.resolve("out"), "out", contents);
     }
 
     private List<String> content() throws IOException {
@@ -94,7 +99,7 @@ class OutputFolderTest {
                                 OutputFolder.replace(
                                         temporary.resolve("file/out"),
                                         "file/out",
-                                        Map.of("A.java", "1")))
+                                        Map.of("A.java", new byte[] {1})))
                 .isInstanceOf(WrongUse.class)
                 .hasMessageStartingWith("cannot write to 'file/out': ");
     }
@@ -103,7 +108,7 @@ class OutputFolderTest {
     void leavesNothingHalfWrittenWhenAFileCannotBeWritten() throws Exception {
         replace(Map.of("A.java", "1"));
         // One path needs a folder where another one has put a file.
-        Map<String, String> impossible = new java.util.LinkedHashMap<>();
+        Map<String, String> impossible = new LinkedHashMap<>();
         impossible.put("p", "a file");
         impossible.put("p/A.java", "2");
         assertThatThrownBy(() -> replace(impossible)).isInstanceOf(WrongUse.class);
