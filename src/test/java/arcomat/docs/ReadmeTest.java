@@ -6,8 +6,9 @@ import arcomat.cli.Cli;
 import arcomat.cli.Console;
 import arcomat.report.Style;
 
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -23,19 +24,18 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The README tells the truth: its models are written to files, its commands are run in the order of
- * the page, and their output has to be what the page shows. A line {@code ...} stands for any
- * lines.
+ * The README and the page about platform components tell the truth: their models are written to
+ * files, their commands are run in the order of the page, and the output has to be what the page
+ * shows. A line {@code ...} stands for any lines.
  */
 class ReadmeTest {
-    private static final Path PAGE = Path.of("README.md");
-
     @TempDir Path directory;
 
-    @Test
-    void showsWhatTheToolSays() throws IOException {
+    @ParameterizedTest
+    @ValueSource(strings = {"README.md", "docs/platform.md"})
+    void showsWhatTheToolSays(Path page) throws IOException {
         copy(Path.of("models"), directory.resolve("models"));
-        for (Fence fence : Fence.of(PAGE)) {
+        for (Fence fence : Fence.of(page)) {
             if (fence.language().equals("console")) {
                 replay(fence);
             } else if (!fence.title().isEmpty()) {
@@ -44,9 +44,10 @@ class ReadmeTest {
         }
     }
 
-    @Test
-    void namesOnlyFilesThatExist() throws IOException {
-        var links = Pattern.compile("]\\(([^)#:]+)[^)]*\\)").matcher(Files.readString(PAGE));
+    @ParameterizedTest
+    @ValueSource(strings = {"README.md", "docs/platform.md"})
+    void namesOnlyFilesThatExist(Path page) throws IOException {
+        var links = Pattern.compile("]\\(([^)#:]+)[^)]*\\)").matcher(Files.readString(page));
         while (links.find()) {
             assertThat(Path.of(links.group(1))).exists();
         }

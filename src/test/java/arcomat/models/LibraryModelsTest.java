@@ -15,8 +15,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** The model library is flawless, documented, and fits its layers. */
 class LibraryModelsTest {
@@ -68,5 +72,29 @@ class LibraryModelsTest {
 
     private static boolean isPlace(String type) {
         return type.contains("Port") || type.contains("Key");
+    }
+
+    /** The reference has every component with its parameters and ports. */
+    @Test
+    void theReferenceIsComplete() throws IOException {
+        List<String> rows =
+                Files.readAllLines(Path.of("docs/platform.md")).stream()
+                        .filter(line -> line.startsWith("| `"))
+                        .toList();
+        assertThat(rows).hasSameSizeAs(WORKSPACE.components());
+        for (ComponentSymbol component : WORKSPACE.components()) {
+            assertThat(rows)
+                    .filteredOn(row -> row.matches("\\| `" + component.name() + "[`<].*"))
+                    .as(component.name())
+                    .singleElement()
+                    .satisfies(row -> assertThat(row).contains(names(component)));
+        }
+    }
+
+    private static List<String> names(ComponentSymbol component) {
+        return Stream.concat(
+                        component.parameters().stream().map(parameter -> parameter.name()),
+                        component.ports().stream().map(port -> "`" + port.name() + "`"))
+                .toList();
     }
 }

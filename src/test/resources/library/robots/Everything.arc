@@ -33,7 +33,7 @@ import robots.Talk.Order;
     connect sound.level -> drive.turn;
     connect colour.color -> colours.sent;
     connect left.pressed -> presses.sent;
-    connect second.tick -> chooser.tick;
+    connect second.signal -> chooser.second;
     connect orders.received -> echo.sent, chooser.order;
     connect numbers.received -> arm.speed;
     connect flags.received -> chooser.flag;
@@ -44,7 +44,7 @@ import robots.Talk.Order;
         timing instant;
 
         port
-            in Tick tick,
+            in Tick second,
             in Order order,
             in Boolean flag,
             out String text,
@@ -58,7 +58,7 @@ import robots.Talk.Order;
             on {order == go} / {text = "go", frequency = 440};
             on {order == halt} / {text = "halt", frequency = 220};
             on {order == --, flag == true} / {text = "flag"};
-            on {order == --, flag == --, tick == ?} / {text = "tick"};
+            on {order == --, flag == --, second == ?} / {text = "tick"};
         }
     }
 }

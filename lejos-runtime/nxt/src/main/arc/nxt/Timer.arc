@@ -12,5 +12,5 @@ import nxt.Brick.Tick;
  * period: from tick to tick, in ms; the first one comes one period after the start
  */
 <<platform, layer = "sensors">> component Timer(Integer[1..86400000] period) {
-    port out Tick tick;
+    port out Tick signal;
 }

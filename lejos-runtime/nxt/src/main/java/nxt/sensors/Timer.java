@@ -11,7 +11,7 @@ public final class Timer {
     private static final int TICK = 1;
 
     /** Code of nxt.Brick.Tick; 0 for none. */
-    public int tick;
+    public int signal;
 
     private final int period;
     private long next;
@@ -25,9 +25,9 @@ public final class Timer {
     public void sense() {
         long late = System.currentTimeMillis() - next;
         if (late < 0) {
-            tick = SILENCE;
+            signal = SILENCE;
         } else {
-            tick = TICK;
+            signal = TICK;
             next += (late / period + 1) * period;
         }
     }
