@@ -11,11 +11,10 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 
 /**
- * What a program did with its brick, cycle by cycle: what it read, what its motors were told last,
- * and what else happened. Sockets that nothing uses have no column.
+ * What a program did with its brick, cycle by cycle: what it last read and told its motors, and what
+ * else happened. Sockets that nothing uses have no column.
  *
  * @param sensors those that were read
  * @param motors those that were told something
@@ -27,7 +26,7 @@ record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows)
      * A cycle.
      *
      * @param time its begin in milliseconds since switching on
-     * @param read value by sensor; those not read in this cycle have none
+     * @param read the last value of each sensor so far
      * @param told the last order of each motor so far
      * @param other what happened besides, in words
      */
@@ -44,27 +43,23 @@ record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows)
     }
 
     static BrickRows of(Trace trace) {
-        Set<SensorName> sensors = new TreeSet<>();
+        Map<SensorName, Integer> read = new EnumMap<>(SensorName.class);
         Map<MotorName, Event.MotorOrdered> told = new EnumMap<>(MotorName.class);
         List<Row> rows = new ArrayList<>();
         for (Cycle cycle : trace.cycles()) {
-            if (cycle.events().isEmpty() && !rows.isEmpty()) {
-                continue; // the program slept on
-            }
-            Map<SensorName, Integer> read = cycle.read();
-            sensors.addAll(read.keySet());
+            read.putAll(cycle.read());
             cycle.orders().forEach(order -> told.put(order.motor(), order));
             rows.add(
                     new Row(
                             cycle.start() / MILLISECOND,
-                            read,
+                            Map.copyOf(read),
                             Map.copyOf(told),
                             cycle.events().stream()
                                     .map(BrickRows::other)
                                     .filter(text -> !text.isEmpty())
                                     .toList()));
         }
-        return new BrickRows(sensors, new TreeSet<>(told.keySet()), rows);
+        return new BrickRows(read.keySet(), told.keySet(), rows);
     }
 
     /** {@code 360}, {@code stop}, {@code to 90}: what a motor was told; empty before the first. */

@@ -8,7 +8,6 @@ import arcomat.sim.trace.Trace;
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
-import java.util.Map;
 
 /** A program's run for programs: a list of cycles. */
 public final class BrickTraceJson {
@@ -31,8 +30,11 @@ public final class BrickTraceJson {
         json.writeStartObject();
         json.writeNumberField("time", row.time());
         json.writeObjectFieldStart("sensors");
-        for (Map.Entry<SensorName, Integer> read : row.read().entrySet()) {
-            json.writeNumberField(read.getKey().name(), read.getValue());
+        for (SensorName sensor : SensorName.values()) {
+            Integer value = row.read().get(sensor);
+            if (value != null) {
+                json.writeNumberField(sensor.name(), value);
+            }
         }
         json.writeEndObject();
         json.writeObjectFieldStart("motors");

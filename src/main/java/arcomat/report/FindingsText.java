@@ -6,6 +6,7 @@ import arcomat.source.Severity;
 import arcomat.source.Span;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** Findings for people: where, what, the source line, related places, what to do. */
 public final class FindingsText {
@@ -27,7 +28,7 @@ public final class FindingsText {
                 .append(": ")
                 .append(style.of(severity, word(severity) + " " + finding.code()))
                 .append(": ")
-                .append(Printable.escape(finding.message()))
+                .append(message(finding))
                 .append('\n')
                 .append(Snippet.render(finding.span(), severity, style));
         for (Related related : finding.related()) {
@@ -47,6 +48,15 @@ public final class FindingsText {
                                         .append(Printable.escape(fix.title()))
                                         .append('\n'));
         return out.toString();
+    }
+
+    /** A message may end in text to be copied, on lines of its own. */
+    private static String message(Diagnostic finding) {
+        return finding.message()
+                .strip()
+                .lines()
+                .map(Printable::escape)
+                .collect(Collectors.joining("\n    "));
     }
 
     /** {@code path:line:column}; a file without text has only a path. */
