@@ -68,7 +68,8 @@ public final class TemplateEngine {
         } catch (IOException e) {
             throw new TemplateFailure(template, 0, 0, firstParagraph(e.getMessage()));
         } catch (StackOverflowError e) {
-            throw new TemplateFailure(template, 0, 0, "a macro or function calls itself without end");
+            throw new TemplateFailure(
+                    template, 0, 0, "a macro or function calls itself without end");
         }
     }
 
