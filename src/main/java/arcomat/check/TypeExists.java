@@ -52,8 +52,7 @@ final class TypeExists implements Check.OnType {
     private static void reportUnknown(TypeReference type, Context context, Findings findings) {
         List<String> elsewhere = VisibleNames.typesElsewhere(type.name(), context);
         if (elsewhere.size() == 1) {
-            Imports.reportMissing(
-                    type.name(), "type", elsewhere.get(0), context.unit(), findings);
+            Imports.reportMissing(type.name(), "type", elsewhere.get(0), context.unit(), findings);
             return;
         }
         findings.reportUnknown(
