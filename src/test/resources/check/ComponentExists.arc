@@ -51,3 +51,20 @@ component Good {
 
   connect power -> left.power, right.power;
 }
+
+//// q/Wheel.arc
+package q;
+component Wheel {
+  port in Integer power;
+}
+
+//// s/NotInSight.arc
+package s;
+component NotInSight {
+  port in Integer power;
+
+  component Wheel wheel;
+//          ~~~~~ error ARC0111: component 'Wheel' is not in sight of this file; add 'import q.Wheel;'
+
+  connect power -> wheel.power;
+}

@@ -48,3 +48,10 @@ import p.Types.Cmd;
 component Good<T> {
   port in Cmd cmd, in q.Types.Cmd other, in T t, out Integer[0..3] bits;
 }
+
+//// s/NotInSight.arc
+package s;
+component NotInSight {
+  port in Mug mug, out Integer volume;
+//        ~~~ error ARC0120: type 'Mug' is not in sight of this file; add 'import p.Types.Mug;'
+}

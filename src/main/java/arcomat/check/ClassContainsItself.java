@@ -6,9 +6,9 @@ import arcomat.symbols.DefinedType;
 import arcomat.symbols.DiagramSymbol;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.LinkedList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -19,6 +19,7 @@ import java.util.stream.Collectors;
  * values, and such a value would have no end.
  */
 final class ClassContainsItself implements Check.OnClassDiagram {
+    private record Step(ClassSymbol from, AttributeSymbol attribute) {}
 
     @Override
     public Law law() {
@@ -40,28 +41,26 @@ final class ClassContainsItself implements Check.OnClassDiagram {
 
     /** The attributes that lead from a class back to it; empty if none do. */
     private static List<AttributeSymbol> shortestCycle(ClassSymbol start) {
-        Map<ClassSymbol, List<AttributeSymbol>> ways = new HashMap<>();
-        Deque<ClassSymbol> open = new ArrayDeque<>();
-        ways.put(start, List.of());
-        open.add(start);
-        while (!open.isEmpty()) {
+        Map<ClassSymbol, Step> reachedBy = new HashMap<>();
+        Deque<ClassSymbol> open = new ArrayDeque<>(List.of(start));
+        while (!open.isEmpty() && !reachedBy.containsKey(start)) {
             ClassSymbol current = open.remove();
             for (AttributeSymbol attribute : current.attributes()) {
-                Optional<ClassSymbol> next = contained(attribute);
-                if (next.isEmpty()) {
-                    continue;
-                }
-                List<AttributeSymbol> way = new ArrayList<>(ways.get(current));
-                way.add(attribute);
-                if (next.get().equals(start)) {
-                    return way;
-                }
-                if (ways.putIfAbsent(next.get(), way) == null) {
-                    open.add(next.get());
-                }
+                contained(attribute)
+                        .filter(
+                                next ->
+                                        reachedBy.putIfAbsent(next, new Step(current, attribute))
+                                                == null)
+                        .ifPresent(open::add);
             }
         }
-        return List.of();
+        LinkedList<AttributeSymbol> way = new LinkedList<>();
+        Step last = reachedBy.get(start);
+        while (last != null) {
+            way.addFirst(last.attribute());
+            last = last.from().equals(start) ? null : reachedBy.get(last.from());
+        }
+        return way;
     }
 
     private static Optional<ClassSymbol> contained(AttributeSymbol attribute) {

@@ -82,6 +82,12 @@ final class ComponentExists implements Check.OnComponent {
             findings.report(span, "'" + name + "' is a type of messages; a part needs a component");
             return;
         }
+        List<String> elsewhere = VisibleNames.componentsElsewhere(written.name(), context);
+        if (elsewhere.size() == 1) {
+            Imports.reportMissing(
+                    written.name(), "component", elsewhere.get(0), context.unit(), findings);
+            return;
+        }
         findings.reportUnknown(
                 span,
                 "there is no component '" + name + "'",

@@ -50,6 +50,11 @@ final class TypeExists implements Check.OnType {
     }
 
     private static void reportUnknown(TypeReference type, Context context, Findings findings) {
+        List<String> elsewhere = VisibleNames.typesElsewhere(type.name(), context);
+        if (elsewhere.size() == 1) {
+            Imports.reportMissing(type.name(), "type", elsewhere.get(0), context.unit(), findings);
+            return;
+        }
         findings.reportUnknown(
                 type.name().span(),
                 "there is no type '" + type.name() + "'",

@@ -7,6 +7,7 @@ import arcomat.symbols.DiagramSymbol;
 import arcomat.symbols.TypeVariable;
 import arcomat.symbols.Workspace;
 import arcomat.tree.Import;
+import arcomat.tree.QualifiedName;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -32,6 +33,26 @@ final class VisibleNames {
             }
         }
         return names;
+    }
+
+    /** Full names of message types of a simple name, in whatever package. */
+    static List<String> typesElsewhere(QualifiedName name, Context context) {
+        return context.workspace().diagrams().stream()
+                .flatMap(diagram -> diagram.types().stream())
+                .filter(type -> name.isSimple() && type.text().equals(name.text()))
+                .map(DefinedType::qualifiedName)
+                .distinct()
+                .toList();
+    }
+
+    /** Full names of top-level components of a simple name, in whatever package. */
+    static List<String> componentsElsewhere(QualifiedName name, Context context) {
+        return context.workspace().topLevelComponents().stream()
+                .filter(component -> name.isSimple() && component.name().equals(name.text()))
+                .filter(component -> !component.unit().packageText().isEmpty())
+                .map(ComponentSymbol::qualifiedName)
+                .distinct()
+                .toList();
     }
 
     /** Message types: type parameters, built-in ones, those of the package, imported ones. */

@@ -2,9 +2,16 @@ package arcomat.cli;
 
 /** Entry point of the command {@code arcomat}. */
 public final class Main {
+    /**
+     * Models nest as deep as their authors like; what follows them is recursive. The room is
+     * reserved, not taken: a page that is not reached costs nothing.
+     */
+    private static final long STACK_BYTES = 512L << 20;
+
     private Main() {}
 
     public static void main(String[] args) {
-        System.exit(Cli.run(args, Console.ofProcess()));
+        Runnable work = () -> System.exit(Cli.run(args, Console.ofProcess()));
+        new Thread(null, work, "arcomat", STACK_BYTES).start();
     }
 }

@@ -13,6 +13,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Variable;
+import arcomat.semantics.Fault;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -67,7 +68,8 @@ final class AtomicViews {
             Variable variable, List<FieldView> fields, List<AssignmentView> constructed) {
         ExpressionText text = context.expressions();
         boolean literal = variable.initial() instanceof Expression.Constant;
-        String initial = text.of(variable.initial()).text();
+        text.at(Fault.place(component, variable));
+        String initial = text.inRange(variable.initial(), variable.type(), variable.name()).text();
         fields.add(
                 new FieldView(
                         text.type(variable.type()),

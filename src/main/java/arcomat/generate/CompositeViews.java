@@ -9,8 +9,11 @@ import arcomat.generate.view.HeadView;
 import arcomat.generate.view.PartView;
 import arcomat.generate.view.PartsView;
 import arcomat.generate.view.StepView;
+import arcomat.model.Expression;
+import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.semantics.Composition;
+import arcomat.semantics.Fault;
 import arcomat.semantics.Source;
 
 import java.util.ArrayList;
@@ -197,11 +200,22 @@ final class CompositeViews {
         if (program.draws(node.component())) {
             arguments.add(choice(context));
         }
-        node.arguments().forEach(a -> arguments.add(context.expressions().of(a).text()));
+        arguments.addAll(arguments(context, node));
         return new PartView(
                 context.references().to(context.names().of(node.component())),
                 field,
                 String.join(", ", arguments),
                 node.path() + ": " + node.component().qualifiedName());
+    }
+
+    private static List<String> arguments(FileContext context, Composition.Node node) {
+        ExpressionText text = context.expressions();
+        text.at(Fault.place(context.component(), node.path()));
+        List<String> arguments = new ArrayList<>();
+        for (Parameter parameter : node.component().parameters()) {
+            Expression argument = node.arguments().get(arguments.size());
+            arguments.add(text.inRange(argument, parameter.type(), parameter.name()).text());
+        }
+        return arguments;
     }
 }

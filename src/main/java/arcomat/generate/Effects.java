@@ -7,10 +7,10 @@ import arcomat.model.Automaton.Assignment;
 import arcomat.model.Automaton.Send;
 import arcomat.model.Component;
 import arcomat.model.Expression;
+import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.FirstValue;
 import arcomat.semantics.Rewriting;
 
 import java.util.ArrayList;

@@ -8,6 +8,7 @@ import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -89,8 +90,18 @@ final class Formulas {
         }
         Text same = text.equal(read, value);
         Text other = text.notEqual(read, value);
+        if (readsPort(value)) {
+            // Two silent ports have equal codes: this does not say that there is a message.
+            return new Formula.Test(equal ? same : other, Optional.empty());
+        }
         return new Formula.Is(
                 read.port(), equal, constant, equal ? same : other, equal ? other : same);
+    }
+
+    private static boolean readsPort(Expression value) {
+        boolean[] found = {false};
+        Rewriting.visit(value, e -> found[0] |= e instanceof Expression.PortRead);
+        return found[0];
     }
 
     private static Expression truth(boolean value, Expression because) {

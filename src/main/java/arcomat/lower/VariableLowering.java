@@ -1,6 +1,7 @@
 package arcomat.lower;
 
 import arcomat.model.Expression;
+import arcomat.model.FirstValue;
 import arcomat.model.Type;
 import arcomat.model.Variable;
 import arcomat.symbols.VariableSymbol;

@@ -6,6 +6,7 @@ import arcomat.model.Letter;
 import arcomat.model.Model;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
+import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.Network;
 import arcomat.simulate.Choice;
@@ -88,7 +89,14 @@ final class SimulateStep {
             test = Optional.of(input.get().in(model, names));
         }
         MainComponent main = main(checked, model, test);
-        List<Letter> letters = letters(main, test);
+        Network network;
+        try {
+            network = Network.of(main.component(), main.arguments());
+        } catch (ModelError error) {
+            Trace nothing = new Trace(main.component(), List.of(), Optional.of(error.getMessage()));
+            return record(main, nothing, List.of());
+        }
+        List<Letter> letters = letters(network, test);
         if (request.engine() == SimulationRequest.Engine.COMPILED) {
             return record(main, Simulation.run(compiled(main), letters), List.of());
         }
@@ -164,8 +172,7 @@ final class SimulateStep {
     }
 
     /** The letters of the test, or random ones; behind the input it is quiet. */
-    private List<Letter> letters(MainComponent main, Optional<StreamTest> test) {
-        Network network = Network.of(main.component(), main.arguments());
+    private List<Letter> letters(Network network, Optional<StreamTest> test) {
         if (test.isEmpty()) {
             int count = request.slices().orElse(DEFAULT_STEPS);
             return Simulation.randomLetters(network, request.seed(), count, CHANCE_OF_A_MESSAGE);

@@ -21,7 +21,7 @@ public final class Arguments {
         List<Parameter> parameters = component.parameters();
         List<Value> all = new ArrayList<>(given);
         while (all.size() < parameters.size()) {
-            Scope scope = Scope.ofFirst(parameters, all);
+            Scope scope = Scope.ofParameters(parameters, all);
             all.add(scope.constant(parameters.get(all.size()).initial().orElseThrow()));
         }
         return List.copyOf(all);

@@ -132,7 +132,12 @@ final class Effect {
         return after;
     }
 
-    private static Value inRange(String name, Type type, Value value) {
+    /**
+     * The value itself.
+     *
+     * @throws Fault if it lies outside of what it is for
+     */
+    static Value inRange(String name, Type type, Value value) {
         if (type instanceof Type.IntegerType integer && integer.ranged()) {
             long number = Arithmetic.integer(value);
             if (number < integer.low() || number > integer.high()) {

@@ -1,6 +1,7 @@
 package arcomat.semantics;
 
 import arcomat.model.Component;
+import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.model.Value;
 
@@ -44,7 +45,7 @@ final class Elaboration {
             Port port = whole.inputs().get(i);
             inputs.add(new Network.External(port.name(), port, outside[i]));
         }
-        Scope scope = new Scope(whole, arguments);
+        Scope scope = Scope.ofParameters(whole.parameters(), arguments);
         if (Composition.inside(whole, compositions).isPresent()) {
             Composition composition = Composition.of(whole, compositions);
             Signals root = allocate(composition);
@@ -128,17 +129,30 @@ final class Elaboration {
             for (Source source : node.inputs()) {
                 received.add(signal(composition, own, source));
             }
-            List<Value> values = node.arguments().stream().map(scope::constant).toList();
+            List<Value> values = arguments(composition.component(), node, scope);
             if (node.inside().isPresent()) {
                 for (int k = 0; k < received.size(); k++) {
                     own.inside[i].outside[k] = received.get(k);
                 }
-                Scope inner = new Scope(node.component(), values);
+                Scope inner = Scope.ofParameters(node.component().parameters(), values);
                 connect(path + ".", node.inside().get(), own.inside[i], inner);
             } else {
                 place(path, node.component(), values, received, own.first[i]);
             }
         }
+    }
+
+    private static List<Value> arguments(Component whole, Composition.Node node, Scope scope) {
+        List<Value> values = new ArrayList<>();
+        try {
+            for (Parameter parameter : node.component().parameters()) {
+                Value value = scope.constant(node.arguments().get(values.size()));
+                values.add(Effect.inRange(parameter.name(), parameter.type(), value));
+            }
+        } catch (Fault fault) {
+            throw fault.in(Fault.place(whole, node.path()));
+        }
+        return values;
     }
 
     private void place(

@@ -2,6 +2,7 @@ package arcomat.semantics;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.model.Variable;
 import arcomat.rt.ModelError;
 import arcomat.source.Span;
 
@@ -48,6 +49,16 @@ public final class Fault extends ModelError {
     /** The place of a state in messages, where no transition is to blame. */
     public static String place(Component component, Automaton automaton, int state) {
         return component.name() + ", in " + automaton.states().get(state);
+    }
+
+    /** The place of a value that a variable or a constant starts with. */
+    public static String place(Component component, Variable variable) {
+        return component.name() + ", value of " + variable.name() + line(variable.span());
+    }
+
+    /** The place of the arguments of a part. */
+    public static String place(Component component, String part) {
+        return component.name() + ", arguments of " + part;
     }
 
     static String line(Span span) {

@@ -23,8 +23,8 @@ final class Scope {
 
     private Scope() {}
 
-    /** Knows the first parameters of a component only: enough for the default of the next one. */
-    static Scope ofFirst(List<Parameter> declared, List<Value> arguments) {
+    /** Knows the first parameters of a component, and no constants. */
+    static Scope ofParameters(List<Parameter> declared, List<Value> arguments) {
         Scope scope = new Scope();
         for (int i = 0; i < arguments.size(); i++) {
             scope.parameters.put(declared.get(i).name(), arguments.get(i));
@@ -50,13 +50,26 @@ final class Scope {
             parameters.put(declared.get(i).name(), arguments.get(i));
         }
         for (Variable constant : component.constants()) {
-            fixed.put(constant.name(), constant(constant.initial()));
+            fixed.put(constant.name(), first(component, constant));
         }
     }
 
     Scope(Component component, List<Value> arguments, Automaton automaton) {
         this(component, arguments);
         automaton.variables().forEach(v -> variables.put(v.name(), variables.size()));
+    }
+
+    /**
+     * The value that a variable starts with.
+     *
+     * @throws Fault where it cannot be computed or lies outside of the variable's range
+     */
+    Value first(Component component, Variable variable) {
+        try {
+            return Effect.inRange(variable.name(), variable.type(), constant(variable.initial()));
+        } catch (Fault fault) {
+            throw fault.in(Fault.place(component, variable));
+        }
     }
 
     /** The value of an expression that reads neither ports nor variables. */

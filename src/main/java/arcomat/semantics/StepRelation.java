@@ -6,7 +6,6 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.model.Variable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -81,9 +80,7 @@ public final class StepRelation {
     private void prepareStarts(Set<String> owned, Scope scope) {
         Value[] values = new Value[automaton.variables().size()];
         for (int i = 0; i < values.length; i++) {
-            Variable variable = automaton.variables().get(i);
-            values[i] =
-                    Evaluation.compile(variable.initial(), scope).evaluate(new Value[0], values);
+            values[i] = scope.first(component, automaton.variables().get(i));
         }
         Value[] nothing = new Value[component.inputs().size()];
         for (Automaton.Initial initial : automaton.initials()) {

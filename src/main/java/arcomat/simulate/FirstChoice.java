@@ -1,8 +1,8 @@
 package arcomat.simulate;
 
+import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.FirstValue;
 
 import java.util.Optional;
 

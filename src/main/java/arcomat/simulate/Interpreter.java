@@ -32,7 +32,8 @@ public final class Interpreter implements Execution {
     private int number;
 
     private final Network network;
-    private final Engine engine;
+    private final Choice choice;
+    private Engine engine;
     private final List<String> decisions = new ArrayList<>();
 
     /** Time-synchronous or event-driven. */
@@ -45,11 +46,16 @@ public final class Interpreter implements Execution {
      */
     public Interpreter(Component component, List<Value> arguments, Choice choice) {
         network = Network.of(component, arguments);
-        List<Actor> actors = actors(network, new RememberedChoice(choice, decisions));
-        engine =
-                component.profile() == Component.Profile.TIME_SYNCHRONOUS
-                        ? new Slices(network, actors)
-                        : new Events(network, actors);
+        this.choice = new RememberedChoice(choice, decisions);
+    }
+
+    /** Made in the first step, which so reports what goes wrong in the beginning. */
+    private Engine engine() {
+        if (engine == null) {
+            List<Actor> actors = actors(network, choice);
+            engine = isTimed() ? new Slices(network, actors) : new Events(network, actors);
+        }
+        return engine;
     }
 
     private static List<Actor> actors(Network network, Choice choice) {
@@ -84,14 +90,16 @@ public final class Interpreter implements Execution {
 
     @Override
     public Trace.Step step(Letter input) {
+        int now = number++;
         try {
-            return engine.step(input, number++);
+            return engine().step(input, now);
         } catch (ModelError problem) {
-            throw new ModelError(unit() + " " + (number - 1) + ": " + problem.getMessage());
+            String unit = isTimed() ? "slice " : "step ";
+            throw new ModelError(unit + now + ": " + problem.getMessage());
         }
     }
 
-    private String unit() {
-        return component().profile() == Component.Profile.TIME_SYNCHRONOUS ? "slice" : "step";
+    private boolean isTimed() {
+        return component().profile() == Component.Profile.TIME_SYNCHRONOUS;
     }
 }

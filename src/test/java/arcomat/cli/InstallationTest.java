@@ -68,6 +68,38 @@ class InstallationTest {
     }
 
     @Test
+    void followsAsDeepAsModelsGo() throws Exception {
+        StringBuilder classes = new StringBuilder();
+        for (int i = 0; i < 1500; i++) {
+            classes.append("class C").append(i).append(" { C").append(i + 1).append(" x; }\n");
+        }
+        Files.writeString(
+                temporary.resolve("Deep.cd"),
+                "classdiagram Deep {\n" + classes + "class C1500 { int x; } }");
+        Files.writeString(
+                temporary.resolve("Wall.arc"),
+                """
+                component Wall {
+                  port in Deep.C0 stone, in Boolean knock, out Boolean echo;
+                  automaton {
+                    state only;
+                    initial only;
+                    only {knock == ?} / {echo = %sknock%s};
+                  }
+                }
+                """
+                        .formatted("(".repeat(900), ")".repeat(900)));
+        assertThat(run(INSTALLATION, "check", ".").output()).contains("no findings in 2 files");
+        for (String engine : List.of("interpreter", "compiled")) {
+            String[] simulate = {"simulate", "--main", "Wall", "--engine", engine, "."};
+            assertThat(run(INSTALLATION, simulate).status()).isZero();
+        }
+        String[] generate = {"generate", "--target", "jvm", "--out", "out", "."};
+        assertThat(run(INSTALLATION, generate).status()).isZero();
+        assertThat(run(INSTALLATION, "format", "Wall.arc").output()).contains("changed Wall.arc");
+    }
+
+    @Test
     void keepsTheOldFilesWhenKilledWhileWriting() throws Exception {
         String[] generate = {"generate", "--target", "jvm", "--out", "out", MODELS};
         long began = System.nanoTime();

@@ -39,13 +39,13 @@ class DamagedModelsTest {
     }
 
     @Tag("slow")
-    @Property(tries = 3000, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 2000, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
     void damagedOftener(@ForAll long seed) {
         check(seed, set -> new Damage(SETS, seed).apply(set));
     }
 
     @Tag("slow")
-    @Property(tries = 3000, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(tries = 1500, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
     void variedOftener(@ForAll long seed) {
         check(seed, set -> new Variation(seed).apply(set));
     }

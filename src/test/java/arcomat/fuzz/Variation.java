@@ -9,7 +9,9 @@ import java.util.List;
  */
 final class Variation {
     private static final String NUMBER = "\\d[\\d.]*|true|false";
-    private static final String SMALL_NAME = "(?!in|out|port|state|initial|component)[a-z_]\\w*";
+    private static final String SMALL_NAME =
+            "(?!(?:package|import|component|port|in|out|connect|automaton|state|initial|variable"
+                + "|timing|test|testsuite|input|expect|enum|class|classdiagram|table)\\b)[a-z_]\\w*";
     private static final String[] NUMBERS = {
         "0",
         "1",

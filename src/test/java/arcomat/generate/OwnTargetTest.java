@@ -75,6 +75,17 @@ class OwnTargetTest {
         assertThat(finding.span().startPosition().line()).isEqualTo(2);
     }
 
+    @Test
+    void aTemplateThatCallsItselfEnds() {
+        Generation generation = generate("<#macro again><@again/></#macro><@again/>", "{name}.txt");
+        assertThat(generation.files()).isEmpty();
+        assertThat(generation.findings())
+                .extracting(Diagnostic::message)
+                .singleElement()
+                .asString()
+                .contains("calls itself without end");
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {

@@ -4,13 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.generate.Choosing;
 import arcomat.model.Component;
+import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
-import arcomat.semantics.FirstValue;
 import arcomat.semantics.Network;
 import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;

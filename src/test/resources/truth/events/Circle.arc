@@ -1,7 +1,7 @@
 package events;
 
 /**
- * Messages run in a circle until they are used up, run for ever, or flood a queue. The network says
+ * Messages run in a circle until they are used up, or flood a queue. The network says
  * nothing about its timing: it is what its parts are.
  */
 component Circle {
@@ -43,7 +43,6 @@ component Circle {
       state s;
       initial s;
       s [number > 0] {number == ?} / {lower = number - 1};
-      s {number == -5} / {lower = number};
       s {number == -6} / {lower = [-6, -6]};
       s {number == -7} / {lower = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17]};
     }

@@ -84,7 +84,10 @@ public final class Names {
 
     private String segment(String name) {
         String identifier = Words.identifier(name);
-        return language.reserved().contains(identifier) ? identifier + "_" : identifier;
+        boolean reserved =
+                language.reserved().contains(identifier)
+                        || Arrays.asList(language.words("reserved.packages")).contains(identifier);
+        return reserved ? identifier + "_" : identifier;
     }
 
     private Set<String> reservedTypes() {

@@ -67,6 +67,9 @@ public final class TemplateEngine {
             throw new TemplateFailure(template, 0, 0, "there is no such template");
         } catch (IOException e) {
             throw new TemplateFailure(template, 0, 0, firstParagraph(e.getMessage()));
+        } catch (StackOverflowError e) {
+            throw new TemplateFailure(
+                    template, 0, 0, "a macro or function calls itself without end");
         }
     }
 

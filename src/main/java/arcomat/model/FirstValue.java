@@ -1,7 +1,4 @@
-package arcomat.semantics;
-
-import arcomat.model.Type;
-import arcomat.model.Value;
+package arcomat.model;
 
 /**
  * The first value of a type: 0, false, the empty string, the first constant of an enumeration, the
