@@ -55,8 +55,9 @@ public final class FindingsText {
         return finding.message()
                 .strip()
                 .lines()
-                .map(Printable::escape)
-                .collect(Collectors.joining("\n    "));
+                .map(line -> line.isBlank() ? "" : "    " + Printable.escape(line))
+                .collect(Collectors.joining("\n"))
+                .strip();
     }
 
     /** {@code path:line:column}; a file without text has only a path. */

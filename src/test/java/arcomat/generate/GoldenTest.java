@@ -15,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Stream;
 
@@ -38,11 +39,26 @@ class GoldenTest {
             Model model = Lowering.lower(Scenario.read(file).workspace());
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));
         }
+        tests.addAll(onBrick("lejos/fetcher", fetcher));
         return tests;
     }
 
+    /** The platform components come from the library's folder. */
+    private static List<DynamicTest> onBrick(String folder, Component main) throws IOException {
+        Path library = Path.of("lejos-runtime/nxt/src/main/java");
+        Map<String, String> implementations = new TreeMap<>();
+        try (Stream<Path> files = Files.walk(library)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                String path = library.relativize(file).toString().replace('\\', '/');
+                implementations.put(path, Files.readString(file));
+            }
+        }
+        return compare(folder, Request.program(main, Choosing.FIRST).with(implementations));
+    }
+
     private static List<DynamicTest> compare(String folder, Request request) throws IOException {
-        Generation generation = Generator.generate(request, Target.shipped("jvm").orElseThrow());
+        String target = folder.substring(0, folder.indexOf('/'));
+        Generation generation = Generator.generate(request, Target.shipped(target).orElseThrow());
         assertThat(generation.findings()).isEmpty();
         TreeMap<String, String> files = new TreeMap<>();
         generation.files().forEach(f -> files.put(f.path(), f.text()));
