@@ -54,7 +54,9 @@ class ArchitectureTest {
                     Map.entry("brick", row("", "org.objectweb.asm")),
                     Map.entry("simulate", row("semantics model rt")),
                     Map.entry("generate", row("semantics model", "freemarker")),
-                    Map.entry("report", row("simulate generate model", "com.fasterxml.jackson")),
+                    Map.entry(
+                            "report",
+                            row("brick simulate generate model", "com.fasterxml.jackson")),
                     Map.entry(
                             "pipeline",
                             row(

@@ -44,6 +44,11 @@ public final class SourceFile {
         return text.substring(start, end);
     }
 
+    /** The offset at which a line (from 1) begins. */
+    public int lineStart(int line) {
+        return lineStarts()[line - 1];
+    }
+
     public int lineCount() {
         return lineStarts().length;
     }

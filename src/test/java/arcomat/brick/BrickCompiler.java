@@ -2,6 +2,7 @@ package arcomat.brick;
 
 import arcomat.brick.api.BrickTable;
 import arcomat.brick.api.StubJar;
+import arcomat.source.SourceFile;
 
 import org.eclipse.jdt.internal.compiler.batch.Main;
 
@@ -53,40 +54,47 @@ public final class BrickCompiler {
         }
     }
 
-    /** Compiles files for the brick; the name of a file is that of its public type. */
-    public Result forBrick(String... sources) {
+    /** Compiles files for the brick. */
+    public Result forBrick(SourceFile... sources) {
         return compile(List.of("-1.6", "-bootclasspath", stub.toString()), sources);
     }
 
+    /** Compiles one file with one public type, which gives the file its name, for the brick. */
+    public Result forBrick(String source) {
+        return forBrick(sourceFile(source));
+    }
+
     /** Compiles files for a later Java, against this JDK. */
-    public Result forJava(int release, String... sources) {
+    public Result forJava(int release, SourceFile... sources) {
         return compile(List.of("--release", "" + release), sources);
     }
 
-    private Result compile(List<String> options, String... sources) {
+    /** A file of the unnamed package, named after its first type. */
+    public static SourceFile sourceFile(String text) {
+        String name = text.replaceFirst("(?s).*?\\b(?:class|interface|enum) (\\w+).*", "$1");
+        return new SourceFile(name + ".java", text);
+    }
+
+    private Result compile(List<String> options, SourceFile... sources) {
         try {
             Path work = Files.createTempDirectory(folder, "program");
             Path classes = Files.createDirectory(work.resolve("classes"));
             List<String> arguments = new ArrayList<>(options);
             arguments.addAll(List.of("-g", "-nowarn", "-proc:none", "-d", classes.toString()));
-            for (String source : sources) {
-                Path file = work.resolve(nameOf(source) + ".java");
-                Files.writeString(file, source);
+            for (SourceFile source : sources) {
+                Path file = work.resolve(source.path());
+                Files.createDirectories(file.getParent());
+                Files.writeString(file, source.text());
                 arguments.add(file.toString());
             }
             StringWriter messages = new StringWriter();
             PrintWriter out = new PrintWriter(messages);
             boolean fine =
-                    new Main(out, out, false, null, null)
-                            .compile(arguments.toArray(new String[0]));
+                    new Main(out, out, false, null, null).compile(arguments.toArray(new String[0]));
             return new Result(fine ? read(classes) : Map.of(), messages.toString());
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    private static String nameOf(String source) {
-        return source.replaceFirst("(?s).*?\\b(?:class|interface|enum) (\\w+).*", "$1");
     }
 
     private static Map<String, byte[]> read(Path classes) throws IOException {

@@ -13,10 +13,10 @@ import java.util.stream.Collectors;
  * Test data for a check: several model files in one, each below a line {@code //// path/Name.arc}.
  * Above the first of them stand options: {@code // profile: executable}.
  */
-record DataFile(Path path, Profile profile, List<SourceFile> files) {
+public record DataFile(Path path, Profile profile, List<SourceFile> files) {
     private static final String SEPARATOR = "//// ";
 
-    static DataFile read(Path path) throws IOException {
+    public static DataFile read(Path path) throws IOException {
         List<String> header = new ArrayList<>();
         List<SourceFile> files = new ArrayList<>();
         String name = null;
@@ -48,7 +48,7 @@ record DataFile(Path path, Profile profile, List<SourceFile> files) {
     }
 
     /** What the comments below lines of code announce. */
-    List<Expectation> expectations() {
+    public List<Expectation> expectations() {
         List<Expectation> found = new ArrayList<>();
         for (SourceFile file : files) {
             int codeLine = 0;
@@ -65,7 +65,7 @@ record DataFile(Path path, Profile profile, List<SourceFile> files) {
     }
 
     /** The data file with other expectations, as it would have to look to pass. */
-    String withExpectations(List<Expectation> expectations) {
+    public String withExpectations(List<Expectation> expectations) {
         String header = profile == Profile.EXECUTABLE ? "// profile: executable\n" : "";
         return files.stream()
                 .map(file -> withExpectations(file, expectations))

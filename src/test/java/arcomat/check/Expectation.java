@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
  * @param endColumn behind the last tilde; a finding over several lines is underlined to the end of
  *     its first
  */
-record Expectation(
+public record Expectation(
         String path, int line, int startColumn, int endColumn, String finding, String message) {
 
     private static final Pattern LINE =
@@ -40,7 +40,7 @@ record Expectation(
                 matcher.group(5) == null ? "" : matcher.group(5).strip());
     }
 
-    static Expectation of(Diagnostic diagnostic) {
+    public static Expectation of(Diagnostic diagnostic) {
         SourceFile file = diagnostic.span().file();
         Position start = diagnostic.span().startPosition();
         Position end = diagnostic.span().endPosition();
@@ -57,11 +57,11 @@ record Expectation(
                 diagnostic.message());
     }
 
-    String code() {
+    public String code() {
         return finding.substring(finding.length() - "ARC0000".length());
     }
 
-    boolean isMetBy(Expectation actual) {
+    public boolean isMetBy(Expectation actual) {
         return actual.withoutMessage().equals(withoutMessage())
                 && (message.isEmpty() || message.equals(actual.message));
     }

@@ -62,9 +62,13 @@ class StubMembersTest {
 
         List<String> expected = new ArrayList<>();
         expected.add(
-                line(type.access(), type.name(), type.superclass(), type.interfaces(), type.signature()));
-        type.nesting()
-                .ifPresent(n -> expected.add(line(n.access(), n.outer(), n.simpleName())));
+                line(
+                        type.access(),
+                        type.name(),
+                        type.superclass(),
+                        type.interfaces(),
+                        type.signature()));
+        type.nesting().ifPresent(n -> expected.add(line(n.access(), n.outer(), n.simpleName())));
         type.fields()
                 .forEach(
                         f ->
@@ -150,7 +154,12 @@ class StubMembersTest {
 
         @Override
         public void visit(
-                int version, int access, String name, String signature, String superName, String[] interfaces) {
+                int version,
+                int access,
+                String name,
+                String signature,
+                String superName,
+                String[] interfaces) {
             this.name = name;
             text.add(
                     line(
@@ -177,7 +186,11 @@ class StubMembersTest {
 
         @Override
         public MethodVisitor visitMethod(
-                int access, String method, String descriptor, String signature, String[] exceptions) {
+                int access,
+                String method,
+                String descriptor,
+                String signature,
+                String[] exceptions) {
             List<String> thrown = exceptions == null ? List.of() : List.of(exceptions);
             text.add(line(access, method, descriptor, optional(signature), thrown));
             return null;

@@ -78,18 +78,24 @@ class StubTest {
                 "String s = String.format(\"%d\", 1);           | format(String, int) is undefined",
                 "boolean b = \"ab\".contains(\"b\");             | contains(String) is undefined",
                 "String[] parts = \"a,b\".split(\",\");          | split(String) is undefined",
-                "Object o = new java.util.TreeMap();             | java.util.TreeMap cannot be resolved",
-                "Object o = java.util.Objects.hash(1);           | java.util.Objects cannot be resolved",
-                "Object o = new lejos.nxt.Motor();               | constructor Motor() is undefined",
+                "Object o = new java.util.TreeMap();             | java.util.TreeMap cannot be"
+                    + " resolved",
+                "Object o = java.util.Objects.hash(1);           | java.util.Objects cannot be"
+                    + " resolved",
+                "Object o = new lejos.nxt.Motor();               | constructor Motor() is"
+                    + " undefined",
                 "int i = lejos.nxt.SensorPort.S5.readValue();    | S5 cannot be resolved",
                 "Object o = int.class.getMethods();              | getMethods() is undefined",
-                "Runnable r = () -> {};                          | Lambda expressions are allowed only",
+                "Runnable r = () -> {};                          | Lambda expressions are allowed"
+                    + " only",
                 "Object o = new Throwable() { @Override public StackTraceElement[] getStackTrace()"
                         + " { return null; } }; | StackTraceElement cannot be resolved",
                 "Object o = new Thread() { @Override public void destroy() { } };"
                         + " | must override or implement a supertype method",
-                "throw new ArithmeticException();        | Unhandled exception type ArithmeticException",
-                "Thread.sleep(1);                        | Unhandled exception type InterruptedException",
+                "throw new ArithmeticException();        | Unhandled exception type"
+                    + " ArithmeticException",
+                "Thread.sleep(1);                        | Unhandled exception type"
+                    + " InterruptedException",
             })
     void whatTheBrickLacksIsRefused(String statement, String message) {
         String program = "public class Bad { static void run() { %s } }".formatted(statement);
@@ -157,8 +163,7 @@ class StubTest {
         java.io.StringWriter text = new java.io.StringWriter();
         new ClassReader(classFile)
                 .accept(
-                        new TraceClassVisitor(
-                                null, new Textifier(), new java.io.PrintWriter(text)),
+                        new TraceClassVisitor(null, new Textifier(), new java.io.PrintWriter(text)),
                         0);
         return text.toString();
     }

@@ -19,6 +19,7 @@ public final class BrickTable {
 
     private final Map<String, BrickType> types;
     private final Set<String> packages;
+    private final Map<String, List<BrickType>> nested;
 
     BrickTable(List<BrickType> types) {
         Map<String, BrickType> byName = new LinkedHashMap<>();
@@ -26,6 +27,10 @@ public final class BrickTable {
         this.types = Collections.unmodifiableMap(byName);
         this.packages =
                 types.stream().map(BrickType::packageName).collect(Collectors.toUnmodifiableSet());
+        this.nested =
+                types.stream()
+                        .filter(type -> type.nesting().isPresent())
+                        .collect(Collectors.groupingBy(type -> type.nesting().get().outer()));
     }
 
     /** The table of leJOS NXJ 0.9.1 that comes with the product. Reads it anew; keep the result. */
@@ -60,8 +65,6 @@ public final class BrickTable {
 
     /** The classes that are declared inside of a class. */
     public List<BrickType> nestedIn(String outer) {
-        return types.values().stream()
-                .filter(t -> t.nesting().filter(n -> n.outer().equals(outer)).isPresent())
-                .toList();
+        return Collections.unmodifiableList(nested.getOrDefault(outer, List.of()));
     }
 }

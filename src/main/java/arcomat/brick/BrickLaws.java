@@ -1,0 +1,26 @@
+package arcomat.brick;
+
+import java.util.List;
+
+/** The list of all laws about programs for the brick. */
+final class BrickLaws {
+    /** One line per law, in alphabetical order. */
+    static final List<BrickLaw> ALL =
+            List.of(
+                    new ClassEstimate(),
+                    new ClassLimit(),
+                    new ConstantLimit(),
+                    new FieldLimit(),
+                    new KnownDefects(),
+                    new LocalLimit(),
+                    new MembersOnTheBrick(),
+                    new MethodLimit(),
+                    new NoInterfaceBodies(),
+                    new NoInvokeDynamic(),
+                    new OwnPackages(),
+                    new ParameterLimit(),
+                    new ReadableClassFiles(),
+                    new StaticFieldLimit());
+
+    private BrickLaws() {}
+}

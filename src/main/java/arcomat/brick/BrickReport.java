@@ -1,0 +1,44 @@
+package arcomat.brick;
+
+import arcomat.source.Diagnostic;
+
+import java.util.List;
+
+/**
+ * What is known about a robot's jar before it is linked.
+ *
+ * @param findings in the order of {@link Diagnostic#ORDER}; the jar fits if there is no error
+ * @param shares the jar's classes by origin, in the order of {@link Origin}; none without a class
+ * @param linkedClasses about how many classes the linked program has, leJOS' own, arrays and
+ *     primitive types included; the machine has room for {@link #CLASSES}
+ */
+public record BrickReport(List<Diagnostic> findings, List<Share> shares, int linkedClasses) {
+    /** What a linked program has room for. */
+    public static final int CLASSES = 256;
+
+    /**
+     * The classes of one origin.
+     *
+     * @param bytes size of their class files
+     */
+    public record Share(Origin origin, int classes, int methods, int bytes) {}
+
+    public BrickReport {
+        findings = List.copyOf(findings);
+        shares = List.copyOf(shares);
+    }
+
+    public boolean fits() {
+        return findings.stream().noneMatch(Diagnostic::isError);
+    }
+
+    /** Number of class files in the jar. */
+    public int classes() {
+        return shares.stream().mapToInt(Share::classes).sum();
+    }
+
+    /** Size of all class files. */
+    public int bytes() {
+        return shares.stream().mapToInt(Share::bytes).sum();
+    }
+}

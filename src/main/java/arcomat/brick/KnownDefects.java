@@ -1,0 +1,72 @@
+package arcomat.brick;
+
+import arcomat.source.Diagnostic;
+
+import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.tree.AbstractInsnNode;
+import org.objectweb.asm.tree.ClassNode;
+import org.objectweb.asm.tree.MethodInsnNode;
+import org.objectweb.asm.tree.MethodNode;
+
+import java.util.Arrays;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** ARC0914: some methods are there on leJOS NXJ 0.9.1 and do not do what they should (measured). */
+final class KnownDefects implements BrickLaw {
+    @Override
+    public String code() {
+        return "ARC0914";
+    }
+
+    @Override
+    public Stream<Diagnostic> findings(Program program) {
+        return program.inClasses(
+                (file, node) ->
+                        node.methods.stream()
+                                .filter(method -> !isGeneratedByCompiler(node, method))
+                                .flatMap(method -> inMethod(program, file, method)));
+    }
+
+    /** Every enum has a valueOf that nobody need call. */
+    private static boolean isGeneratedByCompiler(ClassNode node, MethodNode method) {
+        return (node.access & Opcodes.ACC_ENUM) != 0 && method.name.equals("valueOf");
+    }
+
+    private Stream<Diagnostic> inMethod(Program program, ClassFile file, MethodNode method) {
+        return Arrays.stream(method.instructions.toArray())
+                .filter(MethodInsnNode.class::isInstance)
+                .flatMap(
+                        each ->
+                                defect(program, (MethodInsnNode) each)
+                                        .map(text -> finding(file, method, each, text))
+                                        .stream());
+    }
+
+    private Diagnostic finding(
+            ClassFile file, MethodNode method, AbstractInsnNode each, String defect) {
+        return Diagnostic.warning(
+                code(), file.span(method, each), file.where(method, each) + " calls " + defect);
+    }
+
+    private static Optional<String> defect(Program program, MethodInsnNode call) {
+        if (call.owner.equals("java/lang/String") && call.name.equals("compareTo")) {
+            return Optional.of(
+                    "String.compareTo, which on the brick takes texts of equal length for equal;"
+                            + " compare their characters, or use equals");
+        }
+        if (call.name.equals("valueOf") && isEnum(program, call.owner)) {
+            return Optional.of(
+                    Names.simple(call.owner)
+                            + ".valueOf, which always throws on the brick; compare the text with"
+                            + " the name() of each constant");
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isEnum(Program program, String owner) {
+        return owner.equals("java/lang/Enum")
+                || program.own(owner).filter(n -> (n.access & Opcodes.ACC_ENUM) != 0).isPresent()
+                || program.table().type(owner).filter(t -> t.isEnum()).isPresent();
+    }
+}

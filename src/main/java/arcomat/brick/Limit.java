@@ -1,0 +1,16 @@
+package arcomat.brick;
+
+/** Says that there is more of something than there is room for. */
+final class Limit {
+    private Limit() {}
+
+    /**
+     * @param who what has too much
+     * @param what of what it has too much, in the plural
+     * @param advice what to do
+     */
+    static String message(String who, int number, String what, int room, String advice) {
+        return "%s has %d %s, but the brick has room for %d; %s"
+                .formatted(who, number, what, room, advice);
+    }
+}

@@ -1,0 +1,67 @@
+package arcomat.brick;
+
+import arcomat.brick.api.BrickTable;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
+import org.objectweb.asm.tree.ClassNode;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.stream.Stream;
+
+/** A robot's classes as they were read, together with what the brick offers to them. */
+final class Program {
+    private final RobotJar jar;
+    private final BrickTable table;
+    private final List<ClassFile> files;
+    private final Map<String, ClassNode> own = new HashMap<>();
+    private final List<Reference> references;
+
+    private Program(RobotJar jar, BrickTable table, List<ClassFile> files) {
+        this.jar = jar;
+        this.table = table;
+        this.files = List.copyOf(files);
+        files.forEach(file -> file.node().ifPresent(node -> own.put(node.name, node)));
+        this.references = inClasses((f, node) -> References.of(f, node).stream()).toList();
+    }
+
+    static Program read(RobotJar jar, BrickTable table) {
+        List<ClassFile> files =
+                jar.classes().stream().map(given -> ClassFile.read(given, jar.path())).toList();
+        return new Program(jar, table, files);
+    }
+
+    /** All class files, those that cannot be read included. */
+    List<ClassFile> files() {
+        return files;
+    }
+
+    BrickTable table() {
+        return table;
+    }
+
+    /** The robot's own class of an internal name. */
+    Optional<ClassNode> own(String name) {
+        return Optional.ofNullable(own.get(name));
+    }
+
+    /** All places where the robot's classes name types and members. */
+    List<Reference> references() {
+        return references;
+    }
+
+    /** The place of findings about the program as a whole. */
+    Span span() {
+        return new SourceFile(jar.path(), "").span(0, 0);
+    }
+
+    /** Applies a function to each class that could be read. */
+    <T> Stream<T> inClasses(BiFunction<ClassFile, ClassNode, Stream<T>> function) {
+        return files.stream()
+                .flatMap(file -> file.node().stream().flatMap(node -> function.apply(file, node)));
+    }
+}
