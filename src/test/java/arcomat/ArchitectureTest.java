@@ -60,7 +60,7 @@ class ArchitectureTest {
                     Map.entry(
                             "pipeline",
                             row(
-                                    "syntax tree symbols check lower model semantics simulate"
+                                    "brick syntax tree symbols check lower model semantics simulate"
                                             + " generate report rt",
                                     "org.eclipse.jdt")),
                     Map.entry("cli", row("pipeline", "picocli")));

@@ -15,14 +15,15 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /**
  * Compiles Java 6 source to class files, all in memory. Eclipse's compiler, since the JDK's own has
  * forgotten Java 6 and needs not be there at run time.
  */
 final class MemoryCompiler {
-    private final Map<String, byte[]> classes = new HashMap<>();
-    private final List<String> errors = new ArrayList<>();
+    private final List<Compilation.CompiledClass> classes = new ArrayList<>();
+    private final List<Compilation.Mistake> mistakes = new ArrayList<>();
 
     /**
      * Compiles a set of files that may refer to each other, to the JDK and to {@code arcomat.rt}.
@@ -32,12 +33,30 @@ final class MemoryCompiler {
      * @throws IllegalArgumentException where the text is not Java 6; the message has all errors
      */
     static Map<String, byte[]> compile(Map<String, String> sources) {
+        Compilation compilation = compile(sources, new OwnClasses());
+        if (!compilation.mistakes().isEmpty()) {
+            throw new IllegalArgumentException(
+                    compilation.mistakes().stream()
+                            .map(m -> m.source() + ":" + m.line() + ": " + m.message())
+                            .collect(Collectors.joining("\n")));
+        }
+        Map<String, byte[]> classes = new HashMap<>();
+        compilation.classes().forEach(c -> classes.put(c.name().replace('/', '.'), c.bytes()));
+        return classes;
+    }
+
+    /**
+     * Compiles a set of files that may refer to each other and to some known classes.
+     *
+     * @param sources texts by path
+     */
+    static Compilation compile(Map<String, String> sources, ClassSource known) {
         MemoryCompiler memory = new MemoryCompiler();
         ICompilationUnit[] units =
                 sources.entrySet().stream()
                         .map(MemoryCompiler::unit)
                         .toArray(ICompilationUnit[]::new);
-        try (LoadedTypes types = new LoadedTypes(sources.keySet())) {
+        try (KnownTypes types = new KnownTypes(sources.keySet(), known)) {
             Compiler compiler =
                     new Compiler(
                             types,
@@ -47,10 +66,7 @@ final class MemoryCompiler {
                             new DefaultProblemFactory(Locale.ENGLISH));
             compiler.compile(units);
         }
-        if (!memory.errors.isEmpty()) {
-            throw new IllegalArgumentException(String.join("\n", memory.errors));
-        }
-        return memory.classes;
+        return new Compilation(memory.classes, memory.mistakes);
     }
 
     private static ICompilationUnit unit(Map.Entry<String, String> source) {
@@ -67,19 +83,25 @@ final class MemoryCompiler {
     }
 
     private void accept(CompilationResult result) {
-        for (ClassFile file : result.getClassFiles()) {
-            String name = new String(file.fileName()).replace('/', '.');
-            classes.put(name, file.getBytes());
-        }
+        String path = new String(result.getFileName());
         if (result.hasErrors()) {
             for (CategorizedProblem problem : result.getErrors()) {
-                errors.add(
-                        new String(problem.getOriginatingFileName())
-                                + ":"
-                                + problem.getSourceLineNumber()
-                                + ": "
-                                + problem.getMessage());
+                mistakes.add(mistake(path, problem));
             }
+            return;
         }
+        for (ClassFile file : result.getClassFiles()) {
+            String name = new String(file.fileName());
+            classes.add(new Compilation.CompiledClass(name, file.getBytes(), path));
+        }
+    }
+
+    private static Compilation.Mistake mistake(String path, CategorizedProblem problem) {
+        return new Compilation.Mistake(
+                path,
+                problem.getSourceLineNumber(),
+                problem.getSourceStart(),
+                problem.getSourceEnd() + 1,
+                problem.getMessage());
     }
 }
