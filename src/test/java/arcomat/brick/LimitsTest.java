@@ -145,7 +145,7 @@ class LimitsTest {
         assertThat(findings(withVersion(bytes, 48)))
                 .isEqualTo(
                         "ARC0901 Robot is a class file of version 48; the brick's linker reads 49"
-                            + " to 61: compile it for Java 6");
+                                + " to 61: compile it for Java 6");
         assertThat(findings(withVersion(bytes, 62)))
                 .isEqualTo(
                         "ARC0901 Robot is a class file of version 62, Java 18; the brick's linker"
@@ -153,7 +153,7 @@ class LimitsTest {
         assertThat(findings(withVersion(bytes, 9999)))
                 .isEqualTo(
                         "ARC0901 Robot.class is a class file of version 9999, Java 9955; the"
-                            + " brick's linker reads 49 to 61: compile it for Java 6");
+                                + " brick's linker reads 49 to 61: compile it for Java 6");
     }
 
     @Test
