@@ -40,7 +40,7 @@ final class ClassFile {
         try {
             ClassNode node = new ClassNode();
             new ClassReader(bytes).accept(node, ClassReader.SKIP_FRAMES);
-            return Optional.of(node);
+            return Optional.of(node).filter(Descriptors::areWellFormed);
         } catch (RuntimeException e) { // what ClassReader throws on damaged files is not specified
             return Optional.empty();
         }

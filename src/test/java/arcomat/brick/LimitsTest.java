@@ -1,6 +1,7 @@
 package arcomat.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatCode;
 
 import arcomat.source.Diagnostic;
 
@@ -10,6 +11,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -142,7 +145,7 @@ class LimitsTest {
         assertThat(findings(withVersion(bytes, 48)))
                 .isEqualTo(
                         "ARC0901 Robot is a class file of version 48; the brick's linker reads 49"
-                            + " to 61: compile it for Java 6");
+                                + " to 61: compile it for Java 6");
         assertThat(findings(withVersion(bytes, 62)))
                 .isEqualTo(
                         "ARC0901 Robot is a class file of version 62, Java 18; the brick's linker"
@@ -150,7 +153,7 @@ class LimitsTest {
         assertThat(findings(withVersion(bytes, 9999)))
                 .isEqualTo(
                         "ARC0901 Robot.class is a class file of version 9999, Java 9955; the"
-                            + " brick's linker reads 49 to 61: compile it for Java 6");
+                                + " brick's linker reads 49 to 61: compile it for Java 6");
     }
 
     @Test
@@ -166,6 +169,43 @@ class LimitsTest {
         }
         assertThat(findings(Map.of("Robot", "public class Robot {}".getBytes())))
                 .isEqualTo(damaged);
+    }
+
+    /** Whatever is wrong with a class file, it is a finding and never a failure. */
+    @Test
+    void anyDamageIsSurvived() {
+        Map<String, byte[]> classes =
+                compiler.forBrick(
+                                """
+                                class Robot extends Thread {
+                                    enum Mode { ON, OFF }
+                                    static final String[][] NAMES = new String[2][3];
+                                    public void run() {
+                                        try {
+                                            switch (Mode.values()[0]) { case ON: join(); break; }
+                                            long sum = 4000000000L + "a".compareTo(NAMES[0][0] + 1);
+                                        } catch (InterruptedException e) {
+                                            throw new IllegalStateException(String.class.toString());
+                                        }
+                                    }
+                                }
+                                """)
+                        .orFail();
+        Random random = new Random(7);
+
+        for (int i = 0; i < 3000; i++) {
+            Map<String, byte[]> damaged = new TreeMap<>(classes);
+            damaged.replaceAll((name, bytes) -> damage(bytes, random));
+            assertThatCode(() -> Robots.check(damaged))
+                    .as("damage number %d", i)
+                    .doesNotThrowAnyException();
+        }
+    }
+
+    private static byte[] damage(byte[] bytes, Random random) {
+        byte[] damaged = bytes.clone();
+        damaged[random.nextInt(damaged.length)] = (byte) random.nextInt();
+        return damaged;
     }
 
     private static Map<String, byte[]> withVersion(byte[] bytes, int version) {

@@ -79,23 +79,23 @@ class StubTest {
                 "boolean b = \"ab\".contains(\"b\");             | contains(String) is undefined",
                 "String[] parts = \"a,b\".split(\",\");          | split(String) is undefined",
                 "Object o = new java.util.TreeMap();             | java.util.TreeMap cannot be"
-                    + " resolved",
+                        + " resolved",
                 "Object o = java.util.Objects.hash(1);           | java.util.Objects cannot be"
-                    + " resolved",
+                        + " resolved",
                 "Object o = new lejos.nxt.Motor();               | constructor Motor() is"
-                    + " undefined",
+                        + " undefined",
                 "int i = lejos.nxt.SensorPort.S5.readValue();    | S5 cannot be resolved",
                 "Object o = int.class.getMethods();              | getMethods() is undefined",
                 "Runnable r = () -> {};                          | Lambda expressions are allowed"
-                    + " only",
+                        + " only",
                 "Object o = new Throwable() { @Override public StackTraceElement[] getStackTrace()"
                         + " { return null; } }; | StackTraceElement cannot be resolved",
                 "Object o = new Thread() { @Override public void destroy() { } };"
                         + " | must override or implement a supertype method",
                 "throw new ArithmeticException();        | Unhandled exception type"
-                    + " ArithmeticException",
+                        + " ArithmeticException",
                 "Thread.sleep(1);                        | Unhandled exception type"
-                    + " InterruptedException",
+                        + " InterruptedException",
             })
     void whatTheBrickLacksIsRefused(String statement, String message) {
         String program = "public class Bad { static void run() { %s } }".formatted(statement);
