@@ -38,19 +38,37 @@ class LibraryOnBrickTest {
      */
     @Test
     void devicesAndComponentsUnderstandEachOther() throws IOException {
-        arcomat("generate", "--target", "lejos", "--main", "robots.Devices", "--out", out + "/o", ".");
+        arcomat(
+                "generate",
+                "--target",
+                "lejos",
+                "--main",
+                "robots.Devices",
+                "--out",
+                out + "/o",
+                ".");
         String trace =
                 arcomat("run-brick", "--jar", out + "/o/Devices.jar", "--script", "devices.script");
 
         assertThat(trace).isEqualTo(Files.readString(FOLDER.resolve("devices.trace")));
     }
 
-    /** Of each type a message; nobody waits while the other robot is not there yet, or goes away. */
+    /**
+     * Of each type a message; nobody waits while the other robot is not there yet, or goes away.
+     */
     @Test
     void robotsTalk() throws Exception {
         for (String robot : List.of("Caller", "Answerer")) {
             String folder = out + "/" + robot;
-            arcomat("generate", "--target", "lejos", "--main", "robots." + robot, "--out", folder, ".");
+            arcomat(
+                    "generate",
+                    "--target",
+                    "lejos",
+                    "--main",
+                    "robots." + robot,
+                    "--out",
+                    folder,
+                    ".");
         }
         try (Laboratory laboratory = new Laboratory()) {
             SimulatedBrick caller = laboratory.place("Alice", program("Caller"));
