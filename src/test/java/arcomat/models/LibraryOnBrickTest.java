@@ -5,6 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.cli.Cli;
 import arcomat.cli.Console;
 import arcomat.report.Style;
+import arcomat.sim.Laboratory;
+import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.Key;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.device.Stimulus;
+import arcomat.sim.load.Program;
+import arcomat.sim.load.ProgramException;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -17,6 +24,7 @@ import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 
 /** What the library's components do with devices, seen on the simulated brick. */
 class LibraryOnBrickTest {
@@ -30,11 +38,60 @@ class LibraryOnBrickTest {
      */
     @Test
     void devicesAndComponentsUnderstandEachOther() throws IOException {
-        arcomat("generate", "--target", "lejos", "--main", "robots.Devices", "--out", out + "/o", ".");
+        arcomat(
+                "generate",
+                "--target",
+                "lejos",
+                "--main",
+                "robots.Devices",
+                "--out",
+                out + "/o",
+                ".");
         String trace =
                 arcomat("run-brick", "--jar", out + "/o/Devices.jar", "--script", "devices.script");
 
         assertThat(trace).isEqualTo(Files.readString(FOLDER.resolve("devices.trace")));
+    }
+
+    /**
+     * Of each type a message; nobody waits while the other robot is not there yet, or goes away.
+     */
+    @Test
+    void robotsTalk() throws Exception {
+        for (String robot : List.of("Caller", "Answerer")) {
+            String folder = out + "/" + robot;
+            arcomat(
+                    "generate",
+                    "--target",
+                    "lejos",
+                    "--main",
+                    "robots." + robot,
+                    "--out",
+                    folder,
+                    ".");
+        }
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick caller = laboratory.place("Alice", program("Caller"));
+            caller.expose(SensorName.S1, Stimulus.value(77));
+            laboratory.runUntil(7000);
+            SimulatedBrick answerer = laboratory.place("Bob", program("Answerer"));
+            laboratory.runUntil(30000);
+            assertThat(answerer.screen()).startsWith("              77", "halt", "released");
+            assertThat(caller.screen().get(0)).isEqualTo("halt");
+
+            caller.press(Key.ENTER);
+            laboratory.runUntil(35000);
+            assertThat(answerer.screen()).startsWith("              77", "go", "pressed");
+            assertThat(caller.screen().get(0)).isEqualTo("go");
+
+            answerer.stop();
+            laboratory.runUntil(40000);
+            assertThat(caller.isRunning()).isTrue();
+        }
+    }
+
+    private Program program(String robot) throws IOException, ProgramException {
+        return Program.read(out.resolve(robot).resolve(robot + ".jar"));
     }
 
     private static String arcomat(String... words) {
