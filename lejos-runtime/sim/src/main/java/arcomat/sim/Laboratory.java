@@ -1,0 +1,58 @@
+package arcomat.sim;
+
+import arcomat.sim.load.Program;
+import arcomat.sim.radio.Ether;
+import arcomat.sim.time.VirtualTime;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Where bricks run, all in one virtual time, reaching each other over Bluetooth by their names.
+ * Used by one thread. A run depends on the programs and on what is done to the bricks, and on
+ * nothing else: done again, it is the same.
+ */
+public final class Laboratory implements AutoCloseable {
+    private final VirtualTime time = new VirtualTime();
+    private final Ether ether = new Ether();
+    private final List<SimulatedBrick> bricks = new ArrayList<>();
+
+    /**
+     * A new brick, switched on at this moment with a program on it.
+     *
+     * @throws IllegalArgumentException if another brick has the name
+     */
+    public SimulatedBrick place(String name, Program program) {
+        SimulatedBrick brick = new SimulatedBrick(name, program, time, ether);
+        bricks.add(brick);
+        return brick;
+    }
+
+    /** Milliseconds since the laboratory was opened. */
+    public long time() {
+        return time.now() / VirtualTime.MILLISECOND;
+    }
+
+    /** Lets time pass up to a moment, also when programs end before. */
+    public void runUntil(long milliseconds) {
+        long moment = milliseconds * VirtualTime.MILLISECOND;
+        while (time.now() < moment) {
+            time.runUntil(moment);
+        }
+    }
+
+    /** Lets time pass until every program has ended, or up to a moment. */
+    public void runToEnd(long milliseconds) {
+        long moment = milliseconds * VirtualTime.MILLISECOND;
+        while (time.now() < moment && bricks.stream().anyMatch(SimulatedBrick::isRunning)) {
+            time.runUntil(moment);
+        }
+    }
+
+    /** Switches every brick off. */
+    @Override
+    public void close() {
+        bricks.forEach(SimulatedBrick::stop);
+        time.runUntil(time.now());
+    }
+}

@@ -1,0 +1,102 @@
+package arcomat.sim;
+
+import arcomat.sim.device.Lifetime;
+import arcomat.sim.time.ProgramEnded;
+import arcomat.sim.time.Strand;
+import arcomat.sim.time.VirtualTime;
+
+import java.util.IdentityHashMap;
+import java.util.Map;
+
+/** The threads of one program, from main until the last has ended. */
+final class ProgramThreads implements Lifetime {
+    private final String name;
+    private final VirtualTime time;
+    private final Map<Thread, Strand> strands = new IdentityHashMap<>();
+    private Outcome outcome = Outcome.of(Outcome.Kind.RUNNING);
+
+    ProgramThreads(String name, VirtualTime time) {
+        this.name = name;
+        this.time = time;
+    }
+
+    Outcome outcome() {
+        return outcome;
+    }
+
+    /** A thread object stands for a thread of the program; it is never started itself. */
+    @Override
+    public void start(Thread thread) {
+        if (strands.containsKey(thread)) {
+            throw new IllegalThreadStateException("the thread runs already");
+        }
+        start(thread, thread::run);
+    }
+
+    void start(Thread thread, Runnable body) {
+        strands.put(thread, time.start(name + " " + thread.getName(), () -> run(thread, body)));
+    }
+
+    private void run(Thread thread, Runnable body) {
+        try {
+            body.run();
+        } catch (ProgramEnded e) {
+            // as it should be
+        } catch (Throwable e) {
+            end(Outcome.failed(e));
+        }
+        strands.remove(thread);
+        if (strands.keySet().stream().allMatch(Thread::isDaemon)) {
+            exit();
+        }
+    }
+
+    @Override
+    public boolean isAlive(Thread thread) {
+        return strands.containsKey(thread);
+    }
+
+    @Override
+    public Thread current() {
+        for (Map.Entry<Thread, Strand> entry : strands.entrySet()) {
+            if (entry.getValue() == time.running()) {
+                return entry.getKey();
+            }
+        }
+        throw new IllegalStateException("not a thread of the program");
+    }
+
+    @Override
+    public void interrupt(Thread thread) {
+        Strand strand = strands.get(thread);
+        if (strand != null) {
+            time.interrupt(strand);
+        }
+    }
+
+    @Override
+    public boolean isInterrupted(Thread thread) {
+        Strand strand = strands.get(thread);
+        return strand != null && time.isInterrupted(strand);
+    }
+
+    @Override
+    public void exit() {
+        end(Outcome.of(Outcome.Kind.ENDED));
+    }
+
+    @Override
+    public void abort() {
+        end(Outcome.of(Outcome.Kind.ABORTED));
+    }
+
+    /** The first reason counts. */
+    void end(Outcome reason) {
+        if (outcome.kind() != Outcome.Kind.RUNNING) {
+            return;
+        }
+        outcome = reason;
+        strands.values().forEach(time::end);
+        time.wakeController();
+    }
+}

@@ -1,0 +1,103 @@
+package arcomat.sim;
+
+import arcomat.sim.device.Hardware;
+import arcomat.sim.device.Key;
+import arcomat.sim.device.MotorDevice;
+import arcomat.sim.device.MotorName;
+import arcomat.sim.device.Observer;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.device.Stimulus;
+import arcomat.sim.load.BrickLoader;
+import arcomat.sim.load.Program;
+import arcomat.sim.radio.Ether;
+import arcomat.sim.script.Script;
+import arcomat.sim.time.VirtualTime;
+
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
+import java.util.List;
+
+/**
+ * A brick with a program, in a {@link Laboratory}. Everything here acts at the moment at which the
+ * laboratory's time stands, and takes no time itself.
+ */
+public final class SimulatedBrick {
+    private final Hardware hardware;
+    private final ProgramThreads threads;
+
+    SimulatedBrick(String name, Program program, VirtualTime time, Ether ether) {
+        threads = new ProgramThreads(name, time);
+        hardware = new Hardware(name, time, threads, ether.join(name));
+        BrickLoader loader = new BrickLoader(program, hardware);
+        threads.start(new Thread("main"), () -> runMain(loader, program.mainClass()));
+    }
+
+    /** As on the brick, main gets no arguments, not even an empty array. */
+    private static void runMain(BrickLoader loader, String mainClass) {
+        try {
+            Method main = loader.loadClass(mainClass).getMethod("main", String[].class);
+            main.invoke(null, (Object) null);
+        } catch (InvocationTargetException e) {
+            throw ProgramFailure.unwrapped(e.getCause());
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(
+                    mainClass + " has no method public static void main(String[])", e);
+        }
+    }
+
+    /** The name by which other bricks call this one over Bluetooth. */
+    public String name() {
+        return hardware.name();
+    }
+
+    public Outcome outcome() {
+        return threads.outcome();
+    }
+
+    public boolean isRunning() {
+        return outcome().kind() == Outcome.Kind.RUNNING;
+    }
+
+    /** Watches the program from now on, instead of whoever watched before. */
+    public void observe(Observer observer) {
+        hardware.observe(observer);
+    }
+
+    /** Plays a script; its times count from switching on. */
+    public void play(Script script) {
+        ScriptPlayer player = new ScriptPlayer(this, script.steps());
+        hardware.time().start(player, player.due());
+    }
+
+    public void expose(SensorName socket, Stimulus stimulus) {
+        hardware.socket(socket.ordinal()).expose(stimulus);
+    }
+
+    public void press(Key key) {
+        hardware.keypad().press(key);
+    }
+
+    public void release(Key key) {
+        hardware.keypad().release(key);
+    }
+
+    public MotorState motor(MotorName name) {
+        MotorDevice motor = hardware.motor(name.ordinal());
+        return new MotorState(motor.order(), motor.value(), motor.speed(), motor.tachoCount());
+    }
+
+    /** The rows of the screen from top to bottom, without spaces at their ends. */
+    public List<String> screen() {
+        return hardware.screen().rows();
+    }
+
+    public void setBattery(int millivolts) {
+        hardware.setBatteryMillivolts(millivolts);
+    }
+
+    /** Switches the brick off. What the program still tries to do has no effect. */
+    public void stop() {
+        hardware.observe(Observer.NONE);
+        threads.end(Outcome.of(Outcome.Kind.STOPPED));
+    }
+}

@@ -1,0 +1,24 @@
+package arcomat.sim.device;
+
+/** How programs on a brick start threads and how they end. */
+public interface Lifetime {
+    /** Starts a thread of the program. */
+    void start(Thread thread);
+
+    /** Whether a thread of the program runs. */
+    boolean isAlive(Thread thread);
+
+    /** The thread that calls. */
+    Thread current();
+
+    void interrupt(Thread thread);
+
+    /** Whether a thread has been interrupted and not yet noticed. */
+    boolean isInterrupted(Thread thread);
+
+    /** Ends the program, as leaving main does. */
+    void exit();
+
+    /** Ends the program at once, as both buttons together do. */
+    void abort();
+}

@@ -1,0 +1,50 @@
+package arcomat.sim.device;
+
+/**
+ * Sees what a program does with its brick. Numbers are primitive, so that watching a program does
+ * not make it allocate. Times are microseconds since switching on.
+ */
+public interface Observer {
+    /** The program has read a sensor and got this value. */
+    void sensorRead(long time, int socket, int value);
+
+    /** A motor was told something new; repeating an order is not reported. */
+    void motorOrdered(long time, int motor, MotorOrder order, int value);
+
+    /** The text on the screen is another one. */
+    void screenChanged(long time, Screen screen);
+
+    void tonePlayed(long time, int hertz, int milliseconds);
+
+    void packetSent(long time, byte[] packet, int length);
+
+    void packetReceived(long time, byte[] packet, int length);
+
+    /** The program has slept: in the usual main loop, between two cycles. */
+    void slept(long from, long until);
+
+    /** Sees nothing. */
+    Observer NONE =
+            new Observer() {
+                @Override
+                public void sensorRead(long time, int socket, int value) {}
+
+                @Override
+                public void motorOrdered(long time, int motor, MotorOrder order, int value) {}
+
+                @Override
+                public void screenChanged(long time, Screen screen) {}
+
+                @Override
+                public void tonePlayed(long time, int hertz, int milliseconds) {}
+
+                @Override
+                public void packetSent(long time, byte[] packet, int length) {}
+
+                @Override
+                public void packetReceived(long time, byte[] packet, int length) {}
+
+                @Override
+                public void slept(long from, long until) {}
+            };
+}

@@ -1,0 +1,81 @@
+package arcomat.sim.device;
+
+/** One of the four sockets for sensors, with whatever the sensor in it is exposed to. */
+public final class SensorSocket {
+    private static final int RAW_LIMIT = 1023;
+
+    /** What a pressed touch sensor lets through. */
+    private static final int RAW_PRESSED = 183;
+
+    /** The answer of an ultrasonic sensor that sees nothing, or is not there. */
+    private static final int NO_ECHO = 255;
+
+    private static final int NO_COLOR = -1;
+
+    private final Hardware hardware;
+    private final int number;
+    private Stimulus stimulus = Stimulus.NONE;
+
+    SensorSocket(Hardware hardware, int number) {
+        this.hardware = hardware;
+        this.number = number;
+    }
+
+    public void expose(Stimulus newStimulus) {
+        stimulus = newStimulus;
+    }
+
+    public Stimulus stimulus() {
+        return stimulus;
+    }
+
+    /** Centimetres, 0 to 255. */
+    public int distance() {
+        return stimulus.kind() == Stimulus.Kind.VALUE
+                ? Math.min(Math.max(stimulus.number(), 0), NO_ECHO)
+                : NO_ECHO;
+    }
+
+    /** A colour's number as lejos.robotics.Color counts. */
+    public int color() {
+        return stimulus.kind() == Stimulus.Kind.VALUE ? stimulus.number() : NO_COLOR;
+    }
+
+    /** The raw value of a switch. */
+    public int rawSwitch() {
+        return switch (stimulus.kind()) {
+            case NONE -> RAW_LIMIT;
+            case VALUE -> stimulus.number() != 0 ? RAW_PRESSED : RAW_LIMIT;
+            case RAW -> stimulus.number();
+        };
+    }
+
+    /**
+     * The raw value of a sensor whose voltage falls with what it senses. A percentage outside 0 to
+     * 100 is not cut off: tests of programs need what no surface in this world gives.
+     */
+    public int rawLevel() {
+        return switch (stimulus.kind()) {
+            case NONE -> RAW_LIMIT;
+            case VALUE -> RAW_LIMIT - awayFromZero(stimulus.number());
+            case RAW -> stimulus.number();
+        };
+    }
+
+    /** Such that the usual division of the raw value gives the percentage back. */
+    private static int awayFromZero(int percent) {
+        int scaled = Math.abs(percent) * RAW_LIMIT;
+        return Integer.signum(percent) * ((scaled + 99) / 100);
+    }
+
+    /** For a device that does not say what it is: the number as it is. */
+    public int rawAny() {
+        return stimulus.kind() == Stimulus.Kind.NONE ? RAW_LIMIT : stimulus.number();
+    }
+
+    /** Tells whoever watches what a program has read here. */
+    public int observed(int value) {
+        hardware.observer().sensorRead(hardware.time().now(), number, value);
+        return value;
+    }
+}

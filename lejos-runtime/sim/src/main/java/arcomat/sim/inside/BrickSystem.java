@@ -1,0 +1,61 @@
+package arcomat.sim.inside;
+
+import arcomat.sim.device.Hardware;
+
+import lejos.nxt.LCDOutputStream;
+
+import java.io.PrintStream;
+
+/** Stands in for java.lang.System and java.lang.Runtime. */
+public final class BrickSystem {
+    private static final Hardware BRICK = Hardware.of(BrickSystem.class);
+    private static final long NANOSECONDS_PER_MICROSECOND = 1000;
+
+    /**
+     * Microseconds that one round of a loop takes at least: without it an empty loop would stop
+     * time.
+     */
+    private static final long ROUND = 10;
+
+    /** As on the brick, what is printed appears on the screen. */
+    public static PrintStream out = new PrintStream(new LCDOutputStream());
+
+    public static PrintStream err = out;
+
+    private BrickSystem() {}
+
+    public static void setOut(PrintStream newOut) {
+        out = newOut;
+    }
+
+    public static void setErr(PrintStream newErr) {
+        err = newErr;
+    }
+
+    /** Milliseconds since boot. */
+    public static long currentTimeMillis() {
+        return BRICK.called().milliseconds();
+    }
+
+    public static long nanoTime() {
+        return BRICK.called().time().now() * NANOSECONDS_PER_MICROSECOND;
+    }
+
+    public static void exit(int status) {
+        BRICK.lifetime().exit();
+        BRICK.time().spend(0); // does not return
+    }
+
+    public static void exit(Runtime runtime, int status) {
+        exit(status);
+    }
+
+    public static void halt(Runtime runtime, int status) {
+        exit(status);
+    }
+
+    /** A program jumps back in its code. */
+    public static void loop() {
+        BRICK.time().spend(ROUND);
+    }
+}

@@ -1,0 +1,28 @@
+package arcomat.sim.radio;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** The room in which radios hear each other. */
+public final class Ether {
+    private final List<Radio> radios = new ArrayList<>();
+
+    /**
+     * A radio under a name by which others call it.
+     *
+     * @throws IllegalArgumentException if the name is taken
+     */
+    public Radio join(String name) {
+        if (find(name).isPresent()) {
+            throw new IllegalArgumentException("two bricks are called " + name);
+        }
+        Radio radio = new Radio(name, this);
+        radios.add(radio);
+        return radio;
+    }
+
+    Optional<Radio> find(String name) {
+        return radios.stream().filter(radio -> radio.name().equals(name)).findFirst();
+    }
+}

@@ -1,0 +1,48 @@
+package arcomat.sim.script;
+
+import arcomat.sim.device.Stimulus;
+
+import java.util.List;
+import java.util.Map;
+
+/** Reads what a sensor is exposed to: a number, a name for one, or a raw number. */
+final class Values {
+    /** Colours as lejos.robotics.Color counts them. */
+    private static final Map<String, Integer> NAMES =
+            Map.ofEntries(
+                    Map.entry("released", 0),
+                    Map.entry("pressed", 1),
+                    Map.entry("red", 0),
+                    Map.entry("green", 1),
+                    Map.entry("blue", 2),
+                    Map.entry("yellow", 3),
+                    Map.entry("white", 6),
+                    Map.entry("black", 7));
+
+    private static final int RAW_LIMIT = 1023;
+
+    private Values() {}
+
+    static Stimulus parse(Line line) throws BrokenLine {
+        Word word = line.next("a value: a number, pressed, released, a colour, raw or unplugged");
+        if (word.text().equals("unplugged")) {
+            return Stimulus.NONE;
+        }
+        if (word.text().equals("raw")) {
+            return Stimulus.raw(line.number("a raw value", 0, RAW_LIMIT));
+        }
+        Integer named = NAMES.get(word.text());
+        return Stimulus.value(named != null ? named : number(word));
+    }
+
+    private static int number(Word word) throws BrokenLine {
+        try {
+            return Integer.parseInt(word.text());
+        } catch (NumberFormatException e) {
+            List<String> known = NAMES.keySet().stream().sorted().toList();
+            throw word.broken(
+                    "'%s' is no value: write a whole number, raw and a number, unplugged, or one of %s"
+                            .formatted(word.text(), String.join(", ", known)));
+        }
+    }
+}

@@ -1,0 +1,70 @@
+package arcomat.sim.time;
+
+import java.util.concurrent.locks.LockSupport;
+
+/**
+ * A thread that takes part in virtual time. It runs only while it has the baton; it gives the baton
+ * away by waiting.
+ */
+public final class Strand extends Actor {
+    /** A program that catches every end it is sent is left behind, parked for good. */
+    private static final int PATIENCE = 1000;
+
+    private Thread thread;
+    private volatile boolean hasBaton;
+    private boolean ended;
+    private boolean interrupted;
+    private boolean interruptible;
+    private int refusals;
+
+    Strand(Rank rank) {
+        super(rank);
+    }
+
+    void runsOn(Thread carrier) {
+        thread = carrier;
+    }
+
+    /** Blocks until somebody hands over the baton. */
+    void awaitBaton() {
+        while (!hasBaton) {
+            LockSupport.park(this);
+        }
+        hasBaton = false;
+    }
+
+    void giveBaton() {
+        hasBaton = true;
+        LockSupport.unpark(thread);
+    }
+
+    boolean isEnded() {
+        return ended;
+    }
+
+    /** From now on every wait of this strand unwinds it. */
+    void end() {
+        ended = true;
+    }
+
+    /** Whether this strand was told to end so often that telling it again is useless. */
+    boolean refusesToEnd() {
+        return ++refusals > PATIENCE;
+    }
+
+    boolean isInterrupted() {
+        return interrupted;
+    }
+
+    boolean isInterruptible() {
+        return interruptible;
+    }
+
+    void setInterruptible(boolean interruptible) {
+        this.interruptible = interruptible;
+    }
+
+    void setInterrupted(boolean interrupted) {
+        this.interrupted = interrupted;
+    }
+}

@@ -1,0 +1,198 @@
+package arcomat.sim.time;
+
+/**
+ * The clock. It stands still while code runs and moves when every thread waits. Waiting allocates
+ * nothing, and a thread that is the next to wake does not even stop.
+ *
+ * <p>Not thread-safe by locks but by the baton: exactly one strand runs at any moment, and only
+ * that one calls anything here.
+ */
+public final class VirtualTime {
+    public static final long NEVER = Long.MAX_VALUE;
+    public static final long MILLISECOND = 1000;
+
+    private Actor[] actors = new Actor[0];
+    private final Strand controller = new Strand(Actor.Rank.CONTROLLER);
+    private Strand running = controller;
+    private long now;
+    private long turns;
+
+    public VirtualTime() {
+        add(controller);
+    }
+
+    /** Microseconds since the bricks were switched on. */
+    public long now() {
+        return now;
+    }
+
+    /** The strand that calls; null while the world acts. */
+    public Strand running() {
+        return running;
+    }
+
+    /** Lets everything happen up to a moment. Called by the controller only. */
+    public void runUntil(long moment) {
+        controller.runsOn(Thread.currentThread());
+        waitUntil(moment);
+    }
+
+    /** Returns to the controller as soon as what is due now is done. */
+    public void wakeController() {
+        schedule(controller, now);
+    }
+
+    /**
+     * The calling strand waits; others run meanwhile.
+     *
+     * @throws ProgramEnded if the strand's program is over
+     */
+    public void waitUntil(long moment) {
+        Strand strand = running;
+        leaveIfEnded(strand);
+        schedule(strand, Math.max(moment, now));
+        Strand next = advance();
+        if (next != strand) {
+            next.giveBaton();
+            strand.awaitBaton();
+        }
+        leaveIfEnded(strand);
+    }
+
+    /** Computing takes time on a brick: the calling strand is busy for so long. */
+    public void spend(long microseconds) {
+        waitUntil(now + microseconds);
+    }
+
+    /**
+     * Like {@link #waitUntil}, but another strand may cut it short.
+     *
+     * @throws InterruptedException if it did, before or while waiting
+     */
+    public void waitInterruptibly(long moment) throws InterruptedException {
+        Strand strand = running;
+        strand.setInterruptible(true);
+        if (!strand.isInterrupted()) {
+            waitUntil(moment);
+        }
+        strand.setInterruptible(false);
+        if (clearInterrupt()) {
+            throw new InterruptedException();
+        }
+    }
+
+    public void interrupt(Strand strand) {
+        strand.setInterrupted(true);
+        if (strand.isInterruptible()) {
+            schedule(strand, now);
+        }
+    }
+
+    /** Whether the calling strand was interrupted; asking forgets it. */
+    public boolean clearInterrupt() {
+        boolean was = running.isInterrupted();
+        running.setInterrupted(false);
+        return was;
+    }
+
+    public boolean isInterrupted(Strand strand) {
+        return strand.isInterrupted();
+    }
+
+    /** A new thread for a program, due now. It runs as soon as the calling strand waits. */
+    public Strand start(String name, Runnable body) {
+        Strand strand = new Strand(Actor.Rank.PROGRAM);
+        Thread carrier = new Thread(null, () -> run(strand, body), name);
+        carrier.setDaemon(true); // a program that cannot be ended must not keep the PC's process
+        strand.runsOn(carrier);
+        add(strand);
+        schedule(strand, now);
+        carrier.start();
+        return strand;
+    }
+
+    private void run(Strand strand, Runnable body) {
+        strand.awaitBaton();
+        try {
+            if (!strand.isEnded()) {
+                body.run();
+            }
+        } finally {
+            remove(strand);
+            advance().giveBaton();
+        }
+    }
+
+    /** Unwinds a strand at its next chance. */
+    public void end(Strand strand) {
+        strand.end();
+        if (strand != running && strand.due > now) {
+            schedule(strand, now);
+        }
+    }
+
+    public void start(Timetable timetable, long first) {
+        add(timetable);
+        schedule(timetable, first);
+    }
+
+    public void stop(Timetable timetable) {
+        timetable.due = NEVER;
+        remove(timetable);
+    }
+
+    private void leaveIfEnded(Strand strand) {
+        if (!strand.isEnded()) {
+            return;
+        }
+        if (strand.refusesToEnd()) {
+            remove(strand);
+            advance().giveBaton();
+            strand.awaitBaton(); // for ever
+        }
+        throw new ProgramEnded();
+    }
+
+    /** Moves the clock to the next strand that is due, doing what the world does on the way. */
+    private Strand advance() {
+        running = null;
+        while (true) {
+            Actor next = earliest();
+            now = Math.max(now, next.due);
+            if (next instanceof Strand strand) {
+                strand.due = NEVER;
+                running = strand;
+                return strand;
+            }
+            schedule(next, ((Timetable) next).act());
+        }
+    }
+
+    private Actor earliest() {
+        Actor first = actors[0];
+        for (Actor actor : actors) {
+            if (actor.isBefore(first)) {
+                first = actor;
+            }
+        }
+        return first;
+    }
+
+    private void schedule(Actor actor, long moment) {
+        actor.due = moment;
+        actor.turn = turns++;
+    }
+
+    private void add(Actor actor) {
+        Actor[] more = java.util.Arrays.copyOf(actors, actors.length + 1);
+        more[actors.length] = actor;
+        actors = more;
+    }
+
+    private void remove(Actor actor) {
+        actors =
+                java.util.Arrays.stream(actors)
+                        .filter(other -> other != actor)
+                        .toArray(Actor[]::new);
+    }
+}

@@ -1,0 +1,86 @@
+package arcomat.sim.trace;
+
+import arcomat.sim.device.MotorName;
+import arcomat.sim.device.MotorOrder;
+import arcomat.sim.device.Observer;
+import arcomat.sim.device.Screen;
+import arcomat.sim.device.SensorName;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HexFormat;
+import java.util.List;
+
+/**
+ * Writes down what a program does. What it draws in one cycle is one change of the screen: text is
+ * drawn in pieces, and nobody sees the steps.
+ */
+public final class Recorder implements Observer {
+    private static final SensorName[] SENSORS = SensorName.values();
+    private static final MotorName[] MOTORS = MotorName.values();
+
+    private final List<Cycle> cycles = new ArrayList<>();
+    private List<Event> events = new ArrayList<>();
+    private long start;
+    private Screen changed;
+    private long changeTime;
+
+    /** All that has happened so far; the last cycle may be unfinished. */
+    public Trace trace() {
+        flushScreen();
+        List<Cycle> all = new ArrayList<>(cycles);
+        all.add(new Cycle(start, events));
+        return new Trace(all);
+    }
+
+    @Override
+    public void slept(long from, long until) {
+        flushScreen();
+        cycles.add(new Cycle(start, events));
+        events = new ArrayList<>();
+        start = until;
+    }
+
+    @Override
+    public void sensorRead(long time, int socket, int value) {
+        events.add(new Event.SensorRead(time, SENSORS[socket], value));
+    }
+
+    @Override
+    public void motorOrdered(long time, int motor, MotorOrder order, int value) {
+        events.add(new Event.MotorOrdered(time, MOTORS[motor], order, value));
+    }
+
+    @Override
+    public void screenChanged(long time, Screen screen) {
+        changed = screen;
+        changeTime = time;
+    }
+
+    private void flushScreen() {
+        if (changed != null) {
+            events.add(new Event.ScreenChanged(changeTime, changed.rows()));
+            events.sort(Comparator.comparingLong(Event::time));
+            changed = null;
+        }
+    }
+
+    @Override
+    public void tonePlayed(long time, int hertz, int milliseconds) {
+        events.add(new Event.TonePlayed(time, hertz, milliseconds));
+    }
+
+    @Override
+    public void packetSent(long time, byte[] packet, int length) {
+        events.add(new Event.PacketSent(time, hexadecimal(packet, length)));
+    }
+
+    @Override
+    public void packetReceived(long time, byte[] packet, int length) {
+        events.add(new Event.PacketReceived(time, hexadecimal(packet, length)));
+    }
+
+    private static String hexadecimal(byte[] packet, int length) {
+        return HexFormat.of().formatHex(packet, 0, length);
+    }
+}

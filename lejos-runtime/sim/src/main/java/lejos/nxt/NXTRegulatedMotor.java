@@ -1,0 +1,189 @@
+package lejos.nxt;
+
+import arcomat.sim.device.Hardware;
+import arcomat.sim.device.MotorDevice;
+import arcomat.sim.device.MotorOrder;
+
+import lejos.robotics.RegulatedMotor;
+import lejos.robotics.RegulatedMotorListener;
+
+/** A motor with its speed and position regulated. */
+public class NXTRegulatedMotor implements RegulatedMotor {
+    protected static final int NO_LIMIT = 0x7fffffff;
+
+    private static final Hardware BRICK = Hardware.of(NXTRegulatedMotor.class);
+    private static final float SPEED_PER_VOLT = 100;
+    private static final float MILLI = 1000;
+
+    protected TachoMotorPort tachoPort;
+    protected float speed = 360;
+    protected int acceleration = 6000;
+    protected int limitAngle;
+    protected boolean stalled;
+    protected RegulatedMotorListener listener;
+
+    /**
+     * @throws IllegalArgumentException if the port is not one of the brick's own; those of
+     *     multiplexers are not simulated
+     */
+    public NXTRegulatedMotor(TachoMotorPort port) {
+        if (!(port instanceof MotorPort)) {
+            throw new IllegalArgumentException("only MotorPort.A, B and C are simulated");
+        }
+        this.tachoPort = port;
+    }
+
+    private MotorDevice device() {
+        return ((MotorPort) tachoPort).device();
+    }
+
+    public void forward() {
+        turn(1);
+    }
+
+    public void backward() {
+        turn(-1);
+    }
+
+    private void turn(int direction) {
+        limitAngle = direction * NO_LIMIT;
+        device().turn(direction * speed, acceleration);
+        started();
+    }
+
+    public void stop() {
+        stop(false);
+    }
+
+    public void stop(boolean immediateReturn) {
+        device().stop(acceleration);
+        ended(immediateReturn);
+    }
+
+    public void flt() {
+        flt(false);
+    }
+
+    public void flt(boolean immediateReturn) {
+        device().letGo(acceleration);
+        ended(immediateReturn);
+    }
+
+    public void waitComplete() {
+        MotorDevice device = device();
+        while (device.isMoving()) {
+            BRICK.time().waitUntil(Math.min(device.finished(), BRICK.tickAfter(1)));
+        }
+    }
+
+    public void rotate(int angle) {
+        rotate(angle, false);
+    }
+
+    public void rotate(int angle, boolean immediateReturn) {
+        rotateTo(device().tachoCount() + angle, immediateReturn);
+    }
+
+    public void rotateTo(int limitAngle) {
+        rotateTo(limitAngle, false);
+    }
+
+    public void rotateTo(int limitAngle, boolean immediateReturn) {
+        this.limitAngle = limitAngle;
+        device().turnTo(limitAngle, speed, acceleration);
+        started();
+        ended(immediateReturn);
+    }
+
+    /** As on the brick, a new speed also changes a turn that is going on. */
+    public void setSpeed(int speed) {
+        setSpeed((float) speed);
+    }
+
+    public void setSpeed(float speed) {
+        this.speed = Math.abs(speed);
+        MotorDevice device = device();
+        if (device.order() == MotorOrder.TURN && device.isMoving()) {
+            device.turn(limitAngle < 0 ? -this.speed : this.speed, acceleration);
+        } else if (device.order() == MotorOrder.TURN_TO && device.isMoving()) {
+            device.turnTo(limitAngle, this.speed, acceleration);
+        }
+    }
+
+    public int getSpeed() {
+        return Math.round(speed);
+    }
+
+    public float getMaxSpeed() {
+        return BRICK.batteryMillivolts() / MILLI * SPEED_PER_VOLT;
+    }
+
+    public void setAcceleration(int acceleration) {
+        this.acceleration = Math.abs(acceleration);
+    }
+
+    public int getAcceleration() {
+        return acceleration;
+    }
+
+    public int getLimitAngle() {
+        return limitAngle;
+    }
+
+    public int getPosition() {
+        return device().tachoCount();
+    }
+
+    public int getTachoCount() {
+        return device().tachoCount();
+    }
+
+    public void resetTachoCount() {
+        device().resetTachoCount();
+    }
+
+    public int getRotationSpeed() {
+        return (int) Math.round(device().speed());
+    }
+
+    public boolean isMoving() {
+        return device().isMoving();
+    }
+
+    /** Nothing blocks a simulated motor. */
+    public boolean isStalled() {
+        return stalled;
+    }
+
+    /** Accepted and without effect, as nothing blocks a simulated motor. */
+    public void setStallThreshold(int error, int time) {
+        BRICK.called();
+    }
+
+    public void addListener(RegulatedMotorListener listener) {
+        this.listener = listener;
+    }
+
+    public RegulatedMotorListener removeListener() {
+        RegulatedMotorListener removed = listener;
+        listener = null;
+        return removed;
+    }
+
+    private void started() {
+        if (listener != null) {
+            listener.rotationStarted(this, getTachoCount(), false, BRICK.milliseconds());
+        }
+    }
+
+    /** The listener hears of an end only from a call that waits for it. */
+    private void ended(boolean immediateReturn) {
+        if (immediateReturn) {
+            return;
+        }
+        waitComplete();
+        if (listener != null) {
+            listener.rotationStopped(this, getTachoCount(), false, BRICK.milliseconds());
+        }
+    }
+}

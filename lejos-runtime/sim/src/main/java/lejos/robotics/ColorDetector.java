@@ -1,0 +1,8 @@
+package lejos.robotics;
+
+/** Sees colours. */
+public interface ColorDetector {
+    Color getColor();
+
+    int getColorID();
+}

@@ -1,0 +1,8 @@
+package lejos.robotics;
+
+/** Counts degrees. */
+public interface Encoder {
+    int getTachoCount();
+
+    void resetTachoCount();
+}

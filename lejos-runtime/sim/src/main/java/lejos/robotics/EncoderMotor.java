@@ -1,0 +1,4 @@
+package lejos.robotics;
+
+/** An unregulated motor that counts degrees. */
+public interface EncoderMotor extends DCMotor, Encoder {}

@@ -1,0 +1,8 @@
+package lejos.robotics;
+
+/** Measures distances in cm. */
+public interface RangeFinder {
+    float getRange();
+
+    float[] getRanges();
+}

@@ -1,0 +1,6 @@
+package lejos.robotics;
+
+/** Feels contact. */
+public interface Touch {
+    boolean isPressed();
+}

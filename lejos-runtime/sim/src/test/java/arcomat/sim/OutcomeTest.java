@@ -1,0 +1,116 @@
+package arcomat.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import arcomat.sim.device.Key;
+import arcomat.sim.device.MotorName;
+import arcomat.sim.device.MotorOrder;
+import arcomat.sim.load.Program;
+import arcomat.sim.script.ScriptParser;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.Map;
+
+/** How programs end, and what is left of them. */
+class OutcomeTest {
+    private static SimulatedBrick run(Program program, String script) {
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick brick = laboratory.place("brick", program);
+            brick.play(ScriptParser.parse(script).script().orElseThrow());
+            laboratory.runToEnd(10_000);
+            return brick;
+        }
+    }
+
+    @Test
+    void anUncaughtErrorIsReportedWithItsPlace() {
+        SimulatedBrick brick =
+                run(Compiled.main("int zero = args == null ? 0 : 1;", "int x = 1 / zero;"), "");
+        assertThat(brick.outcome().kind()).isEqualTo(Outcome.Kind.FAILED);
+        assertThat(brick.outcome().failure())
+                .contains("java.lang.ArithmeticException: / by zero at Main.main (Main.java:7)");
+    }
+
+    @Test
+    void anErrorOfAnotherThreadEndsTheProgramToo() {
+        SimulatedBrick brick =
+                run(
+                        Compiled.main(
+                                "new Thread() { public void run() {",
+                                "throw new IllegalStateException(\"oops\"); } }.start();",
+                                "while (true) { }"),
+                        "");
+        assertThat(brick.outcome().failure().orElseThrow()).contains("oops");
+    }
+
+    @Test
+    void anEmptyLoopIsEndedByTheScript() {
+        assertThat(run(Compiled.main("while (true) { }"), "500 end").outcome().kind())
+                .isEqualTo(Outcome.Kind.STOPPED);
+    }
+
+    @Test
+    void aProgramThatSwallowsEverythingIsLeftBehind() {
+        Program program =
+                Compiled.main(
+                        "while (true) { try { Delay.msDelay(10); } catch (Throwable e) { } }");
+        assertThat(run(program, "500 end").outcome().kind()).isEqualTo(Outcome.Kind.STOPPED);
+    }
+
+    @Test
+    void bothButtonsTogetherAbort() {
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick brick =
+                    laboratory.place("brick", Compiled.main("Motor.C.forward();", "for (;;) { }"));
+            laboratory.runUntil(100);
+            brick.press(Key.ENTER);
+            laboratory.runUntil(200);
+            assertThat(brick.isRunning()).isTrue();
+            brick.press(Key.ESCAPE);
+            laboratory.runToEnd(10_000);
+            assertThat(laboratory.time()).isEqualTo(200);
+            assertThat(brick.outcome().kind()).isEqualTo(Outcome.Kind.ABORTED);
+            assertThat(brick.motor(MotorName.C).order()).isEqualTo(MotorOrder.TURN);
+        }
+    }
+
+    @Test
+    void whatAProgramDoesAfterItsEndHasNoEffect() {
+        SimulatedBrick brick =
+                run(
+                        Compiled.main(
+                                "try { Delay.msDelay(9000); }",
+                                "finally { LCD.drawString(\"late\", 0, 0); }"),
+                        "100 end");
+        assertThat(brick.screen().get(0)).isEmpty();
+    }
+
+    @Test
+    void whatIsMissingIsNamed() {
+        Program complete =
+                Compiled.source(
+                        "Main",
+                        """
+                        public class Main {
+                            public static void main(String[] args) {
+                                new Part();
+                            }
+                        }
+                        class Part {}
+                        """);
+        Program program = new Program("Main", Map.of("Main", complete.classes().get("Main")));
+        assertThat(run(program, "").outcome().failure().orElseThrow())
+                .contains("Part is not in the program's jar")
+                .contains("Main.java:3");
+    }
+
+    @Test
+    void simulatedClassesRefuseToWorkOutsideABrick() {
+        assertThatThrownBy(() -> Class.forName("lejos.nxt.Motor"))
+                .isInstanceOf(ExceptionInInitializerError.class)
+                .rootCause()
+                .hasMessageContaining("works inside a simulated brick only");
+    }
+}

@@ -1,0 +1,93 @@
+package arcomat.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import arcomat.sim.load.Program;
+
+import org.junit.jupiter.api.Test;
+
+/** Bricks in one laboratory share time and air, and nothing else. */
+class SeveralBricksTest {
+    private static final Program ECHO =
+            Compiled.main(
+                    "NXTConnection c = Bluetooth.waitForConnection(0, NXTConnection.PACKET);",
+                    "byte[] packet = new byte[4];",
+                    "while (c.read(packet, 4) > 0) { packet[0]++; c.write(packet, 1); }",
+                    "LCD.drawString(\"over\", 0, 0);");
+
+    private static final Program CALLER =
+            Compiled.main(
+                    "Delay.msDelay(200);",
+                    "NXTConnection c = Bluetooth.connect(\"echo\", NXTConnection.PACKET);",
+                    "byte[] packet = {41};",
+                    "long start = System.currentTimeMillis();",
+                    "c.write(packet, 1);",
+                    "int early = c.read(packet, 1, false);",
+                    "c.read(packet, 1);",
+                    "LCD.drawString(early + \" \" + packet[0] + \" \"",
+                    "    + (System.currentTimeMillis() - start), 0, 0);",
+                    "c.close();");
+
+    @Test
+    void twoBricksTalk() {
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick echo = laboratory.place("echo", ECHO);
+            SimulatedBrick caller = laboratory.place("caller", CALLER);
+            laboratory.runToEnd(10_000);
+            assertThat(caller.screen().get(0)).isEqualTo("0 42 62");
+            assertThat(echo.screen().get(0)).isEqualTo("over");
+            assertThat(laboratory.time()).isBetween(700L, 900L);
+        }
+    }
+
+    @Test
+    void nobodyThereMeansNull() {
+        Program program =
+                Compiled.main(
+                        "Object none = Bluetooth.connect(\"nobody\", NXTConnection.PACKET);",
+                        "Object deaf = Bluetooth.connect(\"deaf\", NXTConnection.PACKET);",
+                        "Object late = Bluetooth.waitForConnection(300, NXTConnection.PACKET);",
+                        "LCD.drawString(none + \" \" + deaf + \" \" + late, 0, 0);");
+        try (Laboratory laboratory = new Laboratory()) {
+            laboratory.place("deaf", Compiled.main("Delay.msDelay(20000);"));
+            SimulatedBrick brick = laboratory.place("brick", program);
+            laboratory.runUntil(8000);
+            assertThat(brick.screen().get(0)).isEqualTo("null null null");
+        }
+    }
+
+    @Test
+    void whatIsStaticExistsOncePerBrick() {
+        Program program =
+                Compiled.source(
+                        "Count",
+                        """
+                        public class Count {
+                            static int count;
+                            public static void main(String[] args) {
+                                count++;
+                                lejos.nxt.Motor.A.rotate(90);
+                                lejos.nxt.LCD.drawInt(count, 0, 0);
+                                lejos.nxt.LCD.drawInt(lejos.nxt.Motor.A.getTachoCount(), 0, 1);
+                            }
+                        }
+                        """);
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick one = laboratory.place("one", program);
+            SimulatedBrick two = laboratory.place("two", program);
+            laboratory.runToEnd(10_000);
+            assertThat(one.screen().subList(0, 2)).containsExactly("1", "90");
+            assertThat(two.screen()).isEqualTo(one.screen());
+        }
+    }
+
+    @Test
+    void namesAreUnique() {
+        try (Laboratory laboratory = new Laboratory()) {
+            laboratory.place("echo", ECHO);
+            assertThatThrownBy(() -> laboratory.place("echo", ECHO))
+                    .isInstanceOf(IllegalArgumentException.class);
+        }
+    }
+}
