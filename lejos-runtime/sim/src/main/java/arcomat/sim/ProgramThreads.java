@@ -13,6 +13,7 @@ final class ProgramThreads implements Lifetime {
     private final String name;
     private final VirtualTime time;
     private final Map<Thread, Strand> strands = new IdentityHashMap<>();
+    private final Thread main = new Thread("main");
     private Outcome outcome = Outcome.of(Outcome.Kind.RUNNING);
 
     ProgramThreads(String name, VirtualTime time) {
@@ -33,7 +34,12 @@ final class ProgramThreads implements Lifetime {
         start(thread, thread::run);
     }
 
-    void start(Thread thread, Runnable body) {
+    /** The thread object of main is never started either. */
+    void startMain(Runnable body) {
+        start(main, body);
+    }
+
+    private void start(Thread thread, Runnable body) {
         strands.put(thread, time.start(name + " " + thread.getName(), () -> run(thread, body)));
     }
 
@@ -54,6 +60,11 @@ final class ProgramThreads implements Lifetime {
     @Override
     public boolean isAlive(Thread thread) {
         return strands.containsKey(thread);
+    }
+
+    @Override
+    public boolean isMain() {
+        return strands.get(main) == time.running();
     }
 
     @Override

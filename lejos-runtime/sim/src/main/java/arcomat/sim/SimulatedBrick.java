@@ -29,7 +29,7 @@ public final class SimulatedBrick {
         threads = new ProgramThreads(name, time);
         hardware = new Hardware(name, time, threads, ether.join(name));
         BrickLoader loader = new BrickLoader(program, hardware);
-        threads.start(new Thread("main"), () -> runMain(loader, program.mainClass()));
+        threads.startMain(() -> runMain(loader, program.mainClass()));
     }
 
     /** As on the brick, main gets no arguments, not even an empty array. */

@@ -8,6 +8,9 @@ public interface Lifetime {
     /** Whether a thread of the program runs. */
     boolean isAlive(Thread thread);
 
+    /** Whether the thread that calls is the one that began in main. */
+    boolean isMain();
+
     /** The thread that calls. */
     Thread current();
 
