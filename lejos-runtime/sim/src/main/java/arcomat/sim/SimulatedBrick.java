@@ -35,7 +35,8 @@ public final class SimulatedBrick {
     /** As on the brick, main gets no arguments, not even an empty array. */
     private static void runMain(BrickLoader loader, String mainClass) {
         try {
-            Method main = loader.loadClass(mainClass).getMethod("main", String[].class);
+            Method main = loader.loadClass(mainClass).getDeclaredMethod("main", String[].class);
+            main.setAccessible(true); // its class need not be public
             main.invoke(null, (Object) null);
         } catch (InvocationTargetException e) {
             throw ProgramFailure.unwrapped(e.getCause());

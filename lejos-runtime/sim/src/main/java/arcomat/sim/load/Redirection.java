@@ -24,6 +24,8 @@ final class Redirection extends MethodVisitor {
                     "join()V",
                     "join(J)V",
                     "isAlive()Z",
+                    "setDaemon(Z)V",
+                    "isDaemon()Z",
                     "interrupt()V",
                     "isInterrupted()Z",
                     "interrupted()Z",
