@@ -130,6 +130,16 @@ class OutcomeTest {
     }
 
     @Test
+    void aTimerOfThePcIsRefused() {
+        assertThat(
+                        run(Compiled.main("new java.util.Timer();"), "")
+                                .outcome()
+                                .failure()
+                                .orElseThrow())
+                .contains("java.util.Timer is not simulated");
+    }
+
+    @Test
     void simulatedClassesRefuseToWorkOutsideABrick() {
         assertThatThrownBy(() -> Class.forName("lejos.nxt.Motor"))
                 .isInstanceOf(ExceptionInInitializerError.class)

@@ -33,7 +33,7 @@ final class Redirection extends MethodVisitor {
                     "sleep(J)V",
                     "yield()V");
     private static final Set<String> MONITOR_MEMBERS =
-            Set.of("wait()V", "wait(J)V", "notify()V", "notifyAll()V");
+            Set.of("wait()V", "wait(J)V", "wait(JI)V", "notify()V", "notifyAll()V");
 
     private final Predicate<String> isThread;
     private final Set<Label> passed = new HashSet<>();
@@ -61,6 +61,16 @@ final class Redirection extends MethodVisitor {
         } else {
             super.visitMethodInsn(opcode, owner, name, descriptor, isInterface);
         }
+    }
+
+    /** A timer of the PC would run by the PC's clock. */
+    @Override
+    public void visitTypeInsn(int opcode, String type) {
+        if (opcode == Opcodes.NEW && type.equals("java/util/Timer")) {
+            throw new UnsupportedOperationException(
+                    "java.util.Timer is not simulated: let a thread sleep instead");
+        }
+        super.visitTypeInsn(opcode, type);
     }
 
     private void callStatic(String owner, String name, String descriptor) {
