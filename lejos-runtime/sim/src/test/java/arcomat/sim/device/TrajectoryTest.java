@@ -10,7 +10,7 @@ import net.jqwik.api.constraints.IntRange;
 
 /** However a shaft is ordered about, it moves as a body with bounded acceleration must. */
 class TrajectoryTest {
-    private static final long STEP = 1000;
+    private static final long STEP = 10_000;
     private static final double SECOND = 1e6;
 
     @Property(tries = 300)
@@ -31,7 +31,7 @@ class TrajectoryTest {
             assertThat(Math.abs(change)).isLessThanOrEqualTo(rate * STEP / SECOND + 1e-6);
             double way = trajectory.position(time + STEP) - trajectory.position(time);
             double average = (trajectory.speed(time) + trajectory.speed(time + STEP)) / 2;
-            assertThat(way).isCloseTo(average * STEP / SECOND, within(0.01));
+            assertThat(way).isCloseTo(average * STEP / SECOND, within(0.2));
         }
     }
 
