@@ -5,14 +5,19 @@ import arcomat.sim.time.ProgramEnded;
 import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
 
+import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Map;
+import java.util.Set;
 
 /** The threads of one program, from main until the last has ended. */
 final class ProgramThreads implements Lifetime {
     private final String name;
     private final VirtualTime time;
     private final Map<Thread, Strand> strands = new IdentityHashMap<>();
+    private final Set<Thread> started = Collections.newSetFromMap(new IdentityHashMap<>());
+    private final Set<Thread> daemons = Collections.newSetFromMap(new IdentityHashMap<>());
+    private final Thread main = new Thread("main");
     private Outcome outcome = Outcome.of(Outcome.Kind.RUNNING);
 
     ProgramThreads(String name, VirtualTime time) {
@@ -27,13 +32,18 @@ final class ProgramThreads implements Lifetime {
     /** A thread object stands for a thread of the program; it is never started itself. */
     @Override
     public void start(Thread thread) {
-        if (strands.containsKey(thread)) {
-            throw new IllegalThreadStateException("the thread runs already");
+        if (!started.add(thread)) {
+            throw new IllegalThreadStateException("a thread is started only once");
         }
         start(thread, thread::run);
     }
 
-    void start(Thread thread, Runnable body) {
+    /** The thread object of main is never started either. */
+    void startMain(Runnable body) {
+        start(main, body);
+    }
+
+    private void start(Thread thread, Runnable body) {
         strands.put(thread, time.start(name + " " + thread.getName(), () -> run(thread, body)));
     }
 
@@ -46,7 +56,7 @@ final class ProgramThreads implements Lifetime {
             end(Outcome.failed(e));
         }
         strands.remove(thread);
-        if (strands.keySet().stream().allMatch(Thread::isDaemon)) {
+        if (daemons.containsAll(strands.keySet())) {
             exit();
         }
     }
@@ -54,6 +64,26 @@ final class ProgramThreads implements Lifetime {
     @Override
     public boolean isAlive(Thread thread) {
         return strands.containsKey(thread);
+    }
+
+    /** Kept here: the thread object would take after the thread of the PC that made it. */
+    @Override
+    public void setDaemon(Thread thread, boolean on) {
+        if (on) {
+            daemons.add(thread);
+        } else {
+            daemons.remove(thread);
+        }
+    }
+
+    @Override
+    public boolean isDaemon(Thread thread) {
+        return daemons.contains(thread);
+    }
+
+    @Override
+    public boolean isMain() {
+        return strands.get(main) == time.running();
     }
 
     @Override

@@ -29,13 +29,14 @@ public final class SimulatedBrick {
         threads = new ProgramThreads(name, time);
         hardware = new Hardware(name, time, threads, ether.join(name));
         BrickLoader loader = new BrickLoader(program, hardware);
-        threads.start(new Thread("main"), () -> runMain(loader, program.mainClass()));
+        threads.startMain(() -> runMain(loader, program.mainClass()));
     }
 
     /** As on the brick, main gets no arguments, not even an empty array. */
     private static void runMain(BrickLoader loader, String mainClass) {
         try {
-            Method main = loader.loadClass(mainClass).getMethod("main", String[].class);
+            Method main = loader.loadClass(mainClass).getDeclaredMethod("main", String[].class);
+            main.setAccessible(true); // its class need not be public
             main.invoke(null, (Object) null);
         } catch (InvocationTargetException e) {
             throw ProgramFailure.unwrapped(e.getCause());

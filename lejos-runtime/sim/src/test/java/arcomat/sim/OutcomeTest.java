@@ -107,6 +107,39 @@ class OutcomeTest {
     }
 
     @Test
+    void theMainClassNeedNotBePublic() {
+        Program program =
+                Compiled.source("Quiet", "class Quiet { public static void main(String[] a) {} }");
+        assertThat(run(program, "").outcome().kind()).isEqualTo(Outcome.Kind.ENDED);
+    }
+
+    @Test
+    void aProgramWithoutMainSaysSo() {
+        Program program = Compiled.source("Empty", "public class Empty {}");
+        assertThat(run(program, "").outcome().failure().orElseThrow())
+                .contains("Empty has no method public static void main(String[])");
+    }
+
+    @Test
+    void aSecondStartOfAThreadIsAnError() {
+        Program program =
+                Compiled.main(
+                        "Thread thread = new Thread();", "thread.start();", "thread.start();");
+        assertThat(run(program, "").outcome().failure().orElseThrow())
+                .contains("a thread is started only once");
+    }
+
+    @Test
+    void aTimerOfThePcIsRefused() {
+        assertThat(
+                        run(Compiled.main("new java.util.Timer();"), "")
+                                .outcome()
+                                .failure()
+                                .orElseThrow())
+                .contains("java.util.Timer is not simulated");
+    }
+
+    @Test
     void simulatedClassesRefuseToWorkOutsideABrick() {
         assertThatThrownBy(() -> Class.forName("lejos.nxt.Motor"))
                 .isInstanceOf(ExceptionInInitializerError.class)

@@ -2,9 +2,8 @@ package arcomat.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.sim.script.Script;
 import arcomat.sim.script.ScriptParser;
-import arcomat.sim.trace.Recorder;
-import arcomat.sim.trace.Trace;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -46,14 +45,9 @@ class ProgramsTest {
     }
 
     private static String run(String name, String script) {
-        Recorder recorder = new Recorder();
-        try (Laboratory laboratory = new Laboratory()) {
-            SimulatedBrick brick = laboratory.place(name, Compiled.file(name));
-            brick.observe(recorder);
-            brick.play(ScriptParser.parse(script).script().orElseThrow());
-            laboratory.runToEnd(LIMIT);
-            Trace trace = recorder.trace();
-            return TraceText.of(trace) + laboratory.time() + " " + brick.outcome().kind() + "\n";
-        }
+        Script read = ScriptParser.parse(script).script().orElseThrow();
+        BrickRun run = BrickRun.of(name, Compiled.file(name), read, LIMIT);
+        return TraceText.of(run.trace())
+                + "%d %s%n".formatted(run.milliseconds(), run.outcome().kind());
     }
 }

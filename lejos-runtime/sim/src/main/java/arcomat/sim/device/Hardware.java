@@ -121,14 +121,20 @@ public final class Hardware {
     public void sleep(long milliseconds) {
         long from = time.now();
         time.waitUntil(tickAfter(milliseconds));
-        observer.slept(from, time.now());
+        slept(from);
     }
 
     /** Like {@link #sleep}, but another thread may cut it short. */
     public void sleepInterruptibly(long milliseconds) throws InterruptedException {
         long from = time.now();
         time.waitInterruptibly(tickAfter(milliseconds));
-        observer.slept(from, time.now());
+        slept(from);
+    }
+
+    private void slept(long from) {
+        if (lifetime.isMain()) {
+            observer.slept(from, time.now());
+        }
     }
 
     /** The moment of a tick of the brick's clock, so many milliseconds from now. */

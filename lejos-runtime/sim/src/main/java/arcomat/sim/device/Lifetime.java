@@ -5,8 +5,16 @@ public interface Lifetime {
     /** Starts a thread of the program. */
     void start(Thread thread);
 
+    /** Whether the program ends without waiting for a thread. */
+    void setDaemon(Thread thread, boolean on);
+
+    boolean isDaemon(Thread thread);
+
     /** Whether a thread of the program runs. */
     boolean isAlive(Thread thread);
+
+    /** Whether the thread that calls is the one that began in main. */
+    boolean isMain();
 
     /** The thread that calls. */
     Thread current();

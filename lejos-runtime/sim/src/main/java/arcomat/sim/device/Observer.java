@@ -20,7 +20,7 @@ public interface Observer {
 
     void packetReceived(long time, byte[] packet, int length);
 
-    /** The program has slept: in the usual main loop, between two cycles. */
+    /** The program's first thread has slept: in the usual main loop, between two cycles. */
     void slept(long from, long until);
 
     /** Sees nothing. */

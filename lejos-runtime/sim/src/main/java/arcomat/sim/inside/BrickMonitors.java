@@ -98,6 +98,12 @@ public final class BrickMonitors {
         }
     }
 
+    /** The brick's clock knows no nanoseconds. */
+    public static void wait(Object object, long milliseconds, int nanoseconds)
+            throws InterruptedException {
+        wait(object, milliseconds);
+    }
+
     public static void notify(Object object) {
         for (Waiter waiter : owned(object).waiters) {
             if (!waiter.notified) {

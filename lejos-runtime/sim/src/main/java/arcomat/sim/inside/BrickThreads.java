@@ -17,6 +17,14 @@ public final class BrickThreads {
         return lifetime().isAlive(thread);
     }
 
+    public static void setDaemon(Thread thread, boolean on) {
+        lifetime().setDaemon(thread, on);
+    }
+
+    public static boolean isDaemon(Thread thread) {
+        return lifetime().isDaemon(thread);
+    }
+
     public static Thread currentThread() {
         return lifetime().current();
     }

@@ -24,6 +24,8 @@ final class Redirection extends MethodVisitor {
                     "join()V",
                     "join(J)V",
                     "isAlive()Z",
+                    "setDaemon(Z)V",
+                    "isDaemon()Z",
                     "interrupt()V",
                     "isInterrupted()Z",
                     "interrupted()Z",
@@ -31,7 +33,7 @@ final class Redirection extends MethodVisitor {
                     "sleep(J)V",
                     "yield()V");
     private static final Set<String> MONITOR_MEMBERS =
-            Set.of("wait()V", "wait(J)V", "notify()V", "notifyAll()V");
+            Set.of("wait()V", "wait(J)V", "wait(JI)V", "notify()V", "notifyAll()V");
 
     private final Predicate<String> isThread;
     private final Set<Label> passed = new HashSet<>();
@@ -59,6 +61,16 @@ final class Redirection extends MethodVisitor {
         } else {
             super.visitMethodInsn(opcode, owner, name, descriptor, isInterface);
         }
+    }
+
+    /** A timer of the PC would run by the PC's clock. */
+    @Override
+    public void visitTypeInsn(int opcode, String type) {
+        if (opcode == Opcodes.NEW && type.equals("java/util/Timer")) {
+            throw new UnsupportedOperationException(
+                    "java.util.Timer is not simulated: let a thread sleep instead");
+        }
+        super.visitTypeInsn(opcode, type);
     }
 
     private void callStatic(String owner, String name, String descriptor) {

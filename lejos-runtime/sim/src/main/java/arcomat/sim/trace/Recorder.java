@@ -12,18 +12,20 @@ import java.util.HexFormat;
 import java.util.List;
 
 /**
- * Writes down what a program does. What it draws in one cycle is one change of the screen: text is
- * drawn in pieces, and nobody sees the steps.
+ * Writes down what a program does. Text is drawn in pieces, and nobody sees the steps: pieces that
+ * follow each other closely are one change of the screen.
  */
 public final class Recorder implements Observer {
     private static final SensorName[] SENSORS = SensorName.values();
+    /** Microseconds between pieces that belong together. */
+    private static final long CLOSELY = 5000;
+
     private static final MotorName[] MOTORS = MotorName.values();
 
     private final List<Cycle> cycles = new ArrayList<>();
     private List<Event> events = new ArrayList<>();
     private long start;
-    private Screen changed;
-    private long changeTime;
+    private Event.ScreenChanged drawn;
 
     /** All that has happened so far; the last cycle may be unfinished. */
     public Trace trace() {
@@ -53,15 +55,17 @@ public final class Recorder implements Observer {
 
     @Override
     public void screenChanged(long time, Screen screen) {
-        changed = screen;
-        changeTime = time;
+        if (drawn != null && time - drawn.time() > CLOSELY) {
+            flushScreen();
+        }
+        drawn = new Event.ScreenChanged(time, screen.rows());
     }
 
     private void flushScreen() {
-        if (changed != null) {
-            events.add(new Event.ScreenChanged(changeTime, changed.rows()));
+        if (drawn != null) {
+            events.add(drawn);
             events.sort(Comparator.comparingLong(Event::time));
-            changed = null;
+            drawn = null;
         }
     }
 

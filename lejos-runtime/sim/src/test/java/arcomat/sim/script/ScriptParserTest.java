@@ -59,7 +59,7 @@ class ScriptParserTest {
         assertThat(steps).isEqualTo(Files.readString(SCRIPTS.resolve("good.steps")));
     }
 
-    @Property(tries = 300)
+    @Property(tries = 100)
     void everyErrorIsInsideTheText(
             @ForAll @CharRange(from = ' ', to = '#') @CharRange(from = '0', to = '9')
                     String noise) {
