@@ -66,7 +66,8 @@ class ArchitectureTest {
                     Map.entry("cli", row("pipeline", "picocli")));
 
     /** What the pipeline hands out to the command line: data of other rooms. */
-    private static final Set<String> HANDED_OUT = Set.of("model", "simulate", "brick", "sim", "report");
+    private static final Set<String> HANDED_OUT =
+            Set.of("model", "simulate", "brick", "sim", "report");
 
     @TestFactory
     List<DynamicTest> roomsImportOnlyWhatTheTableAllows() {

@@ -23,7 +23,7 @@ import java.util.Optional;
         footer = {
             "  arcomat generate --target jvm --out build/coffee models/coffee",
             "  arcomat generate --target jvm --out build/coffee --main coffee.fetcher.Fetcher"
-                + " models/coffee",
+                    + " models/coffee",
             "  arcomat generate --target lejos --out build/brick models/coffee",
             "  arcomat generate --target templates/c --out build/c models/coffee",
             "",

@@ -62,8 +62,7 @@ final class LinkCommand extends Command {
         if (limit < 1) {
             throw new WrongUse("--limit " + limit + " is less than 1");
         }
-        Optional<String> home =
-                Optional.ofNullable(nxjHome).filter(text -> !text.isBlank());
+        Optional<String> home = Optional.ofNullable(nxjHome).filter(text -> !text.isBlank());
         LinkResult result =
                 pipeline.link(new LinkRequest(jar, Optional.ofNullable(out), home, limit));
         print(FindingsText.render(result.report().findings(), console.style()));

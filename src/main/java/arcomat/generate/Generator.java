@@ -36,7 +36,10 @@ public final class Generator {
                             request.components());
             Output output =
                     new Output(
-                            target, new TemplateEngine(target.allFiles()), program.names(), findings);
+                            target,
+                            new TemplateEngine(target.allFiles()),
+                            program.names(),
+                            findings);
             MessageTypes types = new MessageTypes(program);
             new Views(program, types, request, findings).all(output);
             findings.addAll(Sockets.check(request, entries));

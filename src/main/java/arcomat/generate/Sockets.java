@@ -15,8 +15,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * ARC0806: two devices of one robot in one socket. Which enums name sockets is for the target
- * to say; platform components have them as parameters.
+ * ARC0806: two devices of one robot in one socket. Which enums name sockets is for the target to
+ * say; platform components have them as parameters.
  */
 final class Sockets {
     private static final String CODE = "ARC0806";

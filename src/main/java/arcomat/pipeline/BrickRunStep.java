@@ -116,8 +116,7 @@ final class BrickRunStep {
         }
         FileReader.Read read = FileReader.read(path, written);
         return read.file()
-                .orElseThrow(
-                        () -> new WrongUse(written + ": " + read.finding().get().message()));
+                .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
     }
 
     private static List<Diagnostic> findings(SourceFile file, List<ScriptError> errors) {

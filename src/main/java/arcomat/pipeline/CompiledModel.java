@@ -35,8 +35,7 @@ public record CompiledModel(
         for (GeneratedFile file : generation.files()) {
             sources.put(file.path(), file.text());
         }
-        Compilation compilation =
-                MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
         if (!compilation.problems().isEmpty()) {
             throw new IllegalStateException(compilation.problems().toString());
         }

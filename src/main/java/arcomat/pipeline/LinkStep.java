@@ -24,7 +24,8 @@ import java.util.stream.Stream;
 final class LinkStep {
     private static final int MOST_BYTES = 65_535;
     private static final int MOST_CLASSES = 256;
-    private static final Pattern CLASSES = Pattern.compile("Class records\\s*:\\s*([0-9]{1,6})\\b.*");
+    private static final Pattern CLASSES =
+            Pattern.compile("Class records\\s*:\\s*([0-9]{1,6})\\b.*");
 
     private final JarReader jar;
     private final LinkRequest request;
@@ -36,8 +37,7 @@ final class LinkStep {
         this.names = names;
     }
 
-    static LinkResult run(LinkRequest request, PathNames names, Progress progress)
-            throws WrongUse {
+    static LinkResult run(LinkRequest request, PathNames names, Progress progress) throws WrongUse {
         JarReader jar = JarReader.read(request.jar(), names);
         BrickReport report = BrickCheck.check(jar.jar(), BrickTable.leJos());
         if (!report.fits()) {

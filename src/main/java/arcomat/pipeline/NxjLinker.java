@@ -11,7 +11,9 @@ import java.util.concurrent.TimeUnit;
 
 /** {@code nxjlink} of an installation of leJOS NXJ, as a process with a time limit. */
 final class NxjLinker {
-    /** What every Java is started with; the linker notices its overflows only with assertions on. */
+    /**
+     * What every Java is started with; the linker notices its overflows only with assertions on.
+     */
     private static final String JAVA_OPTIONS = "JAVA_TOOL_OPTIONS";
 
     private static final String ASSERTIONS = "-ea";

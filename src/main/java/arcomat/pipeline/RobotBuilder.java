@@ -20,7 +20,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 
-/** From generated code to the jars of robots: compiles, packs what a program needs, and checks it. */
+/**
+ * From generated code to the jars of robots: compiles, packs what a program needs, and checks it.
+ */
 final class RobotBuilder {
     private static final String DOES_NOT_COMPILE = "ARC0807";
     private static final String RUNTIME = "arcomat/rt/";

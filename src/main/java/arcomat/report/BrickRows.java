@@ -13,8 +13,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * What a program did with its brick, cycle by cycle: what it last read and told its motors, and what
- * else happened. Sockets that nothing uses have no column.
+ * What a program did with its brick, cycle by cycle: what it last read and told its motors, and
+ * what else happened. Sockets that nothing uses have no column.
  *
  * @param sensors those that were read
  * @param motors those that were told something

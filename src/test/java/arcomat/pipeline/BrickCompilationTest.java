@@ -71,7 +71,8 @@ class BrickCompilationTest {
     void whatTheBrickLacksIsAMistakeAtItsPlace() {
         String text = "class Main {\n  String s = String.format(\"%d\", 1);\n}\n";
 
-        Compilation compilation = MemoryCompiler.compile(Map.of("Main.java", text), Map.of(), BRICK);
+        Compilation compilation =
+                MemoryCompiler.compile(Map.of("Main.java", text), Map.of(), BRICK);
 
         assertThat(compilation.classes()).isEmpty();
         assertThat(compilation.problems())

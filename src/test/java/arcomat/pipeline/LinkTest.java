@@ -103,7 +103,8 @@ class LinkTest {
     @Test
     void aLinkerThatWritesNothingHasFailed() throws Exception {
         linker("exit 0\n");
-        assertThat(link().failure()).contains("nxjlink ended without an error, but wrote no program");
+        assertThat(link().failure())
+                .contains("nxjlink ended without an error, but wrote no program");
     }
 
     /** The shipped scripts write a broken file and return 0 when there are too many classes. */
@@ -138,7 +139,6 @@ class LinkTest {
         assertThat(result.failure()).isEmpty();
         assertThat(result.linked().orElseThrow().classes().orElseThrow())
                 .isCloseTo(
-                        result.report().linkedClasses(),
-                        org.assertj.core.data.Offset.offset(25));
+                        result.report().linkedClasses(), org.assertj.core.data.Offset.offset(25));
     }
 }

@@ -37,8 +37,8 @@ import java.util.stream.Stream;
 
 /**
  * For the same sensor values, the logic does the same in every slice: interpreted, compiled for the
- * JVM, and in the jar on a simulated brick. On the brick, every port of every component is looked at
- * between two cycles, when the program sleeps.
+ * JVM, and in the jar on a simulated brick. On the brick, every port of every component is looked
+ * at between two cycles, when the program sleeps.
  */
 class RobotTruthTest {
     private static final int WORDS = 20;
@@ -156,8 +156,7 @@ class RobotTruthTest {
 
     private static List<Map<String, Value>> onJvm(CompiledModel model, List<Letter> letters) {
         List<Map<String, Value>> slices = new ArrayList<>();
-        Object whole =
-                model.instantiate(model.place(model.component()).className(), List.of());
+        Object whole = model.instantiate(model.place(model.component()).className(), List.of());
         Map<String, CompiledModel.Part> parts = model.parts(whole);
         for (Letter letter : letters) {
             parts.forEach(

@@ -17,6 +17,7 @@ import java.util.List;
  */
 public final class Recorder implements Observer {
     private static final SensorName[] SENSORS = SensorName.values();
+
     /** Microseconds between pieces that belong together. */
     private static final long CLOSELY = 5000;
 
