@@ -14,6 +14,8 @@ import arcomat.model.Value;
 import arcomat.pipeline.Agreement;
 import arcomat.report.FindingsText;
 import arcomat.report.Style;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Network;
 import arcomat.simulate.StreamTests;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
@@ -108,6 +110,7 @@ final class Harmless {
                 model.components().stream()
                         .filter(c -> !c.equals(originalComponents.get(c.qualifiedName())))
                         .filter(Harmless::isExecutable)
+                        .filter(Harmless::canBegin)
                         .limit(RUN_COMPONENTS)
                         .toList();
         changed.forEach(c -> new Agreement(c, arguments(c)).holds(WORDS, LETTERS));
@@ -159,6 +162,16 @@ final class Harmless {
         }
         var automata = ((Component.Atomic) component.body()).automata();
         return automata.size() == 1 && automata.get(0).initials().size() == 1;
+    }
+
+    /** The arguments made up here may lead to one that a part's range forbids. */
+    private static boolean canBegin(Component component) {
+        try {
+            Network.of(component, arguments(component));
+            return true;
+        } catch (ModelError refused) {
+            return false;
+        }
     }
 
     private static List<Value> arguments(Component component) {
