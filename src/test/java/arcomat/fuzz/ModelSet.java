@@ -1,5 +1,6 @@
 package arcomat.fuzz;
 
+import arcomat.models.ModelFiles;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
@@ -12,7 +13,6 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * Files that are models together.
@@ -20,7 +20,6 @@ import java.util.stream.Stream;
  * @param files by path
  */
 record ModelSet(String name, TreeMap<String, Parsing> files) {
-    private static final Pattern MODEL = Pattern.compile(".*\\.(arc|cd|mt|ioautomaton)");
     private static final Pattern FENCE =
             Pattern.compile("(?ms)^```(arc|cd|mt|ioautomaton)\n(.*?)^```$");
     private static final Pattern DEFINITION =
@@ -47,15 +46,11 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
         }
     }
 
+    /** The files of a folder, with what they need of the library. */
     static ModelSet folder(String name, Path root) {
         TreeMap<String, Parsing> files = new TreeMap<>();
-        try (Stream<Path> paths = Files.walk(root)) {
-            for (Path path : paths.filter(p -> MODEL.matcher(p.toString()).matches()).toList()) {
-                String shown = root.relativize(path).toString().replace('\\', '/');
-                files.put(shown, new Parsing(shown, Files.readString(path)));
-            }
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        for (SourceFile file : ModelFiles.of(root)) {
+            files.put(file.path(), new Parsing(file.path(), file.text()));
         }
         return new ModelSet(name, files);
     }
