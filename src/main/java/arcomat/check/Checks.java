@@ -115,6 +115,7 @@ public final class Checks {
                     new TotalInputHasTotalSender(),
                     new TotalInputNeverSilent(),
                     new TotalOutputNamed(),
+                    new TotalPortTimed(),
                     new TypeArgumentsComplete(),
                     new TypeArgumentsInBounds(),
                     new TypeExists(),

@@ -21,7 +21,7 @@ import java.util.Optional;
         footer = {
             "  arcomat generate --target jvm --out build/coffee models/coffee",
             "  arcomat generate --target jvm --out build/coffee --main coffee.fetcher.Fetcher"
-                + " models/coffee",
+                    + " models/coffee",
             "  arcomat generate --target templates/c --out build/c models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
