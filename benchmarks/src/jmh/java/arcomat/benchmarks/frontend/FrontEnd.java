@@ -11,12 +11,12 @@ import arcomat.tree.Unit;
 import java.util.List;
 import java.util.Set;
 
-/** The product's front end, as the pipeline calls it. */
+/** The product's front end, as the pipeline calls it: large models by several threads. */
 final class FrontEnd {
     private FrontEnd() {}
 
     static List<Unit> parse(List<SourceFile> files) {
-        return files.stream().map(file -> Parser.parse(file).unit().orElseThrow()).toList();
+        return files.parallelStream().map(file -> Parser.parse(file).unit().orElseThrow()).toList();
     }
 
     /** Parses, resolves and checks. */
