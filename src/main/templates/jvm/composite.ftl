@@ -7,7 +7,7 @@ public final class ${head.name} {
 <@parts.members members "public "/>
 
     public ${head.name}(<@parts.parameters head/>) {
-<@parts.construct members fixed/>
+<@parts.construct members fixed loops/>
 <@parts.assign registers/>
     }
 <#if sensors?has_content>
@@ -21,11 +21,15 @@ public final class ${head.name} {
 
     /** Performs one slice. */
     public void step() {
-<#if known?has_content || knowers?has_content>
+<#if known?has_content || loops.known?has_content || knowers?has_content>
         // Known when the slice starts: from outside, from sensors, and sent in the slice before.
 <@parts.assign known/>
+<@parts.schedule loops.known/>
 <@parts.call knowers "know"/>
 
+</#if>
+<#if loops.reordered>
+        // Receivers before senders: what is delayed still shows what was sent in the slice before.
 </#if>
 <@parts.schedule steps/>
 <#if registers?has_content || fresh?has_content>

@@ -58,21 +58,51 @@ import ${type.packageName}.${type.name};
 </#macro>
 <#macro members members access>
 <#list members as member>
+<#if member.elements?has_content>
+<#if member?index != 0>
+
+</#if>
+    /** ${member.comment}: in the order of their steps. */
+    ${access}final ${member.type}[] ${member.name} = new ${member.type}[${member.length}];
+<#else>
     ${access}final ${member.type} ${member.name};
+</#if>
 </#list>
 </#macro>
-<#macro construct members fixed>
+<#macro construct members fixed loops>
 <#list members as member>
+<#list member.elements as some>
+<#if some.index == "">
+        ${some.place} = new ${member.type}(${some.arguments});
+<#else>
+        for (int ${some.index} = ${some.first}; ${some.index} < ${some.end}; ${some.index}++) {
+            ${some.place} = new ${member.type}(${some.arguments});
+        }
+</#if>
+<#else>
         ${member.name} = new ${member.type}(${member.arguments});
 </#list>
+</#list>
 <@assign fixed/>
+<@schedule loops.fixed/>
 </#macro>
 <#-- Each part after it got the messages that were sent earlier in the same slice. -->
 <#macro schedule steps>
 <#list steps as step>
+<#if step.index == "">
 <@assign step.copies/>
 <#if step.call != "">
         ${step.part}.${step.call}();
+</#if>
+<#else>
+        for (int ${step.index} = ${step.first}; ${step.index} < ${step.end}; ${step.index}++) {
+<#list step.copies as copy>
+            ${copy.target} = ${copy.value};
+</#list>
+<#if step.call != "">
+            ${step.part}.${step.call}();
+</#if>
+        }
 </#if>
 </#list>
 </#macro>

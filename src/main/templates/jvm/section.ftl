@@ -8,7 +8,7 @@ final class ${name} {
 
     ${name}(${head.name} ${whole}<#if head.draws || head.parameters?has_content>, </#if><@parts.parameters head/>) {
         this.${whole} = ${whole};
-<@parts.construct members fixed/>
+<@parts.construct members fixed loops/>
     }
 <#if sensors?has_content>
 
@@ -20,10 +20,14 @@ final class ${name} {
     /** Copies what is known when the slice starts. */
     void know() {
 <@parts.assign known/>
+<@parts.schedule loops.known/>
 <@parts.call knowers "know"/>
     }
 
     void step() {
+<#if loops.reordered>
+        // Receivers before senders: what is delayed still shows what was sent in the slice before.
+</#if>
 <@parts.schedule steps/>
     }
 }

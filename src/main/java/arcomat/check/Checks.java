@@ -7,6 +7,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.stream.Collector;
+import java.util.stream.Stream;
 
 /** The list of all context conditions, and the one way to run them. */
 public final class Checks {
@@ -115,6 +118,7 @@ public final class Checks {
                     new TotalInputHasTotalSender(),
                     new TotalInputNeverSilent(),
                     new TotalOutputNamed(),
+                    new TotalPortTimed(),
                     new TypeArgumentsComplete(),
                     new TypeArgumentsInBounds(),
                     new TypeExists(),
@@ -122,6 +126,9 @@ public final class Checks {
                     new TypeParametersUnique(),
                     new VariableDeclaredOnce(),
                     new VariableUnlikePort());
+
+    /** With fewer definitions one thread is done before a second one has started. */
+    private static final int WORTH_A_SECOND_THREAD = 200;
 
     private Checks() {}
 
@@ -132,15 +139,21 @@ public final class Checks {
 
     /** The findings, and those that the models declare to be meant. */
     public static Review review(Workspace workspace, Profile profile) {
-        Listeners listeners = new Listeners(ALL, profile);
-        Suppressions suppressions = new Suppressions();
-        new Walk(workspace, profile, listeners, suppressions).walk();
-        return sort(listeners, suppressions, profile);
+        List<Consumer<Walk>> steps = Walk.steps(workspace);
+        Stream<Consumer<Walk>> stream =
+                steps.size() > WORTH_A_SECOND_THREAD ? steps.parallelStream() : steps.stream();
+        Walk walk =
+                stream.collect(
+                        Collector.of(
+                                () -> new Walk(workspace, profile, new Listeners(ALL, profile)),
+                                (each, step) -> step.accept(each),
+                                Walk::join));
+        return sort(walk.findings(), walk.suppressions(), profile);
     }
 
-    private static Review sort(Listeners listeners, Suppressions suppressions, Profile profile) {
+    private static Review sort(List<Findings> found, Suppressions suppressions, Profile profile) {
         TreeSet<Diagnostic> all = new TreeSet<>(Diagnostic.ORDER);
-        for (Findings findings : listeners.findings()) {
+        for (Findings findings : found) {
             all.addAll(findings.diagnostics());
         }
         List<Diagnostic> findings = new ArrayList<>();

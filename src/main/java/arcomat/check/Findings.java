@@ -77,6 +77,10 @@ final class Findings {
         return replaceLatest(latest().withSeverity(Severity.WARNING));
     }
 
+    void addAll(Findings other) {
+        diagnostics.addAll(other.diagnostics);
+    }
+
     List<Diagnostic> diagnostics() {
         return diagnostics;
     }

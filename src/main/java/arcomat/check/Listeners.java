@@ -74,6 +74,13 @@ final class Listeners {
         return chosen;
     }
 
+    /** Adds what the same checks found elsewhere. */
+    void addAll(Listeners other) {
+        for (int i = 0; i < all.size(); i++) {
+            all.get(i).findings().addAll(other.all.get(i).findings());
+        }
+    }
+
     /** What every check has found so far. */
     List<Findings> findings() {
         List<Findings> found = new ArrayList<>();

@@ -37,7 +37,7 @@ final class SuppressWellFormed implements Check.OnStereotypes {
             findings.report(
                     stereotype,
                     "'suppress' needs a code and a reason, as in <<suppress = \"ARC0108:"
-                        + " reason\">>");
+                            + " reason\">>");
             return;
         }
         String code = value.get().code();

@@ -53,6 +53,12 @@ final class Suppressions {
                 .add(new Suppression(element, value.code(), value.reason()));
     }
 
+    void addAll(Suppressions other) {
+        other.byFile.forEach(
+                (path, more) ->
+                        byFile.computeIfAbsent(path, each -> new ArrayList<>()).addAll(more));
+    }
+
     /** Why a finding is meant, if an element around it says so. */
     Optional<String> reason(Diagnostic finding) {
         for (Suppression suppression :

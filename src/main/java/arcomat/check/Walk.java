@@ -11,16 +11,24 @@ import arcomat.tree.ClassDiagram;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
-/** The one walk over a workspace: files and what they define. */
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * The one walk over a workspace: files and what they define. Its steps do not depend on one
+ * another, so several walks may share them; see {@link Checks#review}.
+ */
 final class Walk {
     private final Workspace workspace;
     private final Profile profile;
     private final Listeners listeners;
+    private final Suppressions suppressions = new Suppressions();
     private final ExpressionWalk expressions;
     private final BehaviourWalk behaviours;
     private final ComponentWalk components;
 
-    Walk(Workspace workspace, Profile profile, Listeners listeners, Suppressions suppressions) {
+    Walk(Workspace workspace, Profile profile, Listeners listeners) {
         this.workspace = workspace;
         this.profile = profile;
         this.listeners = listeners;
@@ -30,30 +38,60 @@ final class Walk {
         this.components = new ComponentWalk(listeners, stereotypes, expressions, behaviours);
     }
 
-    void walk() {
+    /** All steps: the laws about all files together, then one step for each definition. */
+    static List<Consumer<Walk>> steps(Workspace workspace) {
+        List<Consumer<Walk>> steps = new ArrayList<>();
+        steps.add(Walk::workspace);
+        workspace.topLevelComponents().forEach(each -> steps.add(walk -> walk.component(each)));
+        workspace.bareAutomata().forEach(each -> steps.add(walk -> walk.automaton(each)));
+        workspace.diagrams().forEach(each -> steps.add(walk -> walk.diagram(each)));
+        workspace.testSuites().forEach(each -> steps.add(walk -> walk.suite(each)));
+        return steps;
+    }
+
+    /** Takes over what another walk has seen. */
+    Walk join(Walk other) {
+        listeners.addAll(other.listeners);
+        suppressions.addAll(other.suppressions);
+        return this;
+    }
+
+    List<Findings> findings() {
+        return listeners.findings();
+    }
+
+    Suppressions suppressions() {
+        return suppressions;
+    }
+
+    private void workspace() {
         for (Listener<Check.OnWorkspace> each : listeners.onWorkspace) {
             each.check().check(workspace, each.findings());
         }
-        for (ComponentSymbol component : workspace.topLevelComponents()) {
-            Context context = enter(component.unit());
-            components.component(component, context);
-            leave(context);
-        }
-        for (AutomatonSymbol automaton : workspace.bareAutomata()) {
-            Context context = enter(automaton.unit());
-            behaviours.automaton(automaton, context);
-            leave(context);
-        }
-        for (DiagramSymbol diagram : workspace.diagrams()) {
-            Context context = enter(diagram.unit());
-            classDiagram(diagram, context);
-            leave(context);
-        }
-        for (TestSuiteSymbol suite : workspace.testSuites()) {
-            Context context = enter(suite.unit());
-            testSuite(suite, context);
-            leave(context);
-        }
+    }
+
+    private void component(ComponentSymbol component) {
+        Context context = enter(component.unit());
+        components.component(component, context);
+        leave(context);
+    }
+
+    private void automaton(AutomatonSymbol automaton) {
+        Context context = enter(automaton.unit());
+        behaviours.automaton(automaton, context);
+        leave(context);
+    }
+
+    private void diagram(DiagramSymbol diagram) {
+        Context context = enter(diagram.unit());
+        classDiagram(diagram, context);
+        leave(context);
+    }
+
+    private void suite(TestSuiteSymbol suite) {
+        Context context = enter(suite.unit());
+        testSuite(suite, context);
+        leave(context);
     }
 
     private Context enter(Unit unit) {

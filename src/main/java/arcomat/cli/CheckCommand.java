@@ -19,7 +19,7 @@ import java.util.List;
         footer = {
             "  arcomat check models/coffee              a model root: every model below it",
             "  arcomat check p/q/Robot.arc              one file; what it refers to is found by its"
-                + " package",
+                    + " package",
             "  arcomat check --profile executable .     is it ready for 'arcomat generate'?",
             "  arcomat check --strict --format json . > findings.json"
         })

@@ -6,14 +6,12 @@ import arcomat.generate.view.AssignmentView;
 import arcomat.generate.view.CompositeView;
 import arcomat.generate.view.FieldView;
 import arcomat.generate.view.HeadView;
+import arcomat.generate.view.LoopsView;
 import arcomat.generate.view.PartView;
 import arcomat.generate.view.PartsView;
 import arcomat.generate.view.StepView;
-import arcomat.model.Expression;
-import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.semantics.Composition;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Source;
 
 import java.util.ArrayList;
@@ -32,6 +30,7 @@ import java.util.List;
  */
 final class CompositeViews {
     private final FileContext context;
+    private final Arrangement arrangement;
     private final Composition composition;
     private final Program program;
     private final Sections sections;
@@ -40,11 +39,12 @@ final class CompositeViews {
 
     CompositeViews(FileContext context, Program program) {
         this.context = context;
-        this.composition = context.composition().orElseThrow();
+        this.arrangement = program.arrangement(context);
+        this.composition = arrangement.composition();
         this.program = program;
-        this.sections = context.sections().orElseThrow();
+        this.sections = arrangement.sections();
         this.whole = context.members().local("whole", "");
-        this.copies = new Copies(context, program, sections, whole);
+        this.copies = new Copies(context, program, whole);
     }
 
     /** Members of a class: parts or sections. */
@@ -55,15 +55,28 @@ final class CompositeViews {
         final List<String> knowers = new ArrayList<>();
         final List<AssignmentView> known = new ArrayList<>();
         final List<StepView> steps = new ArrayList<>();
+        final ArrayContent arrays = new ArrayContent(context, arrangement, copies);
 
         void addNodes(int first, int end) {
             List<StepView> actuators = new ArrayList<>();
-            for (int i = first; i < end; i++) {
-                boolean acts = composition.nodes().get(i).component().platform();
-                addNode(i, acts ? actuators : steps);
+            for (int i = first; i < end; ) {
+                Stretch stretch = arrangement.holder(i);
+                if (stretch == null) {
+                    boolean acts = composition.nodes().get(i).component().platform();
+                    addNode(i++, acts ? actuators : steps);
+                } else {
+                    members.add(arrays.member(stretch, program));
+                    steps.addAll(arrays.steps(stretch));
+                    arrays.know(stretch);
+                    i = stretch.end();
+                }
             }
             // Nobody waits for them, and what they show is settled: they come behind all logic.
             steps.addAll(actuators);
+        }
+
+        LoopsView loops() {
+            return new LoopsView(arrays.fixed(), arrays.known(), arrays.reordered());
         }
 
         private void addNode(int index, List<StepView> steps) {
@@ -81,7 +94,7 @@ final class CompositeViews {
             }
             String call = program.call(node.component());
             if (!call.isEmpty() || !fresh.isEmpty()) {
-                steps.add(new StepView(field, call, fresh));
+                steps.add(StepView.once(field, call, fresh));
             }
         }
 
@@ -89,11 +102,11 @@ final class CompositeViews {
             for (Sections.Section section : inner) {
                 List<String> arguments = new ArrayList<>(List.of(self));
                 if (head.draws()) {
-                    arguments.add(choice(context));
+                    arguments.add(Arrangement.choice(context));
                 }
                 head.parameters().stream().map(FieldView::name).forEach(arguments::add);
                 members.add(
-                        new PartView(
+                        PartView.single(
                                 type(section).name(),
                                 section.field(),
                                 String.join(", ", arguments),
@@ -102,7 +115,7 @@ final class CompositeViews {
                     sensors.add(section.field());
                 }
                 knowers.add(section.field());
-                steps.add(new StepView(section.field(), "step", List.of()));
+                steps.add(StepView.once(section.field(), "step", List.of()));
             }
         }
     }
@@ -132,6 +145,7 @@ final class CompositeViews {
                 content.steps,
                 registers,
                 fresh,
+                content.loops(),
                 context.expressions().checks());
     }
 
@@ -161,6 +175,7 @@ final class CompositeViews {
                 content.known,
                 content.steps,
                 whole,
+                content.loops(),
                 context.expressions().checks());
     }
 
@@ -190,32 +205,12 @@ final class CompositeViews {
         return source instanceof Source.FromNode from && from.fresh();
     }
 
-    private static String choice(FileContext context) {
-        return context.names().language().entry("choice").orElse("choice");
-    }
-
     static PartView part(
             FileContext context, Program program, Composition.Node node, String field) {
-        List<String> arguments = new ArrayList<>();
-        if (program.draws(node.component())) {
-            arguments.add(choice(context));
-        }
-        arguments.addAll(arguments(context, node));
-        return new PartView(
+        return PartView.single(
                 context.references().to(context.names().of(node.component())),
                 field,
-                String.join(", ", arguments),
+                Arrangement.arguments(node, context, program),
                 node.path() + ": " + node.component().qualifiedName());
-    }
-
-    private static List<String> arguments(FileContext context, Composition.Node node) {
-        ExpressionText text = context.expressions();
-        text.at(Fault.place(context.component(), node.path()));
-        List<String> arguments = new ArrayList<>();
-        for (Parameter parameter : node.component().parameters()) {
-            Expression argument = node.arguments().get(arguments.size());
-            arguments.add(text.inRange(argument, parameter.type(), parameter.name()).text());
-        }
-        return arguments;
     }
 }

@@ -11,19 +11,19 @@ import java.util.List;
 /** The copies that carry messages from sender to receiver within one composite. */
 final class Copies {
     private final FileContext context;
+    private final Arrangement arrangement;
     private final Composition composition;
     private final Program program;
-    private final Sections sections;
     private final String whole;
 
     /**
      * @param whole the field by which a section knows the composite
      */
-    Copies(FileContext context, Program program, Sections sections, String whole) {
+    Copies(FileContext context, Program program, String whole) {
         this.context = context;
-        this.composition = context.composition().orElseThrow();
+        this.arrangement = program.arrangement(context);
+        this.composition = arrangement.composition();
         this.program = program;
-        this.sections = sections;
         this.whole = whole;
     }
 
@@ -44,10 +44,51 @@ final class Copies {
         if (source instanceof Source.Unconnected) {
             return;
         }
-        Sections.Section here = sections.of(node);
+        Sections.Section here = arrangement.sections().of(node);
         Composition.Node receiver = composition.nodes().get(node);
-        String object = context.members().part(receiver.path());
-        copy(sender(source, here), new End(object, receiver.component(), port), copies, fixed);
+        copy(
+                sender(source, here),
+                new End(arrangement.object(node), receiver.component(), port),
+                copies,
+                fixed);
+    }
+
+    /**
+     * To an input of the nodes of a run, by an index into their array.
+     *
+     * @param fixed gets presence flags that never change
+     */
+    void toRun(
+            Regularity.Run run,
+            int input,
+            String index,
+            List<AssignmentView> copies,
+            List<AssignmentView> fixed) {
+        Composition.Node node = composition.nodes().get(run.first());
+        Source source = node.inputs().get(input);
+        Sections.Section here = arrangement.sections().of(run.first());
+        Stretch receivers = arrangement.holder(run.first());
+        End sender = sender(source, here);
+        if (run.strides()[input] != 0) {
+            int first = ((Source.FromNode) source).node();
+            Stretch senders = arrangement.holder(first);
+            int stride = run.strides()[input];
+            int start = first - senders.first() - stride * (run.first() - receivers.first());
+            String object = arrangement.element(senders, linear(stride, index, start));
+            sender = new End(leading(first, here) + object, sender.component, sender.port);
+        }
+        Port port = node.component().inputs().get(input);
+        End receiver = new End(arrangement.element(receivers, index), node.component(), port);
+        copy(sender, receiver, copies, fixed);
+    }
+
+    /** {@code i + 1}, {@code 9 - i}, {@code 2 * i - 1}. */
+    private static String linear(int stride, String index, int start) {
+        if (stride == -1) {
+            return start + " - " + index;
+        }
+        String product = stride == 1 ? index : stride + " * " + index;
+        return start == 0 ? product : product + (start < 0 ? " - " : " + ") + Math.abs(start);
     }
 
     /** To an output of the composite itself. */
@@ -61,20 +102,21 @@ final class Copies {
 
     private End sender(Source source, Sections.Section here) {
         if (source instanceof Source.FromNode from) {
-            Composition.Node node = composition.nodes().get(from.node());
-            String field = context.members().part(node.path());
-            return new End(object(from.node(), field, here), node.component(), from.port());
+            String object = leading(from.node(), here) + arrangement.object(from.node());
+            Component component = composition.nodes().get(from.node()).component();
+            return new End(object, component, from.port());
         }
         Port port = ((Source.FromOutside) source).port();
         return new End(here == null ? "" : whole, composition.component(), port);
     }
 
-    private String object(int node, String field, Sections.Section here) {
-        Sections.Section there = sections.of(node);
+    /** From one section to the place of a node. */
+    private String leading(int node, Sections.Section here) {
+        Sections.Section there = arrangement.sections().of(node);
         if (there == null || there == here) {
-            return field;
+            return "";
         }
-        return (here == null ? "" : whole + ".") + there.path() + "." + field;
+        return (here == null ? "" : whole + ".") + there.path() + ".";
     }
 
     private void copy(

@@ -19,7 +19,6 @@ record FileContext(
         TypeName self,
         References references,
         Members members,
-        Optional<Sections> sections,
         ExpressionText expressions) {
 
     static FileContext of(Component component, Optional<Composition> composition, Names names) {
@@ -38,7 +37,6 @@ record FileContext(
                 self,
                 references,
                 members,
-                composition.map(c -> new Sections(c, members)),
                 new ExpressionText(names, references, members));
     }
 

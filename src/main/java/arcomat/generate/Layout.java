@@ -46,7 +46,7 @@ public record Layout(
      * @param queued event-driven: field with the number of events that wait
      * @param border event-driven: field for who sees what is sent
      * @param taken field with the index of the transition last taken, -1 for a completion
-     * @param parts fields that lead to a node, by its path
+     * @param parts fields that lead to a node, by its path: {@code section1.cells[3]}
      */
     public record Place(
             String className,

@@ -7,7 +7,6 @@ import arcomat.semantics.Composition;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** Tells those who drive generated code where things are. */
 final class Layouts {
@@ -49,18 +48,16 @@ final class Layouts {
                 automaton ? members.taken() : "",
                 members.local("queued", ""),
                 members.local("border", ""),
-                parts(context));
+                parts(context, program));
     }
 
-    private static Map<String, String> parts(FileContext context) {
+    private static Map<String, String> parts(FileContext context, Program program) {
         Map<String, String> parts = new LinkedHashMap<>();
-        Optional<Composition> composition = context.composition();
-        if (composition.isPresent()) {
+        if (context.composition().isPresent()) {
+            Arrangement arrangement = program.arrangement(context);
             int position = 0;
-            for (Composition.Node node : composition.get().nodes()) {
-                Sections.Section section = context.sections().orElseThrow().of(position++);
-                String field = context.members().part(node.path());
-                parts.put(node.path(), section == null ? field : section.path() + "." + field);
+            for (Composition.Node node : arrangement.composition().nodes()) {
+                parts.put(node.path(), arrangement.path(position++));
             }
         }
         return parts;

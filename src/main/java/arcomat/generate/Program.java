@@ -2,6 +2,7 @@ package arcomat.generate;
 
 import arcomat.generate.language.Names;
 import arcomat.generate.language.TypeName;
+import arcomat.generate.view.AtomicView;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.semantics.Composition;
@@ -20,6 +21,8 @@ final class Program {
     private final Map<String, FileContext> contexts = new LinkedHashMap<>();
     private final Map<String, Boolean> senses = new HashMap<>();
     private final Map<String, Boolean> draws = new HashMap<>();
+    private final Map<String, Boolean> fails = new HashMap<>();
+    private final Map<String, Arrangement> arrangements = new HashMap<>();
 
     Program(Names names, Choosing choosing, List<Component> roots) {
         this.names = names;
@@ -134,5 +137,45 @@ final class Program {
         }
         return Members.automaton(component).isPresent()
                 && new AtomicViews(context(component), choosing).draws();
+    }
+
+    /** Whether a step, or the construction, may end in an error of the model. */
+    boolean fails(Component component) {
+        Boolean known = fails.get(component.qualifiedName());
+        if (known == null) {
+            known = failsAnywhere(context(component));
+            fails.put(component.qualifiedName(), known);
+        }
+        return known;
+    }
+
+    private boolean failsAnywhere(FileContext context) {
+        if (context.composition().isPresent()) {
+            List<Composition.Node> nodes = context.composition().get().nodes();
+            nodes.forEach(n -> n.arguments().forEach(a -> context.expressions().of(a)));
+            return context.expressions().checks()
+                    || nodes.stream().anyMatch(node -> fails(node.component()));
+        }
+        Component component = context.component();
+        if (Members.automaton(component).isEmpty()) {
+            return false;
+        }
+        AtomicView view =
+                new AtomicViews(context, choosing).view(Heads.of(context, draws(component)));
+        return view.checks()
+                || view.sections().stream()
+                        .flatMap(section -> section.states().stream())
+                        .anyMatch(state -> !state.error().isEmpty());
+    }
+
+    /** How the parts of a composite are ordered and held. */
+    Arrangement arrangement(FileContext context) {
+        String name = context.component().qualifiedName();
+        Arrangement known = arrangements.get(name);
+        if (known == null) {
+            known = Arrangement.of(context, this);
+            arrangements.put(name, known);
+        }
+        return known;
     }
 }

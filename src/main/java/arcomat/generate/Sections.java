@@ -1,7 +1,5 @@
 package arcomat.generate;
 
-import arcomat.semantics.Composition;
-
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,9 +10,13 @@ import java.util.List;
  */
 final class Sections {
     private static final int MOST_MEMBERS = 100;
-    private static final int MOST_WEIGHT = 5000;
-    private static final int PER_NODE = 40;
-    private static final int PER_INPUT = 50;
+
+    /**
+     * Nodes that stay together.
+     *
+     * @param weight size of their code
+     */
+    record Unit(int first, int end, int weight) {}
 
     /**
      * A section.
@@ -35,35 +37,36 @@ final class Sections {
     private final List<Section> top;
     private final Section[] leaves;
 
-    Sections(Composition composition, Members members) {
-        List<Section> level = leaves(composition, members);
+    Sections(List<Unit> units, Members members) {
+        List<Section> level = leaves(units, members);
         int depth = 0;
         while (level.size() > MOST_MEMBERS) {
             level = grouped(level, members, ++depth);
         }
         top = level.stream().map(s -> s.under("")).toList();
-        leaves = new Section[composition.nodes().size()];
+        leaves = new Section[units.isEmpty() ? 0 : units.get(units.size() - 1).end];
         top.forEach(this::note);
     }
 
-    private static List<Section> leaves(Composition composition, Members members) {
+    private static List<Section> leaves(List<Unit> units, Members members) {
         List<Section> leaves = new ArrayList<>();
         int first = 0;
+        int count = 0;
         int weight = 0;
-        List<Composition.Node> nodes = composition.nodes();
-        for (int i = 0; i < nodes.size(); i++) {
-            int more = PER_NODE + PER_INPUT * nodes.get(i).inputs().size();
-            if (i > first && (weight + more > MOST_WEIGHT || i - first == MOST_MEMBERS)) {
-                leaves.add(leaf(leaves.size(), first, i, members));
-                first = i;
+        for (Unit unit : units) {
+            boolean full = weight + unit.weight > Draft.MOST_WEIGHT || count == MOST_MEMBERS;
+            if (count > 0 && full) {
+                leaves.add(leaf(leaves.size(), first, unit.first, members));
+                first = unit.first;
+                count = 0;
                 weight = 0;
             }
-            weight += more;
+            count++;
+            weight += unit.weight;
         }
-        if (leaves.isEmpty()) {
-            return leaves;
+        if (!leaves.isEmpty()) {
+            leaves.add(leaf(leaves.size(), first, units.get(units.size() - 1).end, members));
         }
-        leaves.add(leaf(leaves.size(), first, nodes.size(), members));
         return leaves;
     }
 
@@ -115,6 +118,6 @@ final class Sections {
 
     /** The section that holds a node; null where the composite does. */
     Section of(int node) {
-        return leaves[node];
+        return node < leaves.length ? leaves[node] : null;
     }
 }

@@ -11,6 +11,7 @@ import arcomat.model.Component;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Composition;
 
+import java.lang.reflect.Array;
 import java.lang.reflect.InvocationTargetException;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -105,9 +106,20 @@ public record CompiledModel(
         for (Composition.Node node : Composition.of(part).nodes()) {
             Object inner = object;
             for (String field : place(part).parts().get(node.path()).split("\\.")) {
-                inner = new Slot(inner, field).get();
+                inner = member(inner, field);
             }
             collect(prefix + node.path(), node.component(), inner, parts);
         }
+    }
+
+    /** A field, or an element of an array: {@code cells[3]}. */
+    private static Object member(Object owner, String field) {
+        int bracket = field.indexOf('[');
+        if (bracket < 0) {
+            return new Slot(owner, field).get();
+        }
+        Object array = new Slot(owner, field.substring(0, bracket)).get();
+        int index = Integer.parseInt(field.substring(bracket + 1, field.length() - 1));
+        return Array.get(array, index);
     }
 }

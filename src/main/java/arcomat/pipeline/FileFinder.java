@@ -92,7 +92,7 @@ final class FileFinder {
                             FileFindings.LINK_LOOP,
                             shown,
                             "this link leads back to a folder that contains it; it is not"
-                                + " followed"));
+                                    + " followed"));
             return;
         }
         if (!seen.add(real)) {

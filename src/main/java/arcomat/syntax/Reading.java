@@ -58,9 +58,7 @@ record Reading(
     private static CommonTokenStream tokens(SourceFile file) {
         ArcomatLexer lexer = new ArcomatLexer(new Characters(file.path(), file.text()));
         lexer.removeErrorListeners();
-        CommonTokenStream tokens = new CommonTokenStream(lexer);
-        tokens.fill();
-        return tokens;
+        return new FilledTokens(lexer);
     }
 
     private static List<Comment> comments(SourceFile file, CommonTokenStream tokens) {

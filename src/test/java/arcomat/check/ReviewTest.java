@@ -8,6 +8,7 @@ import arcomat.source.SourceFile;
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.stream.IntStream;
 
 class ReviewTest {
     private static final SourceFile MEANT =
@@ -41,6 +42,25 @@ class ReviewTest {
         assertThat(review.suppressed())
                 .extracting(s -> s.finding().code())
                 .containsExactly("ARC0210");
+    }
+
+    /** So many that several threads share the walk. */
+    @Test
+    void noDefinitionIsLostAmongMany() {
+        List<SourceFile> many =
+                IntStream.range(1000, 2000)
+                        .mapToObj(
+                                i ->
+                                        new SourceFile(
+                                                "Meant" + i + ".arc",
+                                                MEANT.text().replace("Meant ", "Meant" + i + " ")))
+                        .toList();
+        Review review = Checking.review(many, Profile.REQUIREMENTS);
+        Review one = Checking.review(many.subList(0, 1), Profile.REQUIREMENTS);
+        assertThat(review.suppressed()).hasSize(2 * many.size());
+        assertThat(review.findings())
+                .hasSize(one.findings().size() * many.size())
+                .isSortedAccordingTo(Diagnostic.ORDER);
     }
 
     @Test

@@ -49,14 +49,14 @@ class MutatedModelsTest {
         Folders.delete(directory);
     }
 
-    @Property(tries = 60)
+    @Property(seed = "1", tries = 60)
     void aPieceIsMissing(
             @ForAll int file, @ForAll int start, @ForAll @IntRange(max = 40) int length)
             throws IOException {
         mutate(file, start, length, new byte[0]);
     }
 
-    @Property(tries = 40)
+    @Property(seed = "2", tries = 40)
     void aPieceIsInserted(
             @ForAll int file, @ForAll int start, @ForAll @IntRange(max = 24) int token)
             throws IOException {
@@ -90,7 +90,7 @@ class MutatedModelsTest {
         mutate(file, start, 0, tokens[token].getBytes(StandardCharsets.UTF_8));
     }
 
-    @Property(tries = 40)
+    @Property(seed = "3", tries = 40)
     void theFileIsCut(@ForAll int file, @ForAll int start) throws IOException {
         mutate(file, start, Integer.MAX_VALUE, new byte[0]);
     }

@@ -28,24 +28,36 @@ class DamagedModelsTest {
                     ModelSet.page("language", Path.of("docs/language.md")));
     private static final List<Harmless> LAWS = SETS.stream().map(Harmless::new).toList();
 
-    @Property(tries = 120, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(
+            seed = "1",
+            tries = 120,
+            shrinking = ShrinkingMode.OFF,
+            edgeCases = EdgeCasesMode.NONE)
     void damaged(@ForAll long seed) {
         check(seed, set -> new Damage(SETS, seed).apply(set));
     }
 
-    @Property(tries = 80, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "2", tries = 80, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
     void varied(@ForAll long seed) {
         check(seed, set -> new Variation(seed).apply(set));
     }
 
     @Tag("slow")
-    @Property(tries = 2000, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(
+            seed = "3",
+            tries = 2000,
+            shrinking = ShrinkingMode.OFF,
+            edgeCases = EdgeCasesMode.NONE)
     void damagedOftener(@ForAll long seed) {
         check(seed, set -> new Damage(SETS, seed).apply(set));
     }
 
     @Tag("slow")
-    @Property(tries = 1500, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
+    @Property(
+            seed = "4",
+            tries = 1500,
+            shrinking = ShrinkingMode.OFF,
+            edgeCases = EdgeCasesMode.NONE)
     void variedOftener(@ForAll long seed) {
         check(seed, set -> new Variation(seed).apply(set));
     }

@@ -34,7 +34,7 @@ class GoldenTest {
         List<DynamicTest> tests = new ArrayList<>();
         tests.addAll(compare("jvm/fetcher", Request.program(fetcher, Choosing.FIRST)));
         tests.addAll(compare("jvm/random", Request.library(fig3, Choosing.RANDOM)));
-        for (String folder : List.of("events", "expressions", "names")) {
+        for (String folder : List.of("chain", "events", "expressions", "names")) {
             Path file = Path.of("src/test/resources/agreement", folder + ".txt");
             Model model = Lowering.lower(Scenario.read(file).workspace());
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));

@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Random;
 import java.util.stream.IntStream;
 
 /** Large models compile, and run as small ones do. */
@@ -105,6 +106,34 @@ class LargeModelsTest {
     @Test
     void aThousandParts() {
         sums(1000);
+    }
+
+    /** Parts of one component, each fed by any other, a slice later. */
+    private static Component tangle(int parts) {
+        ComponentBuilder cell = component("Knot").in(INTEGER, "a").in(INTEGER, "c");
+        ComponentBuilder.AutomatonBuilder automaton =
+                cell.out(INTEGER, "b").automaton(Completion.IGNORE, "s", "t").initial("s", "");
+        automaton.on(
+                "s -> t", "a = ?", null, List.of(automaton.send("b", cell.read("a"))), List.of());
+        automaton.on(
+                "t -> s", "c = ?", null, List.of(automaton.send("b", cell.read("c"))), List.of());
+        Component knot = automaton.build();
+        ComponentBuilder tangle = component("Tangle").in(INTEGER, "a").out(INTEGER, "b");
+        Random random = new Random(parts);
+        for (int i = 0; i < parts; i++) {
+            tangle.part("k" + i, knot);
+        }
+        for (int i = 0; i < parts; i++) {
+            int sender = random.nextInt(parts);
+            tangle.connect(i % 10 == 0 ? "a" : "k" + sender + ".b", "k" + i + ".a");
+            tangle.connect("k" + random.nextInt(parts) + ".b", "k" + i + ".c");
+        }
+        return tangle.connect("k7.b", "b").build();
+    }
+
+    @Test
+    void aTangleOfPartsAgreesWithTheInterpreter() {
+        new Agreement(tangle(1200), List.of()).holds(3, 20);
     }
 
     @Test

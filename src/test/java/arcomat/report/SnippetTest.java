@@ -68,7 +68,7 @@ class SnippetTest {
         assertThat(lines[1]).endsWith("^^^^^");
     }
 
-    @Property
+    @Property(seed = "1")
     void neverFailsAndHasNoControlCharacters(
             @ForAll String text, @ForAll int first, @ForAll int second) {
         int start = Math.floorMod(first, text.length() + 1);

@@ -50,7 +50,7 @@ class EvaluationTest {
         return ((Value.RealValue) evaluate(e)).value();
     }
 
-    @Property
+    @Property(seed = "1")
     void intsWrapAround(@ForAll int a, @ForAll int b) {
         assertThat(whole(BinaryOperator.PLUS, INT, a, b)).isEqualTo(a + b);
         assertThat(whole(BinaryOperator.MINUS, INT, a, b)).isEqualTo(a - b);
@@ -61,7 +61,7 @@ class EvaluationTest {
         }
     }
 
-    @Property
+    @Property(seed = "2")
     void longsWrapAround(@ForAll long a, @ForAll long b) {
         assertThat(whole(BinaryOperator.PLUS, LONG, a, b)).isEqualTo(a + b);
         assertThat(whole(BinaryOperator.MULTIPLY, LONG, a, b)).isEqualTo(a * b);
@@ -70,7 +70,7 @@ class EvaluationTest {
         }
     }
 
-    @Property
+    @Property(seed = "3")
     void realsAreSingleOrDouble(@ForAll float a, @ForAll float b) {
         assertThat(real(BinaryOperator.PLUS, FLOAT, a, b)).isEqualTo(Double.valueOf(a + b));
         assertThat(real(BinaryOperator.MULTIPLY, FLOAT, a, b)).isEqualTo(Double.valueOf(a * b));
@@ -79,7 +79,7 @@ class EvaluationTest {
                 .isEqualTo(Double.valueOf((double) a / b));
     }
 
-    @Property
+    @Property(seed = "4")
     void castsAreJavas(@ForAll double real, @ForAll long whole) {
         assertThat(cast(real(DOUBLE, real), INT)).isEqualTo(new Value.IntegerValue((int) real));
         assertThat(cast(real(DOUBLE, real), LONG)).isEqualTo(new Value.IntegerValue((long) real));

@@ -40,7 +40,7 @@ class MutationTest {
         }
     }
 
-    @Property(tries = 600)
+    @Property(seed = "1", tries = 600)
     void damaged(@ForAll("samples") Path path, @ForAll long seed) {
         StringBuilder text = new StringBuilder(Samples.read(path));
         Random random = new Random(seed);

@@ -11,6 +11,9 @@ import java.util.Map;
 public final class Alternation {
     private static final int ROUNDS = 300;
 
+    /** Long enough for the virtual machine to compile a large method on a busy machine. */
+    private static final long WARM_UP_NANOSECONDS = 4_000_000_000L;
+
     private Alternation() {}
 
     /**
@@ -19,6 +22,7 @@ public final class Alternation {
      * @return a line of nanoseconds per operation
      */
     public static String of(String title, Map<String, Runnable> contestants, long operations) {
+        contestants.values().forEach(Alternation::warmUp);
         Map<String, Double> fastest = new LinkedHashMap<>();
         int repetitions = (int) Math.max(1, 200_000 / operations);
         for (int round = 0; round < ROUNDS; round++) {
@@ -31,6 +35,13 @@ public final class Alternation {
         StringBuilder line = new StringBuilder(title + ", in turn, fastest round, ns:");
         fastest.forEach((name, time) -> line.append(" %s %.2f".formatted(name, time)));
         return line.toString();
+    }
+
+    private static void warmUp(Runnable run) {
+        long start = System.nanoTime();
+        while (System.nanoTime() - start < WARM_UP_NANOSECONDS) {
+            run.run();
+        }
     }
 
     private static double time(Runnable run, int repetitions) {

@@ -18,7 +18,7 @@ final class Baseline {
             throws IOException {
         List<String> lines = new ArrayList<>();
         lines.add(
-                "# ./gradlew :benchmarks:run -Pgroups="
+                "# ./gradlew :benchmarks:measure -Pgroups="
                         + group.name()
                         + ", "
                         + machine()

@@ -11,6 +11,7 @@ import java.util.List;
  * @param sensed outputs that show what sensors inside have sampled
  * @param registers outputs that show in the next slice what was sent in this one
  * @param fresh outputs that show what was sent in the same slice
+ * @param loops over arrays of parts
  * @param checks whether computing an argument may go wrong
  */
 public record CompositeView(
@@ -24,4 +25,5 @@ public record CompositeView(
         List<StepView> steps,
         List<AssignmentView> registers,
         List<AssignmentView> fresh,
+        LoopsView loops,
         boolean checks) {}

@@ -13,6 +13,7 @@ import java.util.List;
  * @param knowers members that are sections
  * @param known copies of what is known when a slice starts
  * @param steps the schedule
+ * @param loops over arrays of parts
  * @param whole name of the field that leads to the composite
  */
 public record PartsView(
@@ -28,4 +29,5 @@ public record PartsView(
         List<AssignmentView> known,
         List<StepView> steps,
         String whole,
+        LoopsView loops,
         boolean checks) {}

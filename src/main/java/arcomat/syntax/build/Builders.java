@@ -1,10 +1,19 @@
 package arcomat.syntax.build;
 
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
 
-/** The builders for one file; they call each other. */
+import java.util.HashMap;
+import java.util.Map;
+
+/**
+ * The builders for one file; they call each other. Trees of large models live long, so what is
+ * equal is kept once: the texts of names and literals, and the spans of nodes around a sole child.
+ */
 final class Builders {
     final SourceFile file;
+    private final Map<String, String> texts = new HashMap<>();
+    private Span latest;
     final NameBuilder names = new NameBuilder(this);
     final QualifiedNameBuilder qualifiedNames = new QualifiedNameBuilder(this);
     final TypeBuilder types = new TypeBuilder(this);
@@ -25,5 +34,19 @@ final class Builders {
 
     Builders(SourceFile file) {
         this.file = file;
+        this.latest = file.span(0, 0);
+    }
+
+    Span span(int start, int end) {
+        if (latest.start() != start || latest.end() != end) {
+            latest = file.span(start, end);
+        }
+        return latest;
+    }
+
+    String text(Span span) {
+        String text = span.text();
+        String known = texts.putIfAbsent(text, text);
+        return known == null ? text : known;
     }
 }

@@ -72,7 +72,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     @Override
     public Expression visitLiteral(LiteralContext context) {
         Span span = span(context.kind);
-        return new Literal(span, Literals.kindOf(context.kind), span.text());
+        return new Literal(span, Literals.kindOf(context.kind), builders.text(span));
     }
 
     @Override

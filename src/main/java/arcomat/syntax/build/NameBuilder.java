@@ -19,6 +19,6 @@ final class NameBuilder extends TreeBuilder<Name> {
 
     Name name(Token token) {
         Span span = span(token);
-        return new Name(span, span.text());
+        return new Name(span, builders.text(span));
     }
 }

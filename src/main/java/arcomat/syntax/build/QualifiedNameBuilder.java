@@ -1,5 +1,6 @@
 package arcomat.syntax.build;
 
+import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatParser.InstanceTypeContext;
 import arcomat.syntax.antlr.ArcomatParser.NameContext;
 import arcomat.syntax.antlr.ArcomatParser.PlainNameContext;
@@ -43,6 +44,8 @@ final class QualifiedNameBuilder extends TreeBuilder<QualifiedName> {
     }
 
     QualifiedName of(List<Name> parts) {
-        return new QualifiedName(parts.get(0).span().to(parts.get(parts.size() - 1).span()), parts);
+        Span first = parts.get(0).span();
+        Span span = parts.size() == 1 ? first : first.to(parts.get(parts.size() - 1).span());
+        return new QualifiedName(span, parts);
     }
 }

@@ -46,7 +46,7 @@ abstract class TreeBuilder<T> extends ArcomatBaseVisitor<T> {
     }
 
     protected final Span span(Token first, Token last) {
-        return builders.file.span(first.getStartIndex(), last.getStopIndex() + 1);
+        return builders.span(first.getStartIndex(), last.getStopIndex() + 1);
     }
 
     protected final Span span(Token token) {

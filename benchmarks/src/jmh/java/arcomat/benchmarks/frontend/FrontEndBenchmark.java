@@ -20,7 +20,7 @@ import java.util.concurrent.TimeUnit;
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
-@Fork(jvmArgsAppend = "-Xmx4g")
+@Fork(jvmArgsAppend = {FrontEnd.HEAP, FrontEnd.HEAP_LIMIT, FrontEnd.PAUSES, FrontEnd.TENURING})
 @Warmup(iterations = 4, time = 3)
 @Measurement(iterations = 5, time = 2)
 public class FrontEndBenchmark {

@@ -21,7 +21,7 @@ import java.util.concurrent.TimeUnit;
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
 @OutputTimeUnit(TimeUnit.MILLISECONDS)
-@Fork(jvmArgsAppend = "-Xmx8g")
+@Fork(jvmArgsAppend = {FrontEnd.HEAP, FrontEnd.HEAP_LIMIT, FrontEnd.PAUSES, FrontEnd.TENURING})
 @Warmup(iterations = 4, time = 3)
 @Measurement(iterations = 5, time = 2)
 public class GrowthBenchmark {

@@ -48,7 +48,7 @@ final class ScxmlMachine extends LibraryMachine {
         StringBuilder text = new StringBuilder();
         text.append(
                 "<scxml xmlns='http://www.w3.org/2005/07/scxml' version='1.0'"
-                    + " initialstate='state0'>");
+                        + " initialstate='state0'>");
         for (int state = 0; state < 5; state++) {
             text.append("<state id='state").append(state).append("'>");
             for (Rule rule : rules) {

@@ -1,0 +1,31 @@
+package arcomat.check;
+
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.PortSymbol;
+import arcomat.tree.Stereotype;
+
+/** ARC0339: only a component that works slice by slice has ports that speak in every slice. */
+final class TotalPortTimed implements Check.OnPort {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0339");
+    }
+
+    @Override
+    public void check(PortSymbol port, Context context, Findings findings) {
+        if (context.component().filter(ComponentSymbol::isEventDriven).isEmpty()) {
+            return;
+        }
+        Stereotype.find(port.stereotypes(), "total")
+                .ifPresent(
+                        total ->
+                                findings.report(
+                                        total,
+                                        "port '"
+                                                + port.name()
+                                                + "' cannot carry a message in every slice: an"
+                                                + " untimed component knows no slices; remove"
+                                                + " 'total'"));
+    }
+}

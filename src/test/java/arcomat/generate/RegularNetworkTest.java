@@ -1,0 +1,72 @@
+package arcomat.generate;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.lower.Lowering;
+import arcomat.model.Model;
+import arcomat.symbols.Scenario;
+
+import org.junit.jupiter.api.Test;
+
+import java.nio.file.Path;
+
+/** Networks of many parts of one component get loops; the agreement test runs the same models. */
+class RegularNetworkTest {
+    private static final Model NETWORKS =
+            Lowering.lower(
+                    Scenario.read(Path.of("src/test/resources/agreement/networks.txt"))
+                            .workspace());
+
+    private static String code(String component, Choosing choosing) {
+        Request request =
+                Request.library(NETWORKS.component("p." + component).orElseThrow(), choosing);
+        return Generator.generate(request, Target.shipped("jvm").orElseThrow()).files().stream()
+                .filter(file -> file.path().endsWith("/" + component + ".java"))
+                .findFirst()
+                .orElseThrow()
+                .text();
+    }
+
+    private static String step(String component, Choosing choosing) {
+        String code = code(component, choosing);
+        return code.substring(code.indexOf("public void step()"));
+    }
+
+    @Test
+    void orderOfDeclarationMakesNoDifference() {
+        assertThat(step("GridInNoOrder", Choosing.FIRST))
+                .hasSameSizeAs(step("Grid", Choosing.FIRST));
+    }
+
+    @Test
+    void chainsAreServedLayerByLayer() {
+        assertThat(step("Chains", Choosing.FIRST))
+                .contains("i < 36;", "cells[i].a = cells[i + 9].b;");
+    }
+
+    @Test
+    void partsWithOtherArgumentsShareTheLoop() {
+        assertThat(code("Shuffled", Choosing.FIRST))
+                .contains("cells[0] = new Cell(13);", "cells[i] = new Cell(1);")
+                .contains("cells[i].a = cells[i + 1].b;");
+    }
+
+    @Test
+    void everyOtherElementCanBeASource() {
+        assertThat(step("Tree", Choosing.FIRST)).contains("joins[2 * i + 1].b");
+    }
+
+    @Test
+    void partsThatDrawKeepTheirOrder() {
+        assertThat(step("DiceInOrder", Choosing.RANDOM))
+                .contains("undecideds[i].a = undecideds[i - 1].b;")
+                .contains("for (int i = 0; i < 10; i++) {\n            undecideds[i].step();");
+        assertThat(step("DiceInOrder", Choosing.FIRST))
+                .contains("undecideds[i].a = undecideds[i + 1].b;");
+    }
+
+    @Test
+    void partsThatMayFailKeepTheirOrder() {
+        assertThat(step("OneIsTight", Choosing.FIRST)).doesNotContain("Receivers before senders");
+    }
+}
