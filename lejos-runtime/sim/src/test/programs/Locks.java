@@ -1,6 +1,8 @@
 import lejos.nxt.LCD;
 
-/** Locks taken twice, held by methods of all kinds, given back by errors, and waited for in vain. */
+/**
+ * Locks taken twice, held by methods of all kinds, given back by errors, and waited for in vain.
+ */
 public class Locks {
     synchronized long add(long a, double b, float c, int[] d, String e, boolean f) {
         return f ? a + (long) b + (long) c + d[0] + e.length() : add(a, b, c, d, e, true);
@@ -18,13 +20,14 @@ public class Locks {
         } catch (IllegalStateException e) {
             LCD.drawString(e.getMessage(), 0, 1);
         }
-        Thread other = new Thread() {
-            public void run() {
-                synchronized (Locks.class) {
-                    LCD.drawString("free again", 0, 2);
-                }
-            }
-        };
+        Thread other =
+                new Thread() {
+                    public void run() {
+                        synchronized (Locks.class) {
+                            LCD.drawString("free again", 0, 2);
+                        }
+                    }
+                };
         other.start();
         other.join();
         synchronized (locks) {

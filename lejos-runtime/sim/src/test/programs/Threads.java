@@ -29,13 +29,15 @@ public class Threads {
     public static void main(String[] args) throws InterruptedException {
         Worker first = new Worker();
         Worker second = new Worker();
-        Thread idle = new Thread(new Runnable() {
-            public void run() {
-                while (true) {
-                    Thread.yield();
-                }
-            }
-        });
+        Thread idle =
+                new Thread(
+                        new Runnable() {
+                            public void run() {
+                                while (true) {
+                                    Thread.yield();
+                                }
+                            }
+                        });
         idle.setDaemon(true);
         idle.start();
         first.start();
@@ -47,15 +49,17 @@ public class Threads {
         first.join();
         second.join();
         LCD.drawString(first.isAlive() ? "alive" : "gone", 0, 2);
-        Thread sleeper = new Thread(new Runnable() {
-            public void run() {
-                try {
-                    Thread.sleep(100000);
-                } catch (InterruptedException e) {
-                    LCD.drawString("interrupted", 0, 3);
-                }
-            }
-        });
+        Thread sleeper =
+                new Thread(
+                        new Runnable() {
+                            public void run() {
+                                try {
+                                    Thread.sleep(100000);
+                                } catch (InterruptedException e) {
+                                    LCD.drawString("interrupted", 0, 3);
+                                }
+                            }
+                        });
         sleeper.start();
         Thread.sleep(100);
         sleeper.interrupt();
