@@ -32,7 +32,7 @@ final class Contestants {
             machine.frontUS = letters.frontUS[slice];
             machine.timerSig = letters.timerSig[slice];
             machine.ls = letters.ls[slice];
-            machine.gotCoffee = letters.gotCoffee[slice] == IntSwitch.TRUE;
+            machine.gotCoffee = letters.gotCoffee[slice];
             machine.step();
             sum = sum * 31 + machine.cmd * 4 + machine.timerCmd;
         }

@@ -12,7 +12,7 @@ final class EnumLetters {
             frontUS[slice] = message(EnumSwitch.Distance.values(), letters.frontUS[slice]);
             timerSig[slice] = message(EnumSwitch.TimerSignal.values(), letters.timerSig[slice]);
             ls[slice] = message(EnumSwitch.LineStatus.values(), letters.ls[slice]);
-            gotCoffee[slice] = letters.gotCoffee[slice] == IntSwitch.TRUE;
+            gotCoffee[slice] = letters.gotCoffee[slice];
         }
     }
 

@@ -12,8 +12,6 @@ final class IntSwitch {
     static final int TOO_CLOSE = 2;
     static final int ALERT = 1;
     static final int OK = 1;
-    static final int FALSE = 1;
-    static final int TRUE = 2;
 
     static final int FWD = 1;
     static final int STOP = 2;
@@ -23,7 +21,7 @@ final class IntSwitch {
     int frontUS;
     int timerSig;
     int ls;
-    int gotCoffee;
+    boolean gotCoffee;
 
     int cmd;
     int timerCmd;
@@ -35,11 +33,11 @@ final class IntSwitch {
         timerCmd = 0;
         switch (state) {
             case DRIVING:
-                if (frontUS == TOO_CLOSE && gotCoffee == FALSE) {
+                if (frontUS == TOO_CLOSE && !gotCoffee) {
                     cmd = BACK_RIGHT;
                     timerCmd = DELAY;
                     state = BACKING;
-                } else if (frontUS == TOO_CLOSE && gotCoffee == TRUE) {
+                } else if (frontUS == TOO_CLOSE && gotCoffee) {
                     cmd = STOP;
                     state = WAITING;
                 }

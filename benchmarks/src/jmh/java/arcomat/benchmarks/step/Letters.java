@@ -4,7 +4,7 @@ import java.util.SplittableRandom;
 
 /**
  * A stream of inputs for AvoidCrash (Fig. 6), the same for every contestant. Codes: 0 is no
- * message, k the k-th constant; gotCoffee is total, 1 is false and 2 is true.
+ * message, k the k-th constant; gotCoffee is total, so it needs no code for silence.
  */
 final class Letters {
     /** Slices of a stream. */
@@ -16,7 +16,7 @@ final class Letters {
     final int[] frontUS = new int[COUNT];
     final int[] timerSig = new int[COUNT];
     final int[] ls = new int[COUNT];
-    final int[] gotCoffee = new int[COUNT];
+    final boolean[] gotCoffee = new boolean[COUNT];
 
     /**
      * @param density how often a port carries a message, from 0 to 1
@@ -27,7 +27,7 @@ final class Letters {
             frontUS[slice] = message(random, density, 2);
             timerSig[slice] = message(random, density, 1);
             ls[slice] = message(random, density, 2);
-            gotCoffee[slice] = 1 + random.nextInt(2);
+            gotCoffee[slice] = random.nextInt(2) == 1;
         }
     }
 
@@ -40,7 +40,8 @@ final class Letters {
      * events only.
      */
     int code(int slice) {
-        return ((frontUS[slice] * 2 + timerSig[slice]) * 3 + ls[slice]) * 2 + gotCoffee[slice] - 1;
+        return ((frontUS[slice] * 2 + timerSig[slice]) * 3 + ls[slice]) * 2
+                + (gotCoffee[slice] ? 1 : 0);
     }
 
     static int frontUS(int code) {
@@ -55,7 +56,7 @@ final class Letters {
         return code / 2 % 3;
     }
 
-    static int gotCoffee(int code) {
-        return code % 2 + 1;
+    static boolean gotCoffee(int code) {
+        return code % 2 == 1;
     }
 }
