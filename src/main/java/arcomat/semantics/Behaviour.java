@@ -39,6 +39,20 @@ public final class Behaviour {
         return conjunction(component, automata, automata.size() == 1, arguments);
     }
 
+    /**
+     * Some automata of a component, perhaps with another completion. A sole automaton of an atomic
+     * component decides about all its ports; any other about those that it writes.
+     *
+     * @param automata of the component, or made from them
+     */
+    public static Behaviour of(
+            Component component, List<Automaton> automata, List<Value> arguments) {
+        boolean sole =
+                component.body() instanceof Component.Atomic atomic
+                        && atomic.automata().size() == 1;
+        return conjunction(component, automata, sole, arguments);
+    }
+
     /** The requirements on a decomposed component, each free in the ports that it never writes. */
     public static Behaviour requirements(Component component, List<Value> arguments) {
         return conjunction(component, component.requirements(), false, arguments);

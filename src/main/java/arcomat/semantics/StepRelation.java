@@ -3,6 +3,7 @@ package arcomat.semantics;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
+import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -26,6 +27,7 @@ public final class StepRelation {
 
     private final List<Ready> transitions = new ArrayList<>();
     private final List<List<Ready>> byState = new ArrayList<>();
+    private final List<Attentions> attentions = new ArrayList<>();
     private final List<Start> starts = new ArrayList<>();
     private final Output silence;
     private final Output anything;
@@ -58,11 +60,16 @@ public final class StepRelation {
     }
 
     private void prepareTransitions(Set<String> owned, Scope scope) {
-        automaton.states().forEach(state -> byState.add(new ArrayList<>(2)));
+        for (int i = 0; i < automaton.states().size(); i++) {
+            byState.add(new ArrayList<>(2));
+            attentions.add(new Attentions(component, scope));
+        }
         Guards guards = new Guards(component.profile());
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition transition = automaton.transitions().get(i);
-            Term condition = Evaluation.compile(guards.enabledWhen(transition), scope);
+            Expression enabledWhen = guards.enabledWhen(transition);
+            attentions.get(transition.source()).add(enabledWhen, transition);
+            Term condition = Evaluation.compile(enabledWhen, scope);
             Effect effect =
                     new Effect(
                             component,
@@ -126,6 +133,13 @@ public final class StepRelation {
 
     public Automaton automaton() {
         return automaton;
+    }
+
+    /** What the reactions in a configuration depend on. */
+    public Attention attention(Configuration configuration) {
+        return configuration.isState()
+                ? attentions.get(configuration.state()).with(configuration.slots())
+                : Attention.none(component.inputs().size());
     }
 
     /** The alternatives to begin with, in text order. */

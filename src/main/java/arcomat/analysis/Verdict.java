@@ -1,0 +1,69 @@
+package arcomat.analysis;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The answer to a question about models.
+ *
+ * @param reason of a failure {@code behaviour}, {@code interface} or {@code delay}; of an unknown
+ *     what stood in the way; else empty
+ * @param simulation whether a simulation was found; empty where that was not asked or not decided
+ * @param trace a shortest run that the right side forbids, the initial outputs first; only of a
+ *     failure
+ * @param explanation why it fails, in sentences, each with the place that it is about
+ * @param notes what a reader of "holds" should know: that it holds because nothing is promised, say
+ */
+public record Verdict(
+        Answer answer,
+        String reason,
+        Optional<Boolean> simulation,
+        List<Moment> trace,
+        List<Sentence> explanation,
+        List<String> notes,
+        Explored explored) {
+    public Verdict {
+        trace = List.copyOf(trace);
+        explanation = List.copyOf(explanation);
+        notes = List.copyOf(notes);
+    }
+
+    /** Whether a question is answered with yes, no, or not at all. */
+    public enum Answer {
+        HOLDS,
+        FAILS,
+        UNKNOWN
+    }
+
+    /** How far a search went: pairs that were compared and configurations of both sides. */
+    public record Explored(long pairs, int left, int right) {
+        static final Explored NOTHING = new Explored(0, 0, 0);
+    }
+
+    /** A sentence about a place in a model. */
+    public record Sentence(String text, Optional<Span> place) {}
+
+    static Verdict fails(String reason, List<Sentence> explanation) {
+        return new Verdict(
+                Answer.FAILS,
+                reason,
+                Optional.empty(),
+                List.of(),
+                explanation,
+                List.of(),
+                Explored.NOTHING);
+    }
+
+    static Verdict unknown(String reason, Explored explored) {
+        return new Verdict(
+                Answer.UNKNOWN,
+                reason,
+                Optional.empty(),
+                List.of(),
+                List.of(),
+                List.of(),
+                explored);
+    }
+}

@@ -1,0 +1,182 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointReaction;
+import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Input;
+import arcomat.semantics.Output;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+import arcomat.semantics.StepRelation;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** An atomic component, or the requirements on a component: a conjunction of automata. */
+public final class AtomicSide implements Side {
+    private final Behaviour behaviour;
+    private final List<Port> inputs;
+    private final int[] observed;
+    private final Outputs outputs;
+
+    private final Map<List<Configuration>, Integer> numbers = new HashMap<>();
+    private final List<List<Configuration>> configurations = new ArrayList<>();
+    private final Map<Attention, Focus> foci = new HashMap<>();
+    private final List<Focus> focus = new ArrayList<>();
+    private final List<Map<Long, Steps>> steps = new ArrayList<>();
+
+    /**
+     * @param observed names of the output ports that are compared; the others are projected away
+     */
+    public AtomicSide(Behaviour behaviour, List<String> observed, Outputs outputs) {
+        this.behaviour = behaviour;
+        this.inputs = behaviour.component().inputs();
+        this.outputs = outputs;
+        List<String> names = behaviour.component().outputs().stream().map(Port::name).toList();
+        this.observed = observed.stream().mapToInt(names::indexOf).toArray();
+    }
+
+    @Override
+    public List<Port> inputs() {
+        return inputs;
+    }
+
+    @Override
+    public List<Port> outputs() {
+        return behaviour.component().outputs();
+    }
+
+    @Override
+    public Steps openings() {
+        StepCollector collector = new StepCollector();
+        for (JointStart start : behaviour.starts()) {
+            List<Configuration> begin =
+                    start.starts().stream().map(each -> each.configuration()).toList();
+            collector.add(
+                    outputs.number(project(start.output())),
+                    number(begin),
+                    List.of(),
+                    start.output());
+        }
+        return collector.steps();
+    }
+
+    @Override
+    public Focus focus(int configuration) {
+        Focus known = focus.get(configuration);
+        if (known == null) {
+            Attention attention = attention(configurations.get(configuration));
+            known = foci.computeIfAbsent(attention, each -> new Focus(foci.size(), each, inputs));
+            focus.set(configuration, known);
+        }
+        return known;
+    }
+
+    private Attention attention(List<Configuration> all) {
+        List<StepRelation> relations = behaviour.relations();
+        Attention.Look[] looks = new Attention.Look[inputs.size()];
+        java.util.Arrays.fill(looks, new Attention.Unseen());
+        for (int i = 0; i < all.size(); i++) {
+            List<Attention.Look> own = relations.get(i).attention(all.get(i)).looks();
+            for (int port = 0; port < looks.length; port++) {
+                looks[port] = looks[port].and(own.get(port));
+            }
+        }
+        return new Attention(List.of(looks));
+    }
+
+    @Override
+    public Steps steps(int configuration, long kind, Value[] letter) {
+        Map<Long, Steps> known = steps.get(configuration);
+        Steps found = known.get(kind);
+        if (found == null) {
+            found = compute(configurations.get(configuration), letter);
+            known.put(kind, found);
+        }
+        return found;
+    }
+
+    private Steps compute(List<Configuration> before, Value[] letter) {
+        StepCollector collector = new StepCollector();
+        if (before.contains(Configuration.ERROR)) {
+            return collector.steps();
+        }
+        List<JointReaction> reactions;
+        try {
+            reactions = behaviour.reactions(before, Input.of(letter));
+        } catch (Fault fault) {
+            Output nothing = new Output(List.of());
+            collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
+            return collector.steps();
+        }
+        for (JointReaction reaction : reactions) {
+            List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
+            List<Trace.Cause> causes = reaction.reactions().stream().map(Reaction::cause).toList();
+            boolean error = after.contains(Configuration.ERROR);
+            collector.add(
+                    error ? Outputs.ERROR : outputs.number(project(reaction.output())),
+                    number(error ? List.of(Configuration.ERROR) : after),
+                    causes,
+                    reaction.output());
+        }
+        return collector.steps();
+    }
+
+    private Output project(Output output) {
+        List<Sent> projected = new ArrayList<>(observed.length);
+        for (int port : observed) {
+            projected.add(port < 0 ? new Sent.Anything() : output.ports().get(port));
+        }
+        return new Output(projected);
+    }
+
+    private int number(List<Configuration> configuration) {
+        Integer known = numbers.get(configuration);
+        if (known == null) {
+            known = configurations.size();
+            numbers.put(configuration, known);
+            configurations.add(configuration);
+            focus.add(null);
+            steps.add(new HashMap<>(4));
+        }
+        return known;
+    }
+
+    @Override
+    public boolean isChaos(int configuration) {
+        return configurations.get(configuration).stream()
+                .allMatch(each -> each == Configuration.CHAOS);
+    }
+
+    /** One configuration per automaton. */
+    public List<Configuration> configuration(int number) {
+        return configurations.get(number);
+    }
+
+    @Override
+    public String describe(int configuration) {
+        return Descriptions.of(behaviour, configurations.get(configuration));
+    }
+
+    @Override
+    public Set<Trace.Cause> used() {
+        Set<Trace.Cause> causes = new LinkedHashSet<>();
+        steps.forEach(each -> each.values().forEach(some -> some.collectUsed(causes)));
+        return causes;
+    }
+
+    @Override
+    public int size() {
+        return configurations.size();
+    }
+}

@@ -1,0 +1,202 @@
+package arcomat.analysis.engine;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.Moment;
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Compares two sides, and tells a failure moment by moment. */
+public final class Comparison {
+    private final List<Port> leftOutputs;
+    private final List<String> observed;
+    private final Pairing pairing;
+    private final Inclusion inclusion;
+
+    /**
+     * @param observed the output ports of the right side, as cubes list them
+     */
+    public Comparison(Side left, Side right, List<Port> observed, Outputs outputs, Budget budget) {
+        this.leftOutputs = left.outputs();
+        this.observed = observed.stream().map(Port::name).toList();
+        this.pairing = new Pairing(left, right, observed, outputs);
+        this.inclusion = new Inclusion(pairing, budget);
+    }
+
+    /**
+     * @throws TooManyMessages where all messages of a port matter that has too many
+     */
+    public Inclusion.Result run() {
+        return inclusion.search();
+    }
+
+    /**
+     * The step that the right side forbids.
+     *
+     * @param causes what the left side did; empty for a beginning
+     * @param sent what it sent; empty where its run ended
+     * @param left the configuration before, in words
+     * @param right what the right side may be in before, and what each step of it allows
+     */
+    public record Forbidden(
+            Letter input,
+            List<Trace.Cause> causes,
+            Map<String, Sent> sent,
+            String left,
+            List<Allowed> right) {}
+
+    /**
+     * What one step of the right side allows.
+     *
+     * @param configuration before the step, in words
+     */
+    public record Allowed(String configuration, List<Trace.Cause> causes, Map<String, Sent> sent) {}
+
+    /** The moments of a failure, the forbidden one included. */
+    public List<Moment> moments(Inclusion.Failure failure) {
+        List<Moment> moments = new ArrayList<>();
+        List<Integer> path = inclusion.path(failure.node());
+        Steps openings = pairing.left.openings();
+        if (path.isEmpty()) {
+            moments.add(moment(null, failure.steps(), failure.step(), failure.sent(), List.of()));
+            return moments;
+        }
+        moments.add(opening(openings, path.get(0)));
+        for (int i = 1; i < path.size(); i++) {
+            moments.add(between(path.get(i - 1), path.get(i)));
+        }
+        moments.add(
+                moment(
+                        failure.alphabet().letter(failure.letter()),
+                        failure.steps(),
+                        failure.step(),
+                        failure.sent(),
+                        List.of()));
+        return moments;
+    }
+
+    private Moment opening(Steps mine, int node) {
+        Steps theirs = pairing.right.openings();
+        for (int step = 0; step < mine.size(); step++) {
+            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                if (mine.next()[step] == inclusion.left(node)
+                        && sent.messages() == inclusion.cost(node)
+                        && inclusion.successor(theirs, sent.allowed()) == inclusion.set(node)) {
+                    return moment(null, mine, step, sent, set(node));
+                }
+            }
+        }
+        throw new AssertionError("no beginning leads to the first pair");
+    }
+
+    /** The step between two pairs, found again. */
+    private Moment between(int before, int after) {
+        int left = inclusion.left(before);
+        Alphabet alphabet = pairing.alphabet(left, inclusion.set(before));
+        int gain = inclusion.cost(after) - inclusion.cost(before);
+        for (int letter = 0; letter < alphabet.size(); letter++) {
+            Steps mine =
+                    pairing.left.steps(left, alphabet.kind(0, letter), alphabet.letter(letter));
+            Steps theirs = inclusion.answers(inclusion.set(before), alphabet, letter);
+            for (int step = 0; step < mine.size(); step++) {
+                if (mine.next()[step] != inclusion.left(after)) {
+                    continue;
+                }
+                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                    if (sent.allowed().length > 0
+                            && alphabet.messages(letter) + sent.messages() == gain
+                            && inclusion.successor(theirs, sent.allowed())
+                                    == inclusion.set(after)) {
+                        return moment(alphabet.letter(letter), mine, step, sent, set(after));
+                    }
+                }
+            }
+        }
+        throw new AssertionError("no step between two pairs of a path");
+    }
+
+    private List<String> set(int node) {
+        return Arrays.stream(pairing.sets.members(inclusion.set(node)))
+                .mapToObj(pairing.right::describe)
+                .toList();
+    }
+
+    private Moment moment(
+            Value[] letter, Steps mine, int step, Split.Case sent, List<String> right) {
+        return new Moment(
+                letter == null ? Letter.SILENCE : letter(letter),
+                sent(mine.whole().get(step), sent.sample()),
+                pairing.left.describe(mine.next()[step]),
+                right);
+    }
+
+    private Letter letter(Value[] messages) {
+        Map<String, Value> named = new LinkedHashMap<>();
+        for (int i = 0; i < messages.length; i++) {
+            if (messages[i] != null) {
+                named.put(pairing.left.inputs().get(i).name(), messages[i]);
+            }
+        }
+        return Letter.of(named);
+    }
+
+    /** On compared ports the sample; on others what the left side sends there. */
+    private Map<String, Sent> sent(Output whole, Output sample) {
+        Map<String, Sent> sent = new LinkedHashMap<>();
+        if (sample == null) {
+            return sent;
+        }
+        for (int i = 0; i < leftOutputs.size(); i++) {
+            String name = leftOutputs.get(i).name();
+            int compared = observed.indexOf(name);
+            sent.put(name, compared >= 0 ? sample.ports().get(compared) : whole.ports().get(i));
+        }
+        return sent;
+    }
+
+    /** The last moment of a failure, from both sides. */
+    public Forbidden forbidden(Inclusion.Failure failure) {
+        List<Allowed> allowed = new ArrayList<>();
+        Letter input = Letter.SILENCE;
+        String before = "";
+        if (failure.node() < 0) {
+            addAllowed("", pairing.right.openings(), allowed);
+        } else {
+            before = pairing.left.describe(inclusion.left(failure.node()));
+            input = letter(failure.alphabet().letter(failure.letter()));
+            int set = inclusion.set(failure.node());
+            for (int member : pairing.sets.members(set)) {
+                addAllowed(
+                        pairing.right.describe(member),
+                        inclusion.answers(set, member, failure.alphabet(), failure.letter()),
+                        allowed);
+            }
+        }
+        return new Forbidden(
+                input,
+                failure.steps().causes().get(failure.step()),
+                sent(failure.steps().whole().get(failure.step()), failure.sent().sample()),
+                before,
+                allowed);
+    }
+
+    private void addAllowed(String configuration, Steps steps, List<Allowed> allowed) {
+        for (int step = 0; step < steps.size(); step++) {
+            Map<String, Sent> sent = new LinkedHashMap<>();
+            Output cube = pairing.outputs.cube(steps.outputs()[step]);
+            for (int i = 0; cube != null && i < observed.size(); i++) {
+                sent.put(observed.get(i), cube.ports().get(i));
+            }
+            allowed.add(new Allowed(configuration, steps.causes().get(step), sent));
+        }
+    }
+}

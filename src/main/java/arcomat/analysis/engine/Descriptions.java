@@ -1,0 +1,36 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Automaton;
+import arcomat.model.Value;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Configuration;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Configurations in words. */
+final class Descriptions {
+    private Descriptions() {}
+
+    static String of(Behaviour behaviour, List<Configuration> configurations) {
+        List<String> words = new ArrayList<>();
+        for (int i = 0; i < configurations.size(); i++) {
+            Configuration configuration = configurations.get(i);
+            words.add(
+                    configuration.isState()
+                            ? of(behaviour.relations().get(i).automaton(), configuration)
+                            : configuration.toString());
+        }
+        return String.join(", ", words);
+    }
+
+    private static String of(Automaton automaton, Configuration configuration) {
+        List<String> values = new ArrayList<>();
+        List<Value> variables = configuration.variables();
+        for (int i = 0; i < variables.size(); i++) {
+            values.add(automaton.variables().get(i).name() + " = " + variables.get(i));
+        }
+        String state = automaton.states().get(configuration.state());
+        return values.isEmpty() ? state : state + " (" + String.join(", ", values) + ")";
+    }
+}

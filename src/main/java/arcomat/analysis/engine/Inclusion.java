@@ -1,0 +1,286 @@
+package arcomat.analysis.engine;
+
+import arcomat.analysis.Budget;
+
+import com.carrotsearch.hppc.IntArrayList;
+import com.carrotsearch.hppc.LongIntHashMap;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * Whether every trace of the left side is one of the right side: breadth first over a configuration
+ * of the left and all configurations that the right may be in (subset construction). A pair is left
+ * out where the right may be in chaos, where it simulates the left, or where a smaller set has been
+ * met with the same configuration (antichain).
+ *
+ * <p>The counterexample is shortest, and among those has fewest messages, and among those comes
+ * first in the order of declaration.
+ */
+public final class Inclusion {
+    private static final int NO_PARENT = -1;
+
+    private final Pairing pairing;
+    private final Budget budget;
+    private final Simulation simulation;
+
+    private final IntArrayList lefts = new IntArrayList();
+    private final IntArrayList sets = new IntArrayList();
+    private final IntArrayList parents = new IntArrayList();
+    private final IntArrayList costs = new IntArrayList();
+    private final LongIntHashMap nodes = new LongIntHashMap();
+    private final Map<Integer, IntArrayList> largeSets = new HashMap<>();
+    private boolean determined = true;
+    private boolean chaosReached;
+    private Failure best;
+
+    Inclusion(Pairing pairing, Budget budget) {
+        this.pairing = pairing;
+        this.budget = budget;
+        this.simulation = new Simulation(pairing, budget);
+    }
+
+    /**
+     * What the search found.
+     *
+     * @param failure where the left side does what the right one forbids
+     * @param stopped why the search ended before it was done
+     * @param simulation whether the right side simulates the left one; empty where that was not
+     *     decided
+     * @param chaosReached whether some run is allowed only because the right side is in chaos
+     * @param pairs how many were explored
+     */
+    public record Result(
+            Optional<Failure> failure,
+            Optional<String> stopped,
+            Optional<Boolean> simulation,
+            boolean chaosReached,
+            long pairs) {}
+
+    /**
+     * The forbidden step.
+     *
+     * @param node the pair before it, or {@link #NO_PARENT} for a forbidden beginning
+     * @param step position among the left side's steps
+     */
+    public record Failure(
+            int node,
+            Alphabet alphabet,
+            int letter,
+            Steps steps,
+            int step,
+            Split.Case sent,
+            int cost) {}
+
+    Result search() {
+        open();
+        if (best != null) {
+            return result(Optional.empty());
+        }
+        int first = 0;
+        while (first < lefts.size()) {
+            int end = lefts.size();
+            for (int node : byCost(first, end)) {
+                String exhausted = budget.exhausted(lefts.size());
+                if (exhausted != null) {
+                    return result(Optional.of(exhausted));
+                }
+                expand(node, end);
+            }
+            if (best != null) {
+                return result(Optional.empty());
+            }
+            first = end;
+        }
+        return result(Optional.empty());
+    }
+
+    private int[] byCost(int first, int end) {
+        boolean equal = true;
+        for (int node = first + 1; node < end && equal; node++) {
+            equal = costs.get(node) == costs.get(first);
+        }
+        IntStream level = IntStream.range(first, end);
+        return equal
+                ? level.toArray()
+                : level.boxed()
+                        .sorted(Comparator.comparingInt(costs::get))
+                        .mapToInt(Integer::intValue)
+                        .toArray();
+    }
+
+    private Result result(Optional<String> stopped) {
+        Optional<Boolean> simulated =
+                stopped.isPresent()
+                        ? Optional.empty()
+                        : best != null
+                                ? Optional.of(false)
+                                : determined ? Optional.of(true) : simulation.verdict();
+        return new Result(
+                Optional.ofNullable(best), stopped, simulated, chaosReached, lefts.size());
+    }
+
+    private void open() {
+        Steps mine = pairing.left.openings();
+        Steps theirs = pairing.right.openings();
+        for (int step = 0; step < mine.size(); step++) {
+            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                if (sent.allowed().length == 0) {
+                    fail(new Failure(NO_PARENT, null, 0, mine, step, sent, sent.messages()));
+                } else {
+                    int set = successor(theirs, sent.allowed());
+                    add(NO_PARENT, mine.next()[step], set, sent.messages(), 0);
+                }
+            }
+        }
+    }
+
+    private void fail(Failure failure) {
+        if (best == null || failure.cost < best.cost) {
+            best = failure;
+        }
+    }
+
+    private void expand(int node, int levelEnd) {
+        int left = lefts.get(node);
+        int set = sets.get(node);
+        Alphabet alphabet = pairing.alphabet(left, set);
+        for (int letter = 0; letter < alphabet.size(); letter++) {
+            Steps mine =
+                    pairing.left.steps(left, alphabet.kind(0, letter), alphabet.letter(letter));
+            Steps theirs = answers(set, alphabet, letter);
+            int cost = costs.get(node) + alphabet.messages(letter);
+            for (int step = 0; step < mine.size(); step++) {
+                mine.use(step);
+                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                    int total = cost + sent.messages();
+                    if (sent.allowed().length == 0) {
+                        fail(new Failure(node, alphabet, letter, mine, step, sent, total));
+                    } else {
+                        int next = successor(theirs, sent.allowed());
+                        add(node, mine.next()[step], next, total, levelEnd);
+                    }
+                }
+            }
+        }
+    }
+
+    /** The steps of all members of a set. */
+    Steps answers(int set, Alphabet alphabet, int letter) {
+        int[] members = pairing.sets.members(set);
+        if (members.length == 1) {
+            return answers(set, members[0], alphabet, letter);
+        }
+        StepUnion union = new StepUnion();
+        for (int member : members) {
+            union.add(answers(set, member, alphabet, letter));
+        }
+        return union.steps();
+    }
+
+    Steps answers(int set, int member, Alphabet alphabet, int letter) {
+        return pairing.right.steps(
+                member,
+                alphabet.kind(pairing.focusIndex(set, member), letter),
+                pairing.rightLetter(alphabet.letter(letter)));
+    }
+
+    /** The set after some of the steps; -1 where it holds chaos, which allows everything. */
+    int successor(Steps theirs, int[] allowed) {
+        if (allowed.length == 1) {
+            theirs.use(allowed[0]);
+            int next = theirs.next()[allowed[0]];
+            return pairing.right.isChaos(next) ? -1 : pairing.sets.singleton(next);
+        }
+        int[] members = new int[allowed.length];
+        int count = 0;
+        for (int step : allowed) {
+            theirs.use(step);
+            int next = theirs.next()[step];
+            if (pairing.right.isChaos(next)) {
+                return -1;
+            }
+            boolean known = false;
+            for (int i = 0; i < count && !known; i++) {
+                known = members[i] == next;
+            }
+            if (!known) {
+                members[count++] = next;
+            }
+        }
+        return pairing.sets.number(java.util.Arrays.copyOf(members, count));
+    }
+
+    private void add(int parent, int left, int set, int cost, int levelEnd) {
+        if (set < 0) {
+            chaosReached = true;
+            return;
+        }
+        long key = (long) left << 32 | set;
+        int known = nodes.getOrDefault(key, -1);
+        if (known >= 0) {
+            if (known >= levelEnd && cost < costs.get(known)) {
+                costs.set(known, cost);
+                parents.set(known, parent);
+            }
+            return;
+        }
+        if (pairing.sets.members(set).length > 1 && isCovered(left, set)) {
+            return;
+        }
+        nodes.put(key, lefts.size());
+        lefts.add(left);
+        sets.add(set);
+        parents.add(parent);
+        costs.add(cost);
+    }
+
+    /** Whether a smaller set, or a member that simulates the configuration, settles the pair. */
+    private boolean isCovered(int left, int set) {
+        determined = false;
+        for (int member : pairing.sets.members(set)) {
+            if (nodes.containsKey((long) left << 32 | pairing.sets.singleton(member))
+                    || simulation.holds(left, member)) {
+                return true;
+            }
+        }
+        IntArrayList met = largeSets.computeIfAbsent(left, each -> new IntArrayList());
+        for (int i = 0; i < met.size(); i++) {
+            if (pairing.sets.isSubset(met.get(i), set)) {
+                return true;
+            }
+        }
+        met.add(set);
+        return false;
+    }
+
+    /** The pairs from a beginning to a node. */
+    List<Integer> path(int node) {
+        List<Integer> path = new ArrayList<>();
+        for (int each = node; each != NO_PARENT; each = parents.get(each)) {
+            path.add(0, each);
+        }
+        return path;
+    }
+
+    int left(int node) {
+        return lefts.get(node);
+    }
+
+    int set(int node) {
+        return sets.get(node);
+    }
+
+    int cost(int node) {
+        return costs.get(node);
+    }
+
+    Optional<Failure> failure() {
+        return Optional.ofNullable(best);
+    }
+}

@@ -1,0 +1,89 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.FirstValue;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention.Compared;
+import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Attention.Unseen;
+import arcomat.semantics.ValueOrder;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+
+/**
+ * The kinds of messages that a look at a port tells apart: none, each value that it is compared
+ * with, and those between or beside them. A sample stands for all messages of its kind.
+ *
+ * <p>Kind 0 is silence, kind 2k + 2 the k-th value, kind 2k + 1 what lies before it; 1 is anything
+ * else where order does not matter.
+ */
+final class Kinds {
+    private final List<Value> values;
+    private final boolean ordered;
+    private final boolean seen;
+    private final List<Value> samples = new ArrayList<>();
+    private final int count;
+
+    private Kinds(Port port, boolean total, List<Value> values, boolean ordered, boolean closed) {
+        this.values = values;
+        this.ordered = ordered;
+        this.seen = true;
+        this.count = 2 * values.size() + 2;
+        if (!total) {
+            samples.add(null);
+        }
+        samples.addAll(values);
+        if (!closed) {
+            Beside beside = new Beside(port.type(), values);
+            samples.addAll(ordered ? beside.gaps() : beside.any());
+        }
+    }
+
+    private Kinds(Port port, boolean total) {
+        this.values = List.of();
+        this.ordered = false;
+        this.seen = false;
+        this.count = 1;
+        samples.add(total ? FirstValue.of(port.type()) : null);
+    }
+
+    /**
+     * @param total whether there is always a message
+     * @throws TooManyMessages where all values matter and there are too many to try
+     */
+    static Kinds of(Port port, boolean total, Look look) {
+        if (look instanceof Unseen) {
+            return new Kinds(port, total);
+        }
+        if (look instanceof Compared compared) {
+            return new Kinds(port, total, compared.values(), compared.ordered(), false);
+        }
+        List<Value> all =
+                SmallType.values(port.type()).orElseThrow(() -> new TooManyMessages(port));
+        return new Kinds(port, total, all, false, true);
+    }
+
+    /** One message of each kind; null is silence. */
+    List<Value> samples() {
+        return samples;
+    }
+
+    /** A bound for the numbers of kinds. */
+    int count() {
+        return count;
+    }
+
+    /** The kind of a message; null is silence. */
+    int of(Value message) {
+        if (!seen || message == null) {
+            return 0;
+        }
+        int found = Collections.binarySearch(values, message, ValueOrder.NATURAL);
+        if (found >= 0) {
+            return 2 * found + 2;
+        }
+        return ordered ? 2 * (-found - 1) + 1 : 1;
+    }
+}

@@ -1,0 +1,124 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Port;
+import arcomat.model.Value;
+
+import com.carrotsearch.hppc.LongObjectHashMap;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What a comparison of two sides remembers besides them: letters that both tell apart, steps of
+ * sets, and how outputs of one are answered by the other.
+ */
+final class Pairing {
+    final Side left;
+    final Side right;
+    final Outputs outputs;
+    final Sets sets = new Sets();
+
+    private static final int SINGLE = 1 << 30;
+
+    private final Split split;
+    private final int[] leftPositions;
+    private final int[] rightPositions;
+    private final Map<List<Integer>, Integer> focusLists = new HashMap<>();
+    private final List<List<Focus>> foci = new ArrayList<>();
+    private final List<Integer> focusListOfSet = new ArrayList<>();
+    private final LongObjectHashMap<Alphabet> alphabets = new LongObjectHashMap<>();
+    private final Map<List<Integer>, Integer> answerLists = new HashMap<>();
+    private final LongObjectHashMap<List<Split.Case>> cases = new LongObjectHashMap<>();
+
+    /**
+     * @param observed the output ports that both have, as cubes name them
+     */
+    Pairing(Side left, Side right, List<Port> observed, Outputs outputs) {
+        this.left = left;
+        this.right = right;
+        this.outputs = outputs;
+        this.split = new Split(observed, outputs);
+        List<String> names = left.inputs().stream().map(Port::name).toList();
+        leftPositions = java.util.stream.IntStream.range(0, names.size()).toArray();
+        rightPositions =
+                right.inputs().stream().mapToInt(port -> names.indexOf(port.name())).toArray();
+    }
+
+    /** The messages of a letter of the left side that the right side knows. */
+    Value[] rightLetter(Value[] letter) {
+        Value[] own = new Value[rightPositions.length];
+        for (int i = 0; i < own.length; i++) {
+            own[i] = letter[rightPositions[i]];
+        }
+        return own;
+    }
+
+    /** The letters that a configuration and a set tell apart. */
+    Alphabet alphabet(int configuration, int set) {
+        Focus own = left.focus(configuration);
+        int list = focusList(set);
+        long key = (long) own.number() << 32 | list;
+        Alphabet known = alphabets.get(key);
+        if (known == null) {
+            List<Focus> all = new ArrayList<>(List.of(own));
+            all.addAll(foci.get(list));
+            List<int[]> positions = new ArrayList<>(List.of(leftPositions));
+            foci.get(list).forEach(each -> positions.add(rightPositions));
+            known = new Alphabet(left.inputs(), all, positions);
+            alphabets.put(key, known);
+        }
+        return known;
+    }
+
+    private int focusList(int set) {
+        while (focusListOfSet.size() <= set) {
+            focusListOfSet.add(-1);
+        }
+        int known = focusListOfSet.get(set);
+        if (known < 0) {
+            List<Focus> distinct = new ArrayList<>();
+            for (int member : sets.members(set)) {
+                Focus focus = right.focus(member);
+                if (!distinct.contains(focus)) {
+                    distinct.add(focus);
+                }
+            }
+            known =
+                    focusLists.computeIfAbsent(
+                            distinct.stream().map(Focus::number).toList(),
+                            key -> {
+                                foci.add(distinct);
+                                return foci.size() - 1;
+                            });
+            focusListOfSet.set(set, known);
+        }
+        return known;
+    }
+
+    /** Which of an alphabet's foci is that of a member of the set. */
+    int focusIndex(int set, int member) {
+        return 1 + foci.get(focusList(set)).indexOf(right.focus(member));
+    }
+
+    /** How what the left side sends is answered by steps of the right side. */
+    List<Split.Case> cases(int sent, int[] others) {
+        int answers = number(others);
+        long key = (long) sent << 32 | answers;
+        List<Split.Case> known = cases.get(key);
+        if (known == null) {
+            known = split.cases(sent, others);
+            cases.put(key, known);
+        }
+        return known;
+    }
+
+    private int number(int[] others) {
+        if (others.length == 1) {
+            return SINGLE | others[0];
+        }
+        List<Integer> key = java.util.Arrays.stream(others).boxed().toList();
+        return answerLists.computeIfAbsent(key, each -> answerLists.size());
+    }
+}

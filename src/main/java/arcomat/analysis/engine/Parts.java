@@ -1,0 +1,180 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Attention.Unseen;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointReaction;
+import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Input;
+import arcomat.semantics.Network;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+import arcomat.semantics.StepRelation;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Lets the parts of a network react, one after the other. What a part leaves open is divided when
+ * somebody reads it: into what the readers tell apart, or, where the outside sees the same message,
+ * into all its values.
+ */
+final class Parts {
+    private final Network network;
+    private final Wiring wiring;
+    private final List<Behaviour> behaviours = new ArrayList<>();
+
+    Parts(Network network, Wiring wiring) {
+        this.network = network;
+        this.wiring = wiring;
+        for (Network.Instance instance : network.instances()) {
+            behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
+        }
+    }
+
+    List<Behaviour> behaviours() {
+        return behaviours;
+    }
+
+    /** The beginnings of all parts at once. */
+    List<Slice> starts() {
+        List<Slice> slices = List.of(new Slice(wiring.silence(), wiring.delayed.length));
+        for (int part = 0; part < behaviours.size(); part++) {
+            List<Slice> longer = new ArrayList<>();
+            for (Slice slice : slices) {
+                for (JointStart start : behaviours.get(part).starts()) {
+                    Slice copy = slice.copy();
+                    copy.after.add(start.starts().stream().map(s -> s.configuration()).toList());
+                    send(copy, part, start.output().ports(), longer);
+                }
+            }
+            slices = longer;
+        }
+        return slices;
+    }
+
+    /** All ways through a slice. */
+    List<Slice> reactions(Whole before, Slice beginning) {
+        List<Slice> slices = List.of(beginning);
+        for (int part = 0; part < behaviours.size(); part++) {
+            List<Slice> longer = new ArrayList<>();
+            for (Slice slice : slices) {
+                for (Slice settled : settled(slice, before, part)) {
+                    react(settled, before, part, longer);
+                }
+            }
+            slices = longer;
+        }
+        return slices;
+    }
+
+    /** Slices in which all that a part looks at is certain. */
+    private List<Slice> settled(Slice slice, Whole before, int part) {
+        List<Slice> settled = List.of(slice);
+        List<Integer> signals = network.instances().get(part).inputSignals();
+        for (int i = 0; i < signals.size(); i++) {
+            int signal = signals.get(i);
+            if (signal == Network.UNCONNECTED
+                    || slice.visible[signal] instanceof Sent.Messages
+                    || look(before, part, i) instanceof Unseen) {
+                continue;
+            }
+            List<Slice> divided = new ArrayList<>();
+            for (Slice each : settled) {
+                for (Sent sent : samples(signal, slice.visible[signal], before)) {
+                    Slice copy = each.copy();
+                    copy.visible[signal] = sent;
+                    divided.add(copy);
+                }
+            }
+            settled = divided;
+        }
+        return settled;
+    }
+
+    private List<Sent> samples(int signal, Sent open, Whole before) {
+        Look look = new Unseen();
+        for (Wiring.Reader reader : wiring.readers.get(signal)) {
+            look = look.and(look(before, reader.part(), reader.port()));
+        }
+        Port port = wiring.sender[signal];
+        return sent(Kinds.of(port, !open.allows(List.of()), look).samples());
+    }
+
+    private static List<Sent> sent(List<Value> samples) {
+        return samples.stream()
+                .<Sent>map(v -> v == null ? Sent.SILENCE : new Sent.Messages(List.of(v)))
+                .toList();
+    }
+
+    /** What a part looks at, in the configuration before the slice. */
+    Look look(Whole before, int part, int port) {
+        Look look = new Unseen();
+        List<Configuration> configurations = before.parts().get(part);
+        List<StepRelation> relations = behaviours.get(part).relations();
+        for (int i = 0; i < configurations.size(); i++) {
+            look = look.and(relations.get(i).attention(configurations.get(i)).looks().get(port));
+        }
+        return look;
+    }
+
+    private void react(Slice slice, Whole before, int part, List<Slice> next) {
+        List<JointReaction> reactions =
+                behaviours.get(part).reactions(before.parts().get(part), input(slice, part));
+        for (JointReaction reaction : reactions) {
+            Slice copy = slice.copy();
+            copy.after.add(reaction.reactions().stream().map(Reaction::next).toList());
+            reaction.reactions().forEach(r -> copy.causes.add(r.cause()));
+            send(copy, part, reaction.output().ports(), next);
+        }
+    }
+
+    private Input input(Slice slice, int part) {
+        List<Integer> signals = network.instances().get(part).inputSignals();
+        Value[] messages = new Value[signals.size()];
+        for (int i = 0; i < messages.length; i++) {
+            int signal = signals.get(i);
+            if (signal != Network.UNCONNECTED
+                    && slice.visible[signal] instanceof Sent.Messages sent
+                    && !sent.values().isEmpty()) {
+                messages[i] = sent.values().get(0);
+            }
+        }
+        return Input.of(messages);
+    }
+
+    /**
+     * Puts what a part sends on its signals. A message that is left open, and that both a part and
+     * the outside will see, has to be the same for both: it is divided here.
+     */
+    private void send(Slice slice, int part, List<Sent> sent, List<Slice> found) {
+        List<Slice> slices = List.of(slice);
+        List<Integer> signals = network.instances().get(part).outputSignals();
+        for (int i = 0; i < sent.size(); i++) {
+            int signal = signals.get(i);
+            List<Slice> longer = new ArrayList<>();
+            for (Slice each : slices) {
+                for (Sent option : options(signal, sent.get(i))) {
+                    Slice copy = each.copy();
+                    (wiring.delayed[signal] ? copy.registers : copy.visible)[signal] = option;
+                    longer.add(copy);
+                }
+            }
+            slices = longer;
+        }
+        found.addAll(slices);
+    }
+
+    private List<Sent> options(int signal, Sent sent) {
+        boolean shared = wiring.observed[signal] && !wiring.readers.get(signal).isEmpty();
+        if (sent instanceof Sent.Messages || !shared) {
+            return List.of(sent);
+        }
+        Look whole = new arcomat.semantics.Attention.Whole();
+        boolean total = !sent.allows(List.of());
+        return sent(Kinds.of(wiring.sender[signal], total, whole).samples());
+    }
+}

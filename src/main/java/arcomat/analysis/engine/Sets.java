@@ -1,0 +1,83 @@
+package arcomat.analysis.engine;
+
+import com.carrotsearch.hppc.IntArrayList;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Numbers for sets of configurations; each set is sorted. */
+final class Sets {
+    private record Key(int[] members) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Key key && Arrays.equals(members, key.members);
+        }
+
+        @Override
+        public int hashCode() {
+            return Arrays.hashCode(members);
+        }
+    }
+
+    private final Map<Key, Integer> numbers = new HashMap<>();
+    private final List<int[]> sets = new ArrayList<>();
+    private final IntArrayList singletons = new IntArrayList();
+
+    /** The number of the set of one configuration. */
+    int singleton(int configuration) {
+        while (singletons.size() <= configuration) {
+            singletons.add(-1);
+        }
+        int known = singletons.get(configuration);
+        if (known < 0) {
+            known = sets.size();
+            sets.add(new int[] {configuration});
+            singletons.set(configuration, known);
+        }
+        return known;
+    }
+
+    /**
+     * @param members without duplicates; sorted here
+     */
+    int number(int[] members) {
+        if (members.length == 1) {
+            return singleton(members[0]);
+        }
+        Arrays.sort(members);
+        Key key = new Key(members);
+        Integer known = numbers.get(key);
+        if (known == null) {
+            known = sets.size();
+            sets.add(members);
+            numbers.put(key, known);
+        }
+        return known;
+    }
+
+    int[] members(int number) {
+        return sets.get(number);
+    }
+
+    int size() {
+        return sets.size();
+    }
+
+    boolean isSubset(int one, int other) {
+        int[] small = sets.get(one);
+        int[] large = sets.get(other);
+        int position = 0;
+        for (int member : small) {
+            while (position < large.length && large[position] < member) {
+                position++;
+            }
+            if (position == large.length || large[position] != member) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

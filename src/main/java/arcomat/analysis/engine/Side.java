@@ -1,0 +1,43 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+
+import java.util.List;
+import java.util.Set;
+
+/**
+ * One machine of a comparison: its configurations are numbered as they are met, and its steps are
+ * remembered. Not for several threads.
+ */
+public interface Side {
+    /** The ports that a letter for {@link #steps} has messages for, by position. */
+    List<Port> inputs();
+
+    /** All output ports, as {@link Steps#whole} lists them. */
+    List<Port> outputs();
+
+    /** The beginnings: what is sent before anything is read, and the configurations then. */
+    Steps openings();
+
+    /** What a configuration pays attention to. */
+    Focus focus(int configuration);
+
+    /**
+     * @param kind of the letter, as the configuration's focus says
+     */
+    Steps steps(int configuration, long kind, Value[] letter);
+
+    /** Whether anything may happen from here on. */
+    boolean isChaos(int configuration);
+
+    /** The configuration in words: the names of its states, values of its variables. */
+    String describe(int configuration);
+
+    /** What made the steps that a search has needed. */
+    Set<Trace.Cause> used();
+
+    /** How many configurations have been met. */
+    int size();
+}

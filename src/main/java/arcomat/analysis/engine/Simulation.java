@@ -1,0 +1,169 @@
+package arcomat.analysis.engine;
+
+import arcomat.analysis.Budget;
+
+import com.carrotsearch.hppc.IntArrayList;
+import com.carrotsearch.hppc.LongIntHashMap;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whether a configuration of the right side simulates one of the left side: every step of the left
+ * is answered by one step of the right with the same output, for ever. Stronger than inclusion of
+ * traces, and decided on pairs instead of sets. The greatest such relation: all pairs that can be
+ * reached are taken to be related, until one has a step without an answer.
+ */
+final class Simulation {
+    private static final int MOST_PAIRS = 5_000_000;
+
+    private final Pairing pairing;
+    private final Budget budget;
+    private final LongIntHashMap numbers = new LongIntHashMap();
+    private final IntArrayList lefts = new IntArrayList();
+    private final IntArrayList rights = new IntArrayList();
+    private final java.util.BitSet refuted = new java.util.BitSet();
+
+    /** Per pair, the demands that it may answer. */
+    private final List<IntArrayList> answers = new ArrayList<>();
+
+    private final IntArrayList demandOwner = new IntArrayList();
+    private final IntArrayList demandAnswers = new IntArrayList();
+    private final IntArrayList fallen = new IntArrayList();
+    private boolean exhausted;
+
+    Simulation(Pairing pairing, Budget budget) {
+        this.pairing = pairing;
+        this.budget = budget;
+    }
+
+    /** False also where it was not decided within the budget. */
+    boolean holds(int left, int right) {
+        if (exhausted) {
+            return false;
+        }
+        int pair = explore(left, right);
+        return !exhausted && !refuted.get(pair);
+    }
+
+    /** For the whole: whether each beginning of the left has one of the right that simulates it. */
+    Optional<Boolean> verdict() {
+        Steps mine = pairing.left.openings();
+        Steps theirs = pairing.right.openings();
+        for (int step = 0; step < mine.size(); step++) {
+            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                boolean answered = false;
+                for (int answer : sent.allowed()) {
+                    int next = theirs.next()[answer];
+                    answered |= pairing.right.isChaos(next) || holds(mine.next()[step], next);
+                }
+                if (!answered) {
+                    return exhausted ? Optional.empty() : Optional.of(false);
+                }
+            }
+        }
+        return Optional.of(true);
+    }
+
+    private int explore(int left, int right) {
+        int first = lefts.size();
+        int pair = pair(left, right);
+        for (int open = first; open < lefts.size(); open++) {
+            if (lefts.size() > MOST_PAIRS || budget.exhausted(lefts.size()) != null) {
+                exhausted = true;
+                return pair;
+            }
+            demand(open);
+        }
+        refute();
+        return pair;
+    }
+
+    private int pair(int left, int right) {
+        long key = (long) left << 32 | right;
+        int known = numbers.getOrDefault(key, -1);
+        if (known < 0) {
+            known = lefts.size();
+            numbers.put(key, known);
+            lefts.add(left);
+            rights.add(right);
+            answers.add(new IntArrayList(2));
+        }
+        return known;
+    }
+
+    private void demand(int pair) {
+        int left = lefts.get(pair);
+        int right = rights.get(pair);
+        int set = pairing.sets.singleton(right);
+        Alphabet alphabet = pairing.alphabet(left, set);
+        for (int letter = 0; letter < alphabet.size(); letter++) {
+            Steps mine =
+                    pairing.left.steps(left, alphabet.kind(0, letter), alphabet.letter(letter));
+            Steps theirs =
+                    pairing.right.steps(
+                            right,
+                            alphabet.kind(1, letter),
+                            pairing.rightLetter(alphabet.letter(letter)));
+            for (int step = 0; step < mine.size(); step++) {
+                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                    if (!demand(pair, mine.next()[step], theirs, sent.allowed())) {
+                        return;
+                    }
+                }
+            }
+        }
+    }
+
+    /**
+     * False where nothing answers: then the pair has fallen, and its other demands do not matter.
+     */
+    private boolean demand(int owner, int left, Steps theirs, int[] allowed) {
+        for (int answer : allowed) {
+            if (pairing.right.isChaos(theirs.next()[answer])) {
+                return true;
+            }
+        }
+        int demand = demandOwner.size();
+        int alive = 0;
+        IntArrayList given = new IntArrayList(allowed.length);
+        for (int answer : allowed) {
+            int pair = pair(left, theirs.next()[answer]);
+            if (!refuted.get(pair) && !given.contains(pair)) {
+                given.add(pair);
+                alive++;
+            }
+        }
+        if (alive == 0) {
+            fall(owner);
+            return false;
+        }
+        demandOwner.add(owner);
+        demandAnswers.add(alive);
+        for (int i = 0; i < given.size(); i++) {
+            answers.get(given.get(i)).add(demand);
+        }
+        return true;
+    }
+
+    private void fall(int pair) {
+        if (!refuted.get(pair)) {
+            refuted.set(pair);
+            fallen.add(pair);
+        }
+    }
+
+    private void refute() {
+        while (!fallen.isEmpty()) {
+            IntArrayList demands = answers.get(fallen.removeLast());
+            for (int i = 0; i < demands.size(); i++) {
+                int demand = demands.get(i);
+                demandAnswers.set(demand, demandAnswers.get(demand) - 1);
+                if (demandAnswers.get(demand) == 0) {
+                    fall(demandOwner.get(demand));
+                }
+            }
+        }
+    }
+}

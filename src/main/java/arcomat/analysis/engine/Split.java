@@ -1,0 +1,127 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Divides what one step may send by what the steps of the other side allow: letters within one case
+ * are allowed by the same steps. Only ports that are left open are divided, and only by the values
+ * that the other side mentions.
+ */
+public final class Split {
+
+    /**
+     * @param sample one of its letters
+     * @param messages how many the sample has
+     * @param allowed positions of the steps that allow it
+     */
+    public record Case(Output sample, int messages, int[] allowed) {}
+
+    private final List<Port> ports;
+    private final Outputs outputs;
+
+    /**
+     * @param ports the observed output ports
+     */
+    Split(List<Port> ports, Outputs outputs) {
+        this.ports = ports;
+        this.outputs = outputs;
+    }
+
+    /** The cases, those with few messages first. */
+    List<Case> cases(int sent, int[] others) {
+        if (sent == Outputs.ERROR) {
+            return List.of(new Case(null, 0, positions(others, null)));
+        }
+        Output cube = outputs.cube(sent);
+        List<List<Sent>> letters = List.of(List.of());
+        for (int port = 0; port < ports.size(); port++) {
+            List<List<Sent>> longer = new ArrayList<>();
+            for (Sent option : options(cube.ports().get(port), port, others)) {
+                for (List<Sent> letter : letters) {
+                    List<Sent> copy = new ArrayList<>(letter);
+                    copy.add(option);
+                    longer.add(copy);
+                }
+            }
+            letters = longer;
+        }
+        List<Case> cases = new ArrayList<>();
+        for (List<Sent> letter : letters) {
+            Output sample = new Output(letter);
+            cases.add(new Case(sample, messages(sample), positions(others, sample)));
+        }
+        cases.sort(Comparator.comparingInt(Case::messages));
+        return cases;
+    }
+
+    private Set<Sent> options(Sent sent, int port, int[] others) {
+        Set<Sent> options = new LinkedHashSet<>();
+        if (sent instanceof Sent.Messages) {
+            options.add(sent);
+            return options;
+        }
+        if (sent.allows(List.of())) {
+            options.add(Sent.SILENCE);
+        }
+        List<Value> mentioned = new ArrayList<>();
+        for (int other : others) {
+            if (outputs.isLetter(other)
+                    && outputs.cube(other).ports().get(port) instanceof Sent.Messages messages
+                    && sent.allows(messages.values())) {
+                options.add(messages);
+                mentioned.addAll(messages.values());
+            }
+        }
+        for (Value value : new Beside(ports.get(port).type(), sorted(mentioned)).any()) {
+            options.add(new Sent.Messages(List.of(value)));
+        }
+        return options;
+    }
+
+    private static List<Value> sorted(List<Value> values) {
+        return values.stream().distinct().sorted(arcomat.semantics.ValueOrder.NATURAL).toList();
+    }
+
+    /** The end of the run is null here. */
+    private int[] positions(int[] others, Output sample) {
+        int[] found = new int[others.length];
+        int count = 0;
+        for (int i = 0; i < others.length; i++) {
+            boolean allowed =
+                    outputs.isLetter(others[i])
+                            ? sample != null && allows(outputs.cube(others[i]), sample)
+                            : sample == null;
+            if (allowed) {
+                found[count++] = i;
+            }
+        }
+        return java.util.Arrays.copyOf(found, count);
+    }
+
+    private static boolean allows(Output cube, Output letter) {
+        for (int i = 0; i < letter.ports().size(); i++) {
+            Sent.Messages messages = (Sent.Messages) letter.ports().get(i);
+            if (!cube.ports().get(i).allows(messages.values())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static int messages(Output letter) {
+        int count = 0;
+        for (Sent sent : letter.ports()) {
+            count += ((Sent.Messages) sent).values().size();
+        }
+        return count;
+    }
+}

@@ -1,0 +1,52 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Trace;
+import arcomat.semantics.Output;
+
+import java.util.List;
+import java.util.Set;
+
+/**
+ * All steps out of a configuration with one kind of letter, each once.
+ *
+ * @param outputs numbers of output cubes, in text order of the causes
+ * @param next numbers of configurations
+ * @param causes per step, of each automaton involved
+ * @param whole per step what is sent on all ports, also on those that are not compared
+ * @param used whether a search has needed the step; written by searches
+ * @param parts for the steps of several configurations: those of each; else empty
+ */
+public record Steps(
+        int[] outputs,
+        int[] next,
+        List<List<Trace.Cause>> causes,
+        List<Output> whole,
+        boolean[] used,
+        List<Steps> parts) {
+
+    public int size() {
+        return outputs.length;
+    }
+
+    /** Notes that a search needs a step. */
+    void use(int step) {
+        used[step] = true;
+        int position = step;
+        for (Steps part : parts) {
+            if (position < part.size()) {
+                part.use(position);
+                return;
+            }
+            position -= part.size();
+        }
+    }
+
+    /** Adds what made the steps that a search has needed. */
+    void collectUsed(Set<Trace.Cause> found) {
+        for (int step = 0; step < used.length; step++) {
+            if (used[step]) {
+                found.addAll(causes.get(step));
+            }
+        }
+    }
+}

@@ -1,0 +1,62 @@
+package arcomat.semantics;
+
+import arcomat.model.Value;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+
+/**
+ * What the steps out of a configuration look at, input port by input port. Letters that look alike
+ * have the same steps, so that an analysis tries one of each kind instead of all letters.
+ *
+ * @param looks one per input port, in the order of declaration
+ */
+public record Attention(List<Look> looks) {
+    public Attention {
+        looks = List.copyOf(looks);
+    }
+
+    /** Nothing matters. */
+    static Attention none(int ports) {
+        return new Attention(java.util.Collections.nCopies(ports, new Unseen()));
+    }
+
+    /** How one port is looked at. */
+    public sealed interface Look {
+        /** What looks as closely as both. */
+        default Look and(Look other) {
+            if (this instanceof Unseen || other instanceof Whole) {
+                return other;
+            }
+            if (other instanceof Unseen || this instanceof Whole) {
+                return this;
+            }
+            Compared one = (Compared) this;
+            Compared two = (Compared) other;
+            List<Value> values = new ArrayList<>(one.values);
+            values.addAll(two.values);
+            return new Compared(values, one.ordered || two.ordered);
+        }
+    }
+
+    /** Message or none, whichever: it is the same. */
+    public record Unseen() implements Look {}
+
+    /**
+     * Whether there is a message, and how it compares with some values.
+     *
+     * @param values without duplicates, in their natural order
+     * @param ordered whether it matters which of the values are less
+     */
+    public record Compared(List<Value> values, boolean ordered) implements Look {
+        public Compared {
+            TreeSet<Value> sorted = new TreeSet<>(ValueOrder.NATURAL);
+            sorted.addAll(values);
+            values = List.copyOf(sorted);
+        }
+    }
+
+    /** Every value may make a difference: it is calculated with, stored or sent on. */
+    public record Whole() implements Look {}
+}

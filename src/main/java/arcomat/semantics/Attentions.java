@@ -1,0 +1,155 @@
+package arcomat.semantics;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention.Compared;
+import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Attention.Unseen;
+import arcomat.semantics.Attention.Whole;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Reads off the transitions out of one state what they look at. Comparisons of a port with a value
+ * that no port has a say in divide its messages; anything else takes the whole message.
+ */
+final class Attentions {
+
+    /** A value that a port is compared with; null where all of the port matters. */
+    private record Probe(int port, Term value, boolean ordered) {}
+
+    private final Scope scope;
+    private final int ports;
+    private final List<Probe> probes = new ArrayList<>();
+    private final List<Integer> seen = new ArrayList<>();
+    private Attention constant;
+
+    Attentions(Component component, Scope scope) {
+        this.scope = scope;
+        this.ports = component.inputs().size();
+    }
+
+    /** Adds what a transition looks at. */
+    void add(Expression enabledWhen, Automaton.Transition transition) {
+        condition(enabledWhen);
+        for (Automaton.Send send : transition.sends()) {
+            if (send.emission() instanceof Automaton.Messages messages) {
+                messages.values().forEach(this::whole);
+            }
+        }
+        transition.assignments().forEach(assignment -> whole(assignment.value()));
+    }
+
+    /** What is looked at with certain values of the variables. */
+    Attention with(Value[] variables) {
+        if (constant != null) {
+            return constant;
+        }
+        Look[] looks = new Look[ports];
+        java.util.Arrays.fill(looks, new Unseen());
+        for (int port : seen) {
+            looks[port] = new Compared(List.of(), false);
+        }
+        boolean fixed = true;
+        Value[] nothing = new Value[ports];
+        for (Probe probe : probes) {
+            fixed &= probe.value == null;
+            looks[probe.port] = looks[probe.port].and(look(probe, nothing, variables));
+        }
+        Attention attention = new Attention(List.of(looks));
+        if (fixed || variables.length == 0) {
+            constant = attention;
+        }
+        return attention;
+    }
+
+    private static Look look(Probe probe, Value[] nothing, Value[] variables) {
+        if (probe.value == null) {
+            return new Whole();
+        }
+        try {
+            return new Compared(List.of(probe.value.evaluate(nothing, variables)), probe.ordered);
+        } catch (Fault divisionByZero) {
+            return new Whole();
+        }
+    }
+
+    private void condition(Expression e) {
+        if (e instanceof Expression.PortMatches matches) {
+            matches(matches);
+        } else if (e instanceof Expression.Unary unary) {
+            condition(unary.operand());
+        } else if (e instanceof Expression.Conditional choice && isTruth(choice)) {
+            condition(choice.condition());
+            condition(choice.then());
+            condition(choice.otherwise());
+        } else if (e instanceof Expression.IsIn isIn
+                && isIn.element() instanceof Expression.PortRead read) {
+            isIn.set().forEach(value -> compare(read, value, false));
+        } else if (e instanceof Expression.Binary binary) {
+            binary(binary);
+        } else {
+            whole(e);
+        }
+    }
+
+    private void binary(Expression.Binary binary) {
+        switch (binary.operator()) {
+            case AND, OR, IMPLIES -> {
+                condition(binary.left());
+                condition(binary.right());
+            }
+            case EQUAL, NOT_EQUAL -> comparison(binary, false);
+            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL -> comparison(binary, true);
+            default -> whole(binary);
+        }
+    }
+
+    private void comparison(Expression.Binary binary, boolean ordered) {
+        if (binary.left() instanceof Expression.PortRead read) {
+            compare(read, binary.right(), ordered);
+        } else if (binary.right() instanceof Expression.PortRead read) {
+            compare(read, binary.left(), ordered);
+        } else {
+            whole(binary);
+        }
+    }
+
+    private void matches(Expression.PortMatches matches) {
+        seen.add(scope.port(matches.port()));
+        if (matches.pattern() instanceof Automaton.OneOf oneOf) {
+            Expression.PortRead read = new Expression.PortRead(matches.port(), matches.span());
+            oneOf.values().forEach(value -> compare(read, value, false));
+        }
+    }
+
+    private void compare(Expression.PortRead read, Expression value, boolean ordered) {
+        if (reads(value).isEmpty()) {
+            Term term = Evaluation.compile(value, scope);
+            probes.add(new Probe(scope.port(read.port()), term, ordered));
+        } else {
+            whole(read);
+            whole(value);
+        }
+    }
+
+    private void whole(Expression e) {
+        for (Port port : reads(e)) {
+            probes.add(new Probe(scope.port(port), null, false));
+        }
+    }
+
+    private static boolean isTruth(Expression e) {
+        return e.type() instanceof arcomat.model.Type.BooleanType;
+    }
+
+    private static List<Port> reads(Expression e) {
+        List<Port> found = new ArrayList<>();
+        Readings.collect(e, found);
+        return found;
+    }
+}
