@@ -41,7 +41,8 @@ public record Promise(Component component, List<Value> arguments, List<Automaton
                 : Optional.of(new Promise(component, arguments, named));
     }
 
-    private static List<Automaton> automataOf(Component component) {
+    /** All automata on a component, those that ask something of a decomposed one too. */
+    public static List<Automaton> automataOf(Component component) {
         return component.body() instanceof Component.Atomic atomic
                 ? atomic.automata()
                 : component.requirements();

@@ -34,7 +34,14 @@ public record Verdict(
     public enum Answer {
         HOLDS,
         FAILS,
-        UNKNOWN
+        UNKNOWN;
+
+        /** For both questions at once: fails if one does, else unknown if one is. */
+        public Answer and(Answer other) {
+            return this == FAILS || other == HOLDS
+                    ? this
+                    : other == FAILS || this == HOLDS ? other : this;
+        }
     }
 
     /** How far a search went: pairs that were compared and configurations of both sides. */

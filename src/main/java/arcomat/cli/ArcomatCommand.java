@@ -14,7 +14,8 @@ import picocli.CommandLine;
             "  arcomat simulate --main coffee.fetcher.Fetcher models/coffee",
             "  arcomat explain ARC0104",
             "",
-            "Exit status: 0 fine; 1 findings or failed tests; 2 wrong use or unreadable input.",
+            "Exit status: 0 fine; 1 findings or failed tests; 2 wrong use or unreadable input; 3"
+                    + " unknown.",
             "'arcomat COMMAND --help' tells more about a command."
         })
 final class ArcomatCommand implements Runnable {

@@ -28,6 +28,7 @@ public final class Cli {
         COMMANDS.put("generate", GenerateCommand::new);
         COMMANDS.put("simulate", SimulateCommand::new);
         COMMANDS.put("test", TestCommand::new);
+        COMMANDS.put("refines", RefinesCommand::new);
         COMMANDS.put("run-brick", RunBrickCommand::new);
         COMMANDS.put("link", LinkCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);

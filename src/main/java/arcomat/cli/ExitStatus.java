@@ -10,5 +10,8 @@ final class ExitStatus {
     /** The command was used wrongly, or its input could not be read. */
     static final int WRONG_USE = 2;
 
+    /** An analysis could not decide. */
+    static final int UNKNOWN = 3;
+
     private ExitStatus() {}
 }

@@ -33,7 +33,7 @@ record MainComponent(Component component, List<Value> arguments) {
     static MainComponent find(String written, CheckedModels checked, Model model) throws WrongUse {
         Matcher matcher = WRITTEN.matcher(written);
         if (!matcher.matches()) {
-            throw new WrongUse("--main '" + written + "' is not a name such as p.Robot");
+            throw new WrongUse("'" + written + "' is not a name such as p.Robot");
         }
         Component component = component(matcher.group(1), checked, model);
         return new MainComponent(component, arguments(component, split(matcher.group(2))));
@@ -65,8 +65,8 @@ record MainComponent(Component component, List<Value> arguments) {
             throw new WrongUse(
                     "component '"
                             + name
-                            + "' is generic and cannot run by itself; give --main a component with"
-                            + " a part that says its type arguments");
+                            + "' is generic and cannot run by itself; name a component with a part"
+                            + " that says its type arguments");
         }
         throw new WrongUse("there is no component '" + name + "'" + hint(name, model));
     }
@@ -115,7 +115,7 @@ record MainComponent(Component component, List<Value> arguments) {
                             + component.qualifiedName()
                             + "' takes "
                             + signature(parameters)
-                            + "; write --main '"
+                            + "; write '"
                             + component.qualifiedName()
                             + example(parameters)
                             + "'");

@@ -84,4 +84,13 @@ public final class Pipeline {
     public LinkResult link(LinkRequest request) throws WrongUse {
         return LinkStep.run(request, names, progress);
     }
+
+    /**
+     * Compares two components.
+     *
+     * @throws WrongUse where the request does not fit the models
+     */
+    public AnalysisResult refines(RefinesRequest request, List<String> paths) throws WrongUse {
+        return RefinesStep.run(request, paths, names, progress);
+    }
 }

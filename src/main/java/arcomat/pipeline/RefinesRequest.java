@@ -1,0 +1,18 @@
+package arcomat.pipeline;
+
+import arcomat.model.Automaton.Completion;
+
+import java.util.Optional;
+
+/**
+ * Whether one component keeps the promises of another.
+ *
+ * @param left as written: a component, or {@code component#automaton}
+ * @param leftCompletion in place of that of its automata
+ */
+public record RefinesRequest(
+        String left,
+        String right,
+        Optional<Completion> leftCompletion,
+        Optional<Completion> rightCompletion,
+        AnalysisLimits limits) {}

@@ -1,0 +1,39 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Promise;
+import arcomat.analysis.Refinement;
+import arcomat.analysis.Verdict;
+import arcomat.model.Automaton.Completion;
+import arcomat.model.Model;
+
+import java.util.List;
+import java.util.Optional;
+
+/** Compares two components. */
+final class RefinesStep {
+    private RefinesStep() {}
+
+    static AnalysisResult run(
+            RefinesRequest request, List<String> paths, PathNames names, Progress progress)
+            throws WrongUse {
+        CheckedModels checked =
+                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+        if (checked.hasErrors()) {
+            return new AnalysisResult(checked.result(), List.of());
+        }
+        Model model = checked.lower(progress);
+        Promise left = promise(request.left(), request.leftCompletion(), checked, model);
+        Promise right = promise(request.right(), request.rightCompletion(), checked, model);
+        progress.step("comparing");
+        Verdict verdict = Refinement.check(left, right, request.limits().budget());
+        return new AnalysisResult(
+                checked.result(), List.of(new Answered(left.title(), right.title(), verdict)));
+    }
+
+    private static Promise promise(
+            String written, Optional<Completion> completion, CheckedModels checked, Model model)
+            throws WrongUse {
+        Promise promise = PromiseReference.parse(written).in(checked, model);
+        return completion.isPresent() ? promise.with(completion.get()) : promise;
+    }
+}

@@ -1,0 +1,115 @@
+package arcomat.report;
+
+import arcomat.analysis.Moment;
+import arcomat.analysis.Verdict;
+import arcomat.analysis.Verdict.Sentence;
+import arcomat.model.Value;
+import arcomat.semantics.Sent;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * A verdict for programs. Silent ports are left out; {@code "*"} is an output that is left open.
+ */
+public final class VerdictJson {
+    private VerdictJson() {}
+
+    public static String render(Verdict verdict) {
+        return Json.text(
+                json -> {
+                    json.writeStartObject();
+                    write(json, verdict);
+                    json.writeEndObject();
+                });
+    }
+
+    /** The fields of a verdict, into an object that has been started. */
+    static void write(JsonGenerator json, Verdict verdict) throws IOException {
+        json.writeStringField("verdict", verdict.answer().name().toLowerCase(Locale.ROOT));
+        json.writeStringField("reason", verdict.reason());
+        if (verdict.simulation().isPresent()) {
+            json.writeBooleanField("simulation", verdict.simulation().get());
+        }
+        json.writeArrayFieldStart("trace");
+        for (Moment moment : verdict.trace()) {
+            write(json, moment);
+        }
+        json.writeEndArray();
+        json.writeArrayFieldStart("explanation");
+        for (Sentence sentence : verdict.explanation()) {
+            write(json, sentence);
+        }
+        json.writeEndArray();
+        strings(json, "notes", verdict.notes());
+        json.writeObjectFieldStart("explored");
+        json.writeNumberField("pairs", verdict.explored().pairs());
+        json.writeNumberField("left", verdict.explored().left());
+        json.writeNumberField("right", verdict.explored().right());
+        json.writeEndObject();
+    }
+
+    static void write(JsonGenerator json, Moment moment) throws IOException {
+        json.writeStartObject();
+        json.writeObjectFieldStart("in");
+        for (Map.Entry<String, List<Value>> port : moment.input().messages().entrySet()) {
+            json.writeFieldName(port.getKey());
+            messages(json, port.getValue());
+        }
+        json.writeEndObject();
+        json.writeObjectFieldStart("out");
+        for (Map.Entry<String, Sent> port : moment.outputs().entrySet()) {
+            sent(json, port.getKey(), port.getValue());
+        }
+        json.writeEndObject();
+        json.writeStringField("left", moment.left());
+        strings(json, "right", moment.right());
+        json.writeEndObject();
+    }
+
+    private static void sent(JsonGenerator json, String port, Sent sent) throws IOException {
+        if (!(sent instanceof Sent.Messages messages)) {
+            json.writeStringField(port, "*");
+        } else if (!messages.values().isEmpty()) {
+            json.writeFieldName(port);
+            messages(json, messages.values());
+        }
+    }
+
+    /** Event-driven, a port may carry several messages. */
+    private static void messages(JsonGenerator json, List<Value> values) throws IOException {
+        if (values.size() == 1) {
+            TraceJson.write(json, values.get(0));
+            return;
+        }
+        json.writeStartArray();
+        for (Value value : values) {
+            TraceJson.write(json, value);
+        }
+        json.writeEndArray();
+    }
+
+    private static void write(JsonGenerator json, Sentence sentence) throws IOException {
+        json.writeStartObject();
+        json.writeStringField("text", sentence.text());
+        if (sentence.place().isPresent()) {
+            json.writeStringField("file", sentence.place().get().file().path());
+            json.writeNumberField("line", sentence.place().get().startPosition().line());
+            json.writeNumberField("column", sentence.place().get().startPosition().column());
+        }
+        json.writeEndObject();
+    }
+
+    private static void strings(JsonGenerator json, String field, List<String> all)
+            throws IOException {
+        json.writeArrayFieldStart(field);
+        for (String each : all) {
+            json.writeString(each);
+        }
+        json.writeEndArray();
+    }
+}

@@ -1,0 +1,113 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointReaction;
+import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Input;
+import arcomat.semantics.Output;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Replays a counterexample outside the engine: the left side can do all of it, the right side all
+ * but its last step. Nothing of the engine is used, only the step relation.
+ */
+final class Replay {
+    private Replay() {}
+
+    static void check(Promise left, Promise right, Verdict verdict) {
+        List<Moment> trace = verdict.trace();
+        if (!left.isComposition()) {
+            assertThat(possible(left, trace))
+                    .as("%s can do it", left.title())
+                    .isEqualTo(trace.size());
+        }
+        if (!right.isComposition()) {
+            int last =
+                    right.each().stream()
+                            .mapToInt(each -> possible(each, trace))
+                            .min()
+                            .orElseThrow();
+            assertThat(last)
+                    .as("%s forbids the last step only", right.title())
+                    .isEqualTo(trace.size() - 1);
+        }
+    }
+
+    /** How many moments a side can follow; an error is a moment without outputs. */
+    static int possible(Promise side, List<Moment> trace) {
+        Behaviour behaviour = side.behaviour();
+        List<Port> outputs = behaviour.component().outputs();
+        Set<List<Configuration>> current = new LinkedHashSet<>();
+        for (JointStart start : behaviour.starts()) {
+            if (allows(outputs, start.output(), trace.get(0))) {
+                current.add(start.starts().stream().map(s -> s.configuration()).toList());
+            }
+        }
+        int moments = 0;
+        while (!current.isEmpty() && ++moments < trace.size()) {
+            current = after(behaviour, current, trace.get(moments));
+        }
+        return moments;
+    }
+
+    private static Set<List<Configuration>> after(
+            Behaviour behaviour, Set<List<Configuration>> before, Moment moment) {
+        Set<List<Configuration>> next = new LinkedHashSet<>();
+        Input input = input(behaviour, moment.input());
+        for (List<Configuration> each : before) {
+            List<JointReaction> reactions = new ArrayList<>();
+            try {
+                reactions.addAll(behaviour.reactions(each, input));
+            } catch (Fault fault) {
+                if (moment.outputs().isEmpty()) {
+                    next.add(List.of(Configuration.ERROR));
+                }
+            }
+            for (JointReaction reaction : reactions) {
+                List<Configuration> after =
+                        reaction.reactions().stream().map(Reaction::next).toList();
+                boolean error = after.contains(Configuration.ERROR);
+                if (error
+                        ? moment.outputs().isEmpty()
+                        : allows(behaviour.component().outputs(), reaction.output(), moment)) {
+                    next.add(after);
+                }
+            }
+        }
+        return next;
+    }
+
+    private static Input input(Behaviour behaviour, Letter letter) {
+        return Input.of(behaviour.component(), letter);
+    }
+
+    /** A port that the moment leaves open has to be open here too. */
+    private static boolean allows(List<Port> ports, Output output, Moment moment) {
+        Map<String, Sent> sent = moment.outputs();
+        for (int i = 0; i < ports.size(); i++) {
+            Sent said = sent.getOrDefault(ports.get(i).name(), Sent.SILENCE);
+            Sent own = output.ports().get(i);
+            boolean allowed =
+                    said instanceof Sent.Messages messages
+                            ? own.allows(messages.values())
+                            : !(own instanceof Sent.Messages);
+            if (!allowed) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,78 @@
+package arcomat.analysis;
+
+import arcomat.lower.Lowering;
+import arcomat.model.Model;
+import arcomat.models.ModelFiles;
+import arcomat.source.SourceFile;
+import arcomat.symbols.Workspace;
+import arcomat.syntax.Parsed;
+import arcomat.syntax.Parser;
+import arcomat.tree.Unit;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A data file of the tests of analyses: {@code == models FOLDER} and {@code == file PATH} bring
+ * models, any other {@code == kind rest} is a question about them. Lines with a number sign are
+ * comments.
+ */
+record Sections(List<Section> all) {
+
+    /**
+     * @param lines without empty lines and comments, but for a file
+     */
+    record Section(String kind, String rest, List<String> lines) {}
+
+    static Sections read(Path file) {
+        try {
+            return parse(Files.readAllLines(file));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private static Sections parse(List<String> lines) {
+        List<Section> sections = new ArrayList<>();
+        for (String line : lines) {
+            if (line.startsWith("== ")) {
+                String[] words = line.split(" ", 3);
+                sections.add(new Section(words[1], words[2], new ArrayList<>()));
+            } else if (!sections.isEmpty()) {
+                Section last = sections.get(sections.size() - 1);
+                boolean text = last.kind.equals("file");
+                if (text || !line.isBlank() && !line.startsWith("#")) {
+                    last.lines.add(line);
+                }
+            }
+        }
+        return new Sections(sections);
+    }
+
+    List<Section> of(String kind) {
+        return all.stream().filter(section -> section.kind.equals(kind)).toList();
+    }
+
+    Model model() {
+        List<SourceFile> sources = new ArrayList<>();
+        of("models").forEach(folder -> sources.addAll(ModelFiles.of(Path.of(folder.rest))));
+        of("file")
+                .forEach(
+                        f ->
+                                sources.add(
+                                        new SourceFile(f.rest, String.join("\n", f.lines) + "\n")));
+        List<Unit> units = new ArrayList<>();
+        for (SourceFile source : sources) {
+            Parsed parsed = Parser.parse(source);
+            units.add(
+                    parsed.unit()
+                            .orElseThrow(() -> new AssertionError(parsed.findings().toString())));
+        }
+        return Lowering.lower(Workspace.of(units, Set.of()));
+    }
+}

@@ -1,0 +1,56 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Verdict.Answer;
+import arcomat.model.Letter;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** Verdicts on one line. */
+final class Verdicts {
+    private Verdicts() {}
+
+    /** As much of a verdict as somebody expected: {@code fails {}/{cmd = fwd}}. */
+    static String text(Verdict verdict, String expected) {
+        String answer = verdict.answer().name().toLowerCase(Locale.ROOT);
+        if (expected.equals(answer)) {
+            return answer;
+        }
+        if (verdict.answer() == Answer.FAILS && expected.contains("{")) {
+            return answer + " " + trace(verdict.trace());
+        }
+        String more =
+                verdict.answer() == Answer.HOLDS
+                        ? String.join("; ", verdict.notes())
+                        : verdict.reason();
+        String wanted = expected.substring(Math.min(expected.length(), answer.length() + 1));
+        return answer + " " + (more.contains(wanted) ? wanted : more);
+    }
+
+    static String trace(List<Moment> trace) {
+        return trace.stream()
+                .map(moment -> letter(moment.input()) + "/" + sent(moment.outputs()))
+                .collect(Collectors.joining(" "));
+    }
+
+    private static String letter(Letter letter) {
+        return letter.messages().entrySet().stream()
+                .map(e -> e.getKey() + " = " + e.getValue().get(0))
+                .collect(Collectors.joining(", ", "{", "}"));
+    }
+
+    private static String sent(Map<String, Sent> sent) {
+        List<String> words = new ArrayList<>();
+        sent.forEach(
+                (port, what) -> {
+                    if (!what.equals(Sent.SILENCE)) {
+                        words.add(port + " = " + (what instanceof Sent.Messages ? what : "*"));
+                    }
+                });
+        return "{" + String.join(", ", words) + "}";
+    }
+}

@@ -1,0 +1,83 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.model.Automaton.Completion;
+import arcomat.model.Model;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * Verdicts as data: {@code src/test/resources/analysis/refinement}. Below {@code == ask A B} a line
+ * names the completions of both sides, {@code -} for those of the models, and what is to be
+ * answered: {@code holds}, with a part of a note behind a colon if one is expected, {@code fails},
+ * with the reason or the whole trace, or {@code unknown}.
+ */
+class VerdictsTest {
+    private static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");
+
+    private static final Map<String, Completion> COMPLETIONS =
+            Map.of(
+                    "c", Completion.CHAOS,
+                    "o", Completion.OUTPUT,
+                    "i", Completion.IGNORE,
+                    "e", Completion.ERROR);
+
+    @TestFactory
+    Stream<DynamicTest> verdicts() throws IOException {
+        try (Stream<Path> files = Files.list(FOLDER)) {
+            return files.sorted().toList().stream().flatMap(VerdictsTest::ofFile);
+        }
+    }
+
+    private static Stream<DynamicTest> ofFile(Path file) {
+        Sections sections = Sections.read(file);
+        Model model = sections.model();
+        return sections.of("ask").stream()
+                .flatMap(
+                        ask ->
+                                ask.lines().stream()
+                                        .map(
+                                                line ->
+                                                        DynamicTest.dynamicTest(
+                                                                file.getFileName()
+                                                                        + " "
+                                                                        + ask.rest()
+                                                                        + " "
+                                                                        + line,
+                                                                () ->
+                                                                        check(
+                                                                                model,
+                                                                                ask.rest(),
+                                                                                line))));
+    }
+
+    private static void check(Model model, String sides, String line) {
+        String[] names = sides.split(" ");
+        String[] words = line.split(" ", 2);
+        Promise left = promise(model, names[0], words[0].charAt(0));
+        Promise right = promise(model, names[1], words[0].charAt(words[0].length() - 1));
+        Verdict verdict = Refinement.check(left, right, new Budget(() -> false, 100_000));
+        assertThat(Verdicts.text(verdict, words[1])).isEqualTo(words[1]);
+        if (!verdict.trace().isEmpty()) {
+            Replay.check(left, right, verdict);
+        }
+    }
+
+    private static Promise promise(Model model, String name, char completion) {
+        String[] parts = name.split("#");
+        Promise all = Promise.of(model.component(parts[0]).orElseThrow(), List.of());
+        Promise promise = parts.length > 1 ? all.only(parts[1]).orElseThrow() : all;
+        return completion == '-'
+                ? promise
+                : promise.with(COMPLETIONS.get(String.valueOf(completion)));
+    }
+}
