@@ -2,11 +2,13 @@ package arcomat.analysis.engine;
 
 import arcomat.model.Port;
 import arcomat.model.Value;
+import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
 
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * One letter of each kind that some foci together tell apart: few messages first, then in the order
@@ -44,6 +46,17 @@ public final class Alphabet {
                 kinds[f][i] = foci.get(f).kind(letters.get(i), positions.get(f));
             }
         }
+    }
+
+    /**
+     * The letters that one attention tells apart.
+     *
+     * @throws TooManyMessages where all values of a port matter and there are too many to try
+     */
+    public static Alphabet of(List<Port> inputs, Attention attention) {
+        int[] positions = IntStream.range(0, inputs.size()).toArray();
+        Focus focus = new Focus(0, attention, inputs);
+        return new Alphabet(inputs, List.of(focus), List.of(positions));
     }
 
     private void fill(List<Port> inputs, Look[] looks) {

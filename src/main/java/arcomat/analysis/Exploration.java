@@ -1,0 +1,308 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Stimuli.Stimulus;
+import arcomat.model.Component;
+import arcomat.model.FirstValue;
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointReaction;
+import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Input;
+import arcomat.semantics.Output;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+import arcomat.semantics.StepRelation;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The configurations of an atomic component that can be reached, breadth first, with one step of
+ * each kind between them, until every transition has been met. Configurations in which nothing is
+ * promised any more are not entered.
+ */
+final class Exploration {
+    private record Key(List<Configuration> configurations, List<Value> latched) {}
+
+    /** A configuration of each automaton and the latched values. */
+    static final class Node {
+        private final Key key;
+        private List<Step> steps;
+
+        private Node(Key key) {
+            this.key = key;
+        }
+    }
+
+    /** A way to begin, with what is sent before anything is read. */
+    record Beginning(Node node, Letter sent) {}
+
+    /**
+     * @param taken the transitions that take part
+     * @param sent what is left open is sent as code would send it
+     */
+    record Step(Node from, Letter letter, List<Goal> taken, Letter sent, Node to) {}
+
+    private final Promise promise;
+    private final Behaviour behaviour;
+    private final Stimuli stimuli;
+    private final List<Goal> goals = new ArrayList<>();
+    private final Set<Goal> reached = new LinkedHashSet<>();
+    private final Map<Goal, String> wrong = new HashMap<>();
+    private final Set<Goal> enabled = new HashSet<>();
+    private final Set<String> states = new HashSet<>();
+    private final Map<Key, Node> nodes = new LinkedHashMap<>();
+    private final List<Beginning> beginnings = new ArrayList<>();
+    private String stopped;
+
+    Exploration(Promise promise, Budget budget) {
+        this.promise = promise;
+        behaviour = Behaviour.of(promise.component(), promise.arguments());
+        stimuli = new Stimuli(behaviour, promise.arguments());
+        promise.automata()
+                .forEach(
+                        automaton -> {
+                            for (int i = 0; i < automaton.transitions().size(); i++) {
+                                goals.add(new Goal(automaton, i));
+                            }
+                        });
+        explore(budget);
+    }
+
+    private void explore(Budget budget) {
+        Value[] nothing = new Value[promise.component().inputs().size()];
+        Deque<Node> waiting = new ArrayDeque<>();
+        for (JointStart start : behaviour.starts()) {
+            List<Configuration> begin = start.starts().stream().map(s -> s.configuration()).toList();
+            Node node = node(new Key(begin, Arrays.asList(nothing)));
+            beginnings.add(new Beginning(node, letter(start.output())));
+            waiting.add(node);
+        }
+        Set<Node> seen = new HashSet<>(waiting);
+        while (!waiting.isEmpty() && !reached.containsAll(goals)) {
+            stopped = budget.exhausted(nodes.size());
+            if (stopped != null) {
+                return;
+            }
+            for (Step step : steps(waiting.remove())) {
+                reached.addAll(step.taken);
+                if (seen.add(step.to)) {
+                    waiting.add(step.to);
+                }
+            }
+        }
+        reached.retainAll(goals);
+    }
+
+    private Node node(Key key) {
+        return nodes.computeIfAbsent(key, Node::new);
+    }
+
+    /** The transitions that are asked for, in text order. */
+    List<Goal> goals() {
+        return goals;
+    }
+
+    /** Those that can be taken. */
+    Set<Goal> reached() {
+        return reached;
+    }
+
+    List<Beginning> beginnings() {
+        return beginnings;
+    }
+
+    /** How many configurations were met. */
+    int size() {
+        return nodes.size();
+    }
+
+    /** Why not everything was looked at, where that is so. */
+    Optional<String> stopped() {
+        return Optional.ofNullable(stopped).or(stimuli::sampled);
+    }
+
+    private List<Step> steps(Node node) {
+        if (node.steps == null) {
+            node.steps = List.copyOf(compute(node));
+        }
+        return node.steps;
+    }
+
+    private record Effect(List<Goal> taken, Letter sent, Node to) {}
+
+    private Collection<Step> compute(Node node) {
+        note(node);
+        Map<Effect, Step> steps = new LinkedHashMap<>();
+        for (Stimulus stimulus : stimuli.of(node.key.configurations, node.key.latched)) {
+            for (Effect effect : effects(node, stimulus)) {
+                steps.putIfAbsent(
+                        effect,
+                        new Step(node, stimulus.letter(), effect.taken, effect.sent, effect.to));
+            }
+        }
+        return steps.values();
+    }
+
+    private List<Effect> effects(Node node, Stimulus stimulus) {
+        if (stimulus.input().isEmpty()) {
+            Node after = node(new Key(node.key.configurations, stimulus.latched()));
+            return List.of(new Effect(List.of(), Letter.SILENCE, after));
+        }
+        List<Configuration> before = node.key.configurations;
+        List<JointReaction> reactions;
+        try {
+            reactions = behaviour.reactions(before, stimulus.input().get());
+        } catch (Fault fault) {
+            blame(before, stimulus.input().get());
+            return List.of();
+        }
+        noteEnabled(before, stimulus.input().get());
+        List<Effect> effects = new ArrayList<>();
+        for (JointReaction reaction : reactions) {
+            List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
+            boolean lost = after.stream().allMatch(next -> next == Configuration.CHAOS);
+            if (!lost && !after.contains(Configuration.ERROR)) {
+                Node next = node(new Key(after, stimulus.latched()));
+                effects.add(new Effect(taken(reaction), letter(reaction.output()), next));
+            }
+        }
+        return effects;
+    }
+
+    private List<Goal> taken(JointReaction reaction) {
+        List<Goal> taken = new ArrayList<>();
+        for (int i = 0; i < reaction.reactions().size(); i++) {
+            if (reaction.reactions().get(i).cause() instanceof Trace.Taken cause) {
+                taken.add(goal(i, cause));
+            }
+        }
+        return taken;
+    }
+
+    private Goal goal(int relation, Trace.Taken cause) {
+        return new Goal(behaviour.relations().get(relation).automaton(), cause.index());
+    }
+
+    /** What is left open is sent as a run without random choices sends it. */
+    private Letter letter(Output output) {
+        Component component = promise.component();
+        Map<String, List<Value>> messages = new LinkedHashMap<>();
+        for (int i = 0; i < output.ports().size(); i++) {
+            Port port = component.outputs().get(i);
+            Sent sent = output.ports().get(i);
+            if (sent instanceof Sent.Messages certain) {
+                messages.put(port.name(), certain.values());
+            } else if (sent instanceof Sent.AnyMessage) {
+                messages.put(port.name(), List.of(FirstValue.of(port.type())));
+            }
+        }
+        return new Letter(messages);
+    }
+
+    private void note(Node node) {
+        for (int i = 0; i < node.key.configurations.size(); i++) {
+            states.add(i + " " + node.key.configurations.get(i).state());
+        }
+    }
+
+    private void noteEnabled(List<Configuration> before, Input input) {
+        for (int i = 0; before.size() > 1 && i < before.size(); i++) {
+            for (Trace.Taken taken : behaviour.relations().get(i).enabled(before.get(i), input)) {
+                enabled.add(goal(i, taken));
+            }
+        }
+    }
+
+    private void blame(List<Configuration> before, Input input) {
+        for (int i = 0; i < before.size(); i++) {
+            StepRelation relation = behaviour.relations().get(i);
+            try {
+                for (Trace.Taken taken : relation.enabled(before.get(i), input)) {
+                    blame(i, taken, before.get(i), input);
+                }
+            } catch (Fault inGuard) {
+                // Then no transition of this automaton has been chosen yet.
+            }
+        }
+    }
+
+    private void blame(int relation, Trace.Taken taken, Configuration before, Input input) {
+        try {
+            behaviour.relations().get(relation).take(taken, before, input);
+        } catch (Fault fault) {
+            wrong.putIfAbsent(goal(relation, taken), fault.getMessage());
+        }
+    }
+
+    /** Why a transition has not been met. */
+    String whyNot(Goal goal) {
+        if (wrong.containsKey(goal)) {
+            return "it goes wrong: " + wrong.get(goal);
+        }
+        if (enabled.contains(goal)) {
+            return "whenever it is enabled, the other automata forbid what it sends";
+        }
+        if (stopped().isPresent()) {
+            return "not met in what was explored: " + stopped().get();
+        }
+        int automaton = 0;
+        while (behaviour.relations().get(automaton).automaton() != goal.automaton()) {
+            automaton++;
+        }
+        return states.contains(automaton + " " + goal.transition().source())
+                ? "it is never enabled in '" + goal.source() + "'"
+                : "'" + goal.source() + "' cannot be reached";
+    }
+
+    /**
+     * A shortest word to a step with one of some transitions, at most so long.
+     *
+     * @return empty where there is none
+     */
+    List<Step> path(List<Node> from, Set<Goal> wanted, int longest) {
+        Map<Node, Step> arrival = new HashMap<>();
+        from.forEach(node -> arrival.put(node, null));
+        List<Node> level = from;
+        for (int length = 1; length <= longest && !level.isEmpty(); length++) {
+            List<Node> next = new ArrayList<>();
+            for (Node node : level) {
+                for (Step step : steps(node)) {
+                    if (step.taken.stream().anyMatch(wanted::contains)) {
+                        return word(step, arrival);
+                    }
+                    if (!arrival.containsKey(step.to)) {
+                        arrival.put(step.to, step);
+                        next.add(step.to);
+                    }
+                }
+            }
+            level = next;
+        }
+        return List.of();
+    }
+
+    private static List<Step> word(Step last, Map<Node, Step> arrival) {
+        Deque<Step> word = new ArrayDeque<>();
+        for (Step step = last; step != null; step = arrival.get(step.from)) {
+            word.addFirst(step);
+        }
+        return List.copyOf(word);
+    }
+}

@@ -1,0 +1,168 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Exploration.Beginning;
+import arcomat.analysis.Exploration.Node;
+import arcomat.analysis.Exploration.Step;
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.StreamTest;
+import arcomat.model.Value;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Stream tests that together take every transition of an atomic component that can be taken. A test
+ * is extended for as long as going on is not longer than beginning anew, so that tests are few and
+ * words short. What a test expects is one of the runs that the model allows; what that run leaves
+ * open is expected as it is sent by code: nothing, or the first value where there is a message.
+ */
+public final class TransitionTests {
+
+    /**
+     * A test with what it is there for.
+     *
+     * @param covers the transitions that no earlier test takes, in the order in which it takes them
+     */
+    public record Test(StreamTest streams, List<Goal> covers) {
+        public Test {
+            covers = List.copyOf(covers);
+        }
+    }
+
+    /** A transition that no test takes, and why. */
+    public record Uncovered(Goal transition, String reason) {}
+
+    /**
+     * @param transitions how many there are
+     * @param stopped why the search ended early; then a transition that is not covered may still be
+     *     one that can be taken
+     * @param configurations how many were looked at
+     */
+    public record Result(
+            List<Test> tests,
+            int transitions,
+            List<Uncovered> uncovered,
+            Optional<String> stopped,
+            int configurations) {
+        public Result {
+            tests = List.copyOf(tests);
+            uncovered = List.copyOf(uncovered);
+        }
+    }
+
+    private final Promise promise;
+    private final String suite;
+    private final Exploration exploration;
+    private final Set<Goal> open;
+    private final Set<String> names = new LinkedHashSet<>();
+
+    private TransitionTests(Promise promise, String suite, Budget budget) {
+        this.promise = promise;
+        this.suite = suite;
+        this.exploration = new Exploration(promise, budget);
+        this.open = new LinkedHashSet<>(exploration.reached());
+    }
+
+    /**
+     * @param promise an atomic component, or some of its automata: then the transitions of these
+     * @param suite name of the suite
+     * @throws arcomat.rt.ModelError where the component goes wrong before it reads anything
+     */
+    public static Result of(Promise promise, String suite, Budget budget) {
+        return new TransitionTests(promise, suite, budget).run();
+    }
+
+    private Result run() {
+        List<Test> tests = new ArrayList<>();
+        while (!open.isEmpty()) {
+            tests.add(test());
+        }
+        List<Uncovered> uncovered = new ArrayList<>();
+        for (Goal goal : exploration.goals()) {
+            if (!exploration.reached().contains(goal)) {
+                uncovered.add(new Uncovered(goal, exploration.whyNot(goal)));
+            }
+        }
+        return new Result(
+                tests,
+                exploration.goals().size(),
+                uncovered,
+                exploration.stopped(),
+                exploration.size());
+    }
+
+    private Test test() {
+        List<Goal> covers = new ArrayList<>();
+        List<Step> word = new ArrayList<>();
+        List<Step> anew = fromTheBeginning();
+        Node start = anew.get(0).from();
+        List<Step> next = anew;
+        while (!next.isEmpty()) {
+            word.addAll(next);
+            next.forEach(step -> cover(step, covers));
+            anew = fromTheBeginning();
+            Node end = word.get(word.size() - 1).to();
+            next = exploration.path(List.of(end), open, anew.size());
+        }
+        return new Test(streams(nameOf(covers.get(0)), beginning(start), word), covers);
+    }
+
+    private void cover(Step step, List<Goal> covers) {
+        step.taken().stream().filter(open::remove).forEach(covers::add);
+    }
+
+    /** A shortest word to a transition that is still open; empty where none is. */
+    private List<Step> fromTheBeginning() {
+        List<Node> starts = exploration.beginnings().stream().map(Beginning::node).toList();
+        return open.isEmpty() ? List.of() : exploration.path(starts, open, Integer.MAX_VALUE);
+    }
+
+    private Beginning beginning(Node start) {
+        return exploration.beginnings().stream()
+                .filter(each -> each.node() == start)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** After the first transition that is new in it. */
+    private String nameOf(Goal goal) {
+        String name = goal.source() + "To" + capitalised(goal.target());
+        String unique = name;
+        for (int i = 2; !names.add(unique); i++) {
+            unique = name + i;
+        }
+        return unique;
+    }
+
+    private static String capitalised(String word) {
+        return word.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + word.substring(1);
+    }
+
+    private StreamTest streams(String name, Beginning start, List<Step> word) {
+        Component component = promise.component();
+        boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
+        List<Letter> inputs = word.stream().map(Step::letter).toList();
+        Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
+        for (Port port : component.outputs()) {
+            List<List<Value>> stream = new ArrayList<>();
+            if (!timed || port.delay() > 0) {
+                stream.add(start.sent().messages(port.name()));
+            }
+            word.forEach(step -> stream.add(step.sent().messages(port.name())));
+            expected.put(port.name(), timed ? stream : List.of(joined(stream)));
+        }
+        return new StreamTest(
+                suite, name, component, promise.arguments(), inputs, expected, component.span());
+    }
+
+    private static List<Value> joined(List<List<Value>> stream) {
+        return stream.stream().flatMap(List::stream).toList();
+    }
+}
