@@ -89,7 +89,8 @@ final class Exploration {
         Value[] nothing = new Value[promise.component().inputs().size()];
         Deque<Node> waiting = new ArrayDeque<>();
         for (JointStart start : behaviour.starts()) {
-            List<Configuration> begin = start.starts().stream().map(s -> s.configuration()).toList();
+            List<Configuration> begin =
+                    start.starts().stream().map(s -> s.configuration()).toList();
             Node node = node(new Key(begin, Arrays.asList(nothing)));
             beginnings.add(new Beginning(node, letter(start.output())));
             waiting.add(node);

@@ -1,0 +1,302 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.RandomSketches.Knobs;
+import arcomat.analysis.Sketch.Edge;
+import arcomat.check.Checks;
+import arcomat.check.Profile;
+import arcomat.lower.Lowering;
+import arcomat.model.Automaton.Completion;
+import arcomat.model.Component;
+import arcomat.model.FirstValue;
+import arcomat.model.Model;
+import arcomat.model.Parameter;
+import arcomat.model.StreamTest;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.models.ModelFiles;
+import arcomat.simulate.Choice;
+import arcomat.simulate.Interpreter;
+import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.simulate.StreamTests;
+import arcomat.simulate.SuiteText;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.symbols.Scenario;
+import arcomat.symbols.Workspace;
+import arcomat.syntax.Parsed;
+import arcomat.syntax.Parser;
+import arcomat.tree.Unit;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/** Tests that take every transition pass, and notice what is changed. */
+class TransitionTestsTest {
+    private static final Path COFFEE = Path.of("models/coffee");
+    private static final Budget BUDGET = new Budget(() -> false, 20_000);
+
+    private static TransitionTests.Result tests(Component component, List<Value> arguments) {
+        return TransitionTests.of(Promise.of(component, arguments), "Transitions", BUDGET);
+    }
+
+    private static TransitionTests.Result tests(Component component) {
+        return tests(component, List.of());
+    }
+
+    private static List<StreamTest> streams(TransitionTests.Result result) {
+        return result.tests().stream().map(TransitionTests.Test::streams).toList();
+    }
+
+    @Test
+    void fewTestsOfFewSlices() {
+        Component figure =
+                model(COFFEE, Optional.empty()).component("coffee.fig3.AvoidCrash").orElseThrow();
+        assertThat(text(figure, List.of(), tests(figure)))
+                .isEqualTo(
+                        """
+                        package coffee.fig3;
+
+                        testsuite Transitions for AvoidCrash {
+                          // driving -> sidestep
+                          test drivingToSidestep {
+                            input {
+                              frontUS: <tooClose, Tk>;
+                            }
+                            expect {
+                              cmd: <fwd, Tk, backRight, Tk>;
+                            }
+                          }
+
+                          // driving -> waiting, waiting -> driving
+                          test drivingToWaiting {
+                            input {
+                              frontUS: <tooClose, Tk, clear, Tk>;
+                            }
+                            expect {
+                              cmd: <fwd, Tk, stop, Tk, fwd, Tk>;
+                            }
+                          }
+                        }
+                        """);
+    }
+
+    @TestFactory
+    Stream<DynamicTest> theTextIsReadCheckedAndPassed() {
+        return model(COFFEE, Optional.empty()).components().stream()
+                .filter(TransitionTestsTest::isAtomic)
+                .map(
+                        component ->
+                                DynamicTest.dynamicTest(
+                                        component.qualifiedName(), () -> isFine(component)));
+    }
+
+    private static void isFine(Component component) {
+        List<Value> arguments =
+                component.parameters().stream().map(TransitionTestsTest::sample).toList();
+        TransitionTests.Result result = tests(component, arguments);
+        assertThat(result.uncovered()).isEmpty();
+        String path = component.packageName().replace('.', '/') + "/Transitions.mt";
+        SourceFile suite = new SourceFile(path, text(component, arguments, result));
+        List<StreamTest> read =
+                model(COFFEE, Optional.of(suite)).tests().stream()
+                        .filter(test -> test.suite().endsWith("Transitions"))
+                        .toList();
+        assertThat(read).hasSameSizeAs(result.tests());
+        for (StreamTest test : read) {
+            assertThat(StreamTests.run(test).verdict()).as(suite.text()).isEqualTo(Verdict.PASSED);
+        }
+    }
+
+    private static Value sample(Parameter parameter) {
+        return parameter.type() instanceof Type.IntegerType
+                ? new Value.IntegerValue(3)
+                : FirstValue.of(parameter.type());
+    }
+
+    /** Events, tables, conversions, all types: the models on which the generator is tried. */
+    @TestFactory
+    Stream<DynamicTest> modelsOfEveryKindPassTheirTests() {
+        return Scenario.in("agreement").stream()
+                .flatMap(
+                        file ->
+                                Lowering.lower(Scenario.read(file).workspace())
+                                        .components()
+                                        .stream())
+                .filter(TransitionTestsTest::isAtomic)
+                .filter(component -> component.parameters().isEmpty())
+                .map(
+                        component ->
+                                DynamicTest.dynamicTest(
+                                        component.qualifiedName(),
+                                        () -> {
+                                            TransitionTests.Result result = tests(component);
+                                            assertThat(result.tests()).isNotEmpty();
+                                            assertThat(verdicts(streams(result), component))
+                                                    .containsOnly(Verdict.PASSED);
+                                        }));
+    }
+
+    private static boolean isAtomic(Component component) {
+        return !component.platform()
+                && component.body() instanceof Component.Atomic atomic
+                && !atomic.automata().isEmpty();
+    }
+
+    /**
+     * State 0 is initial, and every trigger can come: what the edges reach is what can be taken.
+     */
+    @Property(tries = 300, seed = "1")
+    void allThatCanBeTakenIsTakenAndPasses(@ForAll long seed) {
+        Random random = new Random(seed);
+        Sketch sketch = RandomSketches.of(RandomSketches.any(random), random);
+        Component component = sketch.component("Random");
+        TransitionTests.Result result = tests(component);
+        int[] depths = sketch.depths();
+        Set<Integer> unreachable = new java.util.TreeSet<>();
+        for (int i = 0; i < sketch.edges().size(); i++) {
+            if (depths[sketch.edges().get(i).source()] > sketch.states()) {
+                unreachable.add(i);
+            }
+        }
+        assertThat(result.uncovered().stream().map(each -> each.transition().index()))
+                .containsExactlyElementsOf(unreachable);
+        assertThat(result.stopped()).isEmpty();
+        int covered = result.tests().stream().mapToInt(test -> test.covers().size()).sum();
+        assertThat(covered).isEqualTo(sketch.edges().size() - unreachable.size());
+        assertThat(verdicts(streams(result), component))
+                .doesNotContain(Verdict.FAILED, Verdict.VACUOUS);
+    }
+
+    /** Of automata in which each letter has at most one transition. */
+    private static Sketch decided(Random random) {
+        Knobs knobs = RandomSketches.any(random).withAlternatives(0);
+        return RandomSketches.of(knobs, random);
+    }
+
+    @Property(tries = 150, seed = "2")
+    void whoSendsSomethingElseFails(@ForAll long seed) {
+        Random random = new Random(seed);
+        Sketch sketch = decided(random);
+        TransitionTests.Result result = tests(sketch.component("Random"));
+        for (Edge edge : covered(sketch, result)) {
+            Edge changed = sendingAnother(edge, sketch, random);
+            if (isSaid(edge) && !changed.equals(edge)) {
+                Component mutant = sketch.replacing(edge, changed).component("Random");
+                assertThat(verdicts(streams(result), mutant)).contains(Verdict.FAILED);
+            }
+        }
+    }
+
+    /** A model that says less allows what was asked for; only what runs can miss it. */
+    @Property(tries = 150, seed = "3")
+    void whoDropsATransitionThatSendsFails(@ForAll long seed) {
+        Random random = new Random(seed);
+        Sketch sketch = decided(random);
+        TransitionTests.Result result = tests(sketch.component("Random"));
+        for (Edge edge : covered(sketch, result)) {
+            boolean isFirst = sketch.shape().totalOut() && edge.output().contains("x0");
+            if (isSaid(edge) && !isFirst) {
+                Component mutant = sketch.replacing(edge).component("Random");
+                assertThat(verdictsOfRuns(streams(result), mutant)).contains(Verdict.FAILED);
+                if (sketch.completion() == Completion.CHAOS) {
+                    assertThat(verdicts(streams(result), mutant)).contains(Verdict.VACUOUS);
+                } else if (sketch.completion() != Completion.OUTPUT) {
+                    assertThat(verdicts(streams(result), mutant)).contains(Verdict.FAILED);
+                }
+            }
+        }
+    }
+
+    private static boolean isSaid(Edge edge) {
+        return edge.output().contains("out = x");
+    }
+
+    /** The same edge where there is nothing else to send. */
+    private static Edge sendingAnother(Edge edge, Sketch sketch, Random random) {
+        String answer = "out = x" + random.nextInt(sketch.shape().answers());
+        boolean silence = edge.output().contains(answer) && !sketch.shape().totalOut();
+        return edge.sending(
+                edge.output().replaceFirst("out = x[0-9]", silence ? "out = --" : answer));
+    }
+
+    private static List<Edge> covered(Sketch sketch, TransitionTests.Result result) {
+        return result.tests().stream()
+                .flatMap(test -> test.covers().stream())
+                .map(goal -> sketch.edges().get(goal.index()))
+                .toList();
+    }
+
+    /** Against what a model of the same ports allows. */
+    private static List<Verdict> verdicts(List<StreamTest> tests, Component component) {
+        return tests.stream()
+                .map(
+                        test ->
+                                new StreamTest(
+                                        test.suite(),
+                                        test.name(),
+                                        component,
+                                        test.arguments(),
+                                        test.inputs(),
+                                        test.expected(),
+                                        test.span()))
+                .map(test -> StreamTests.run(test).verdict())
+                .toList();
+    }
+
+    /** Against a program that takes first choices. */
+    private static List<Verdict> verdictsOfRuns(List<StreamTest> tests, Component component) {
+        return tests.stream()
+                .map(
+                        test ->
+                                StreamTests.run(
+                                                test,
+                                                new Interpreter(
+                                                        component, List.of(), Choice.first()))
+                                        .verdict())
+                .toList();
+    }
+
+    private static String text(
+            Component component, List<Value> arguments, TransitionTests.Result result) {
+        List<SuiteText.Entry> entries = new ArrayList<>();
+        for (TransitionTests.Test test : result.tests()) {
+            String covers =
+                    String.join(
+                            ", ",
+                            test.covers().stream()
+                                    .map(goal -> goal.source() + " -> " + goal.target())
+                                    .toList());
+            entries.add(new SuiteText.Entry(List.of(covers), test.streams()));
+        }
+        return SuiteText.of("Transitions", component, arguments, List.of(), entries);
+    }
+
+    private static Model model(Path folder, Optional<SourceFile> more) {
+        List<SourceFile> sources = new ArrayList<>(ModelFiles.of(folder));
+        more.ifPresent(sources::add);
+        List<Unit> units = new ArrayList<>();
+        for (SourceFile source : sources) {
+            Parsed parsed = Parser.parse(source);
+            assertThat(parsed.findings()).as(source.text()).isEmpty();
+            units.add(parsed.unit().orElseThrow());
+        }
+        Workspace workspace = Workspace.of(units, Set.of());
+        assertThat(Checks.run(workspace, Profile.REQUIREMENTS).stream().filter(Diagnostic::isError))
+                .isEmpty();
+        return Lowering.lower(workspace);
+    }
+}
