@@ -77,7 +77,7 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
         resource(name, file).ifPresent(text -> files.put(file, text));
     }
 
-    private static Optional<String> resource(String target, String file) {
+    static Optional<String> resource(String target, String file) {
         String path = "/templates/" + target + "/" + file;
         try (InputStream stream = Target.class.getResourceAsStream(path)) {
             return stream == null

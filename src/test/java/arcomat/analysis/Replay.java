@@ -80,9 +80,16 @@ final class Replay {
                 List<Configuration> after =
                         reaction.reactions().stream().map(Reaction::next).toList();
                 boolean error = after.contains(Configuration.ERROR);
-                if (error
-                        ? moment.outputs().isEmpty()
-                        : allows(behaviour.component().outputs(), reaction.output(), moment)) {
+                boolean chaos = each.stream().allMatch(one -> one == Configuration.CHAOS);
+                boolean allowed =
+                        moment.outputs().isEmpty()
+                                ? error || chaos
+                                : !error
+                                        && allows(
+                                                behaviour.component().outputs(),
+                                                reaction.output(),
+                                                moment);
+                if (allowed) {
                     next.add(after);
                 }
             }

@@ -41,7 +41,8 @@ public final class Focus {
         return number;
     }
 
-    Attention attention() {
+    /** What is looked at, port by port. */
+    public Attention attention() {
         return attention;
     }
 
@@ -51,7 +52,7 @@ public final class Focus {
      * @param letter messages by position
      * @param positions where the ports of this side stand in the letter
      */
-    long kind(Value[] letter, int[] positions) {
+    public long kind(Value[] letter, int[] positions) {
         long kind = 0;
         for (int port : ports) {
             kind += strides[port] * kinds[port].of(letter[positions[port]]);

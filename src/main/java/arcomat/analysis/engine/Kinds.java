@@ -19,7 +19,7 @@ import java.util.List;
  * <p>Kind 0 is silence, kind 2k + 2 the k-th value, kind 2k + 1 what lies before it; 1 is anything
  * else where order does not matter.
  */
-final class Kinds {
+public final class Kinds {
     private final List<Value> values;
     private final boolean ordered;
     private final boolean seen;
@@ -53,7 +53,7 @@ final class Kinds {
      * @param total whether there is always a message
      * @throws TooManyMessages where all values matter and there are too many to try
      */
-    static Kinds of(Port port, boolean total, Look look) {
+    public static Kinds of(Port port, boolean total, Look look) {
         if (look instanceof Unseen) {
             return new Kinds(port, total);
         }
@@ -76,7 +76,7 @@ final class Kinds {
     }
 
     /** The kind of a message; null is silence. */
-    int of(Value message) {
+    public int of(Value message) {
         if (!seen || message == null) {
             return 0;
         }

@@ -9,13 +9,13 @@ import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 
 /** Types of so few values that each can be tried. */
-final class SmallType {
-    static final int MOST = 4096;
+public final class SmallType {
+    public static final int MOST = 4096;
 
     private SmallType() {}
 
     /** All values in their natural order; empty for a type that has too many. */
-    static Optional<List<Value>> values(Type type) {
+    public static Optional<List<Value>> values(Type type) {
         if (type instanceof Type.BooleanType) {
             return Optional.of(
                     List.of(new Value.BooleanValue(false), new Value.BooleanValue(true)));

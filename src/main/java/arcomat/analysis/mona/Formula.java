@@ -1,0 +1,74 @@
+package arcomat.analysis.mona;
+
+import arcomat.analysis.mona.Bits.Choice;
+import arcomat.analysis.mona.Bits.Cube;
+
+import java.util.List;
+
+/**
+ * Everything that the text of a formula has in it: flat, for a template.
+ *
+ * @param left name of the left side, as models write it
+ * @param valid what is true of the codes at every position {@code t}
+ * @param fails whether a run may end with an error; those positions have a set of their own
+ * @param rights one per automaton of the right side
+ */
+public record Formula(
+        String left,
+        String right,
+        List<TrackText> tracks,
+        List<Choice> valid,
+        boolean fails,
+        MachineText machine,
+        List<MachineText> rights) {
+    public Formula {
+        tracks = List.copyOf(tracks);
+        valid = List.copyOf(valid);
+        rights = List.copyOf(rights);
+    }
+
+    /** A port: the meaning of its codes and the names of its bits, the lowest first. */
+    public record TrackText(String legend, List<String> bits) {
+        public TrackText {
+            bits = List.copyOf(bits);
+        }
+    }
+
+    /**
+     * A side, or an automaton of it.
+     *
+     * @param name of the predicate
+     * @param bits names of those of its state, the lowest first
+     */
+    public record MachineText(
+            String name,
+            String title,
+            List<String> bits,
+            List<StepText> openings,
+            List<StateText> states) {
+        public MachineText {
+            bits = List.copyOf(bits);
+            openings = List.copyOf(openings);
+            states = List.copyOf(states);
+        }
+    }
+
+    /** A state, and all that may happen in it; nothing where the run has ended. */
+    public record StateText(String title, Cube code, List<StepText> steps) {
+        public StateText {
+            steps = List.copyOf(steps);
+        }
+    }
+
+    /**
+     * What is read, sent and reached.
+     *
+     * @param origin the transition as it is written, or the completion; one line
+     * @param conditions all of them hold; none where anything may happen
+     */
+    public record StepText(String origin, List<Choice> conditions) {
+        public StepText {
+            conditions = List.copyOf(conditions);
+        }
+    }
+}

@@ -1,0 +1,228 @@
+package arcomat.analysis.mona;
+
+import arcomat.analysis.Moment;
+import arcomat.analysis.engine.Comparison.Allowed;
+import arcomat.analysis.engine.Comparison.Forbidden;
+import arcomat.analysis.mona.Machine.Step;
+import arcomat.model.Letter;
+import arcomat.model.Value;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Tells a counterexample of MONA's as a run of the models: the left side takes every step of it,
+ * and one automaton of the right side does not take the last.
+ */
+public final class Replay {
+
+    /**
+     * What the counterexample shows.
+     *
+     * @param right position of the automaton of the right side that forbids it
+     */
+    public record Shown(int right, List<Moment> moments, Forbidden forbidden) {}
+
+    private final Question question;
+    private final Map<String, String> rows;
+    private final int length;
+    private final Bits leftBits;
+
+    /**
+     * @param rows per bit one character for each position: 0, 1, or X where it does not matter
+     */
+    public Replay(Question question, Map<String, String> rows) {
+        this.question = question;
+        this.rows = rows;
+        this.leftBits = Question.stateBits("left", question.left());
+        this.length = rows.values().stream().mapToInt(String::length).min().orElse(0);
+    }
+
+    /**
+     * @return empty where it is no run of the left side, or one that the right side allows: then
+     *     the program and this one disagree
+     */
+    public Optional<Shown> run() {
+        for (int right = 0; right < question.rights().size(); right++) {
+            Optional<Shown> shown = run(right);
+            if (shown.isPresent()) {
+                return shown;
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<Shown> run(int right) {
+        Machine theirs = question.rights().get(right);
+        List<Moment> moments = new ArrayList<>();
+        Set<Integer> after = Set.of();
+        for (int slice = 0; slice < length; slice++) {
+            Optional<Step> mine = mine(slice);
+            if (mine.isEmpty()) {
+                return Optional.empty();
+            }
+            Set<Integer> before = after;
+            after = after(theirs, before, slice, mine.get().error());
+            moments.add(moment(mine.get(), theirs, after, slice));
+            if (after.isEmpty()) {
+                return Optional.of(
+                        new Shown(right, moments, forbidden(mine.get(), theirs, before, slice)));
+            }
+        }
+        return Optional.empty();
+    }
+
+    /** The step of the left side whose reaction is seen in a slice; first an opening. */
+    private Optional<Step> mine(int slice) {
+        List<Step> steps =
+                slice == 0
+                        ? question.left().openings()
+                        : state(slice - 1) < question.left().states().size()
+                                ? question.left().states().get(state(slice - 1)).steps()
+                                : List.of();
+        return steps.stream()
+                .filter(step -> step.next() == state(slice) && step.error() == isError(slice))
+                .filter(step -> slice == 0 || reads(step, question.left(), slice))
+                .filter(step -> step.error() || sends(step, slice))
+                .findFirst();
+    }
+
+    private int state(int slice) {
+        return number(leftBits, slice);
+    }
+
+    private boolean isError(int slice) {
+        String row = rows.get(FormulaWriter.FAILS);
+        return row != null && row.charAt(slice) == '1';
+    }
+
+    private int number(Bits bits, int slice) {
+        int number = 0;
+        for (int bit = 0; bit < bits.names().size(); bit++) {
+            String row = rows.get(bits.names().get(bit));
+            number |= row != null && row.charAt(slice) == '1' ? 1 << bit : 0;
+        }
+        return number;
+    }
+
+    /** Whether a step belongs to the input before a slice. */
+    private boolean reads(Step step, Machine machine, int slice) {
+        for (int i = 0; i < step.inputs().size(); i++) {
+            int code = number(machine.inputs().get(i).bits(), slice - 1);
+            if (!step.inputs().get(i).contains(code)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private boolean sends(Step step, int slice) {
+        for (int i = 0; i < question.observed().size(); i++) {
+            Sent.Messages seen = seen(question.observed().get(i), slice);
+            if (!step.sent().ports().get(i).allows(seen.values())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** What is seen of the reaction: with delay 0 in the slice before. */
+    private Sent.Messages seen(Track track, int slice) {
+        int position = slice - 1 + track.port().delay();
+        Optional<Value> message =
+                position < 0 ? Optional.empty() : track.message(number(track.bits(), position));
+        return new Sent.Messages(message.map(List::of).orElse(List.of()));
+    }
+
+    private Set<Integer> after(Machine theirs, Set<Integer> before, int slice, boolean error) {
+        Set<Integer> after = new LinkedHashSet<>();
+        if (slice == 0) {
+            theirs.openings().stream()
+                    .filter(opening -> sends(opening, slice))
+                    .forEach(opening -> after.add(opening.next()));
+        }
+        for (int state : before) {
+            if (theirs.states().get(state).chaos()) {
+                after.add(state);
+                continue;
+            }
+            for (Step step : theirs.states().get(state).steps()) {
+                if (step.error() == error
+                        && reads(step, theirs, slice)
+                        && (error || sends(step, slice))) {
+                    after.add(step.next());
+                }
+            }
+        }
+        return after;
+    }
+
+    private Moment moment(Step mine, Machine theirs, Set<Integer> after, int slice) {
+        return new Moment(
+                letter(slice),
+                sent(mine, slice),
+                question.left().states().get(mine.next()).name(),
+                after.stream().map(state -> theirs.states().get(state).name()).toList());
+    }
+
+    /** The input before a slice. */
+    private Letter letter(int slice) {
+        Map<String, Value> messages = new LinkedHashMap<>();
+        if (slice > 0) {
+            for (Track track : question.inputs()) {
+                track.message(number(track.bits(), slice - 1))
+                        .ifPresent(message -> messages.put(track.port().name(), message));
+            }
+        }
+        return Letter.of(messages);
+    }
+
+    /** On compared ports what was seen; on others what the left side sends there. */
+    private Map<String, Sent> sent(Step mine, int slice) {
+        Map<String, Sent> sent = new LinkedHashMap<>();
+        if (mine.error()) {
+            return sent;
+        }
+        for (int i = 0; i < question.leftOutputs().size(); i++) {
+            sent.put(question.leftOutputs().get(i).name(), mine.whole().ports().get(i));
+        }
+        for (Track track : question.observed()) {
+            sent.put(track.port().name(), seen(track, slice));
+        }
+        return sent;
+    }
+
+    private Forbidden forbidden(Step mine, Machine theirs, Set<Integer> before, int slice) {
+        List<Allowed> allowed = new ArrayList<>();
+        if (slice == 0) {
+            theirs.openings().forEach(opening -> allowed.add(allowed("", opening)));
+        }
+        for (int state : before) {
+            for (Step step : theirs.states().get(state).steps()) {
+                if (reads(step, theirs, slice)) {
+                    allowed.add(allowed(theirs.states().get(state).name(), step));
+                }
+            }
+        }
+        return new Forbidden(
+                letter(slice),
+                mine.causes(),
+                sent(mine, slice),
+                slice == 0 ? "" : question.left().states().get(state(slice - 1)).name(),
+                allowed);
+    }
+
+    private Allowed allowed(String before, Step step) {
+        Map<String, Sent> sent = new LinkedHashMap<>();
+        for (int i = 0; !step.error() && i < question.observed().size(); i++) {
+            sent.put(question.observed().get(i).port().name(), step.sent().ports().get(i));
+        }
+        return new Allowed(before, step.causes(), sent);
+    }
+}
