@@ -1,6 +1,8 @@
 package arcomat.analysis;
 
 import arcomat.analysis.Stimuli.Stimulus;
+import arcomat.analysis.TransitionTests.Uncovered;
+import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Letter;
@@ -253,23 +255,49 @@ final class Exploration {
     }
 
     /** Why a transition has not been met. */
-    String whyNot(Goal goal) {
+    Uncovered whyNot(Goal goal) {
+        boolean certain = stopped().isEmpty();
+        if (!isConnected(goal)) {
+            return new Uncovered(goal, unreachable(goal), true);
+        }
         if (wrong.containsKey(goal)) {
-            return "it goes wrong: " + wrong.get(goal);
+            return new Uncovered(goal, "it goes wrong: " + wrong.get(goal), certain);
         }
         if (enabled.contains(goal)) {
-            return "whenever it is enabled, the other automata forbid what it sends";
+            String reason = "whenever it is enabled, the other automata forbid what it sends";
+            return new Uncovered(goal, reason, certain);
         }
-        if (stopped().isPresent()) {
-            return "not met in what was explored: " + stopped().get();
+        if (!certain) {
+            return new Uncovered(goal, "not met so far: " + stopped().get(), false);
         }
         int automaton = 0;
         while (behaviour.relations().get(automaton).automaton() != goal.automaton()) {
             automaton++;
         }
-        return states.contains(automaton + " " + goal.transition().source())
-                ? "it is never enabled in '" + goal.source() + "'"
-                : "'" + goal.source() + "' cannot be reached";
+        boolean met = states.contains(automaton + " " + goal.transition().source());
+        String never = "it is never enabled in '" + goal.source() + "'";
+        return new Uncovered(goal, met ? never : unreachable(goal), true);
+    }
+
+    private static String unreachable(Goal goal) {
+        return "'" + goal.source() + "' cannot be reached";
+    }
+
+    /** Whether transitions lead to it, enabled or not. */
+    private static boolean isConnected(Goal goal) {
+        Automaton automaton = goal.automaton();
+        Set<Integer> connected = new HashSet<>();
+        automaton.initials().forEach(initial -> connected.add(initial.state()));
+        int before = 0;
+        while (before < connected.size()) {
+            before = connected.size();
+            for (Automaton.Transition transition : automaton.transitions()) {
+                if (connected.contains(transition.source())) {
+                    connected.add(transition.target());
+                }
+            }
+        }
+        return connected.contains(goal.transition().source());
     }
 
     /**

@@ -44,6 +44,9 @@ final class Stimuli {
      */
     record Stimulus(Letter letter, Optional<Input> input, List<Value> latched) {}
 
+    /** So many values of each of several ports can be combined. */
+    private static final int FEW = 64;
+
     private final Behaviour behaviour;
     private final List<Port> ports;
     private final boolean timed;
@@ -156,7 +159,6 @@ final class Stimuli {
         try {
             alphabet = Alphabet.of(ports, new Attention(List.of(looks)));
         } catch (TooManyMessages problem) {
-            sampled = problem.getMessage();
             alphabet = Alphabet.of(ports, new Attention(sampled(looks)));
         }
         List<Value[]> letters = new ArrayList<>(alphabet.size());
@@ -167,14 +169,27 @@ final class Stimuli {
     }
 
     private List<Look> sampled(Look[] looks) {
-        List<Look> sampled = new ArrayList<>();
+        List<Look> some = new ArrayList<>();
         for (int i = 0; i < looks.length; i++) {
-            sampled.add(looks[i] instanceof Whole ? sample(ports.get(i).type()) : looks[i]);
+            boolean all = !(looks[i] instanceof Whole) || isSmall(ports.get(i).type());
+            some.add(all ? looks[i] : sample(ports.get(i)));
         }
-        return sampled;
+        return some;
     }
 
-    private Look sample(Type type) {
+    private static boolean isSmall(Type type) {
+        return type instanceof Type.BooleanType
+                || type instanceof Type.EnumType
+                || type instanceof Type.IntegerType range
+                        && range.high() - range.low() >= 0
+                        && range.high() - range.low() < FEW;
+    }
+
+    private Look sample(Port port) {
+        Type type = port.type();
+        sampled =
+                "only some values of port '%s' were tried, %s has too many"
+                        .formatted(port.name(), type.name());
         boolean number = type instanceof Type.IntegerType || type instanceof Type.RealType;
         return new Compared(mentioned.stream().filter(v -> isOf(v, type)).toList(), number);
     }

@@ -3,6 +3,7 @@ package arcomat.analysis;
 import arcomat.analysis.Exploration.Beginning;
 import arcomat.analysis.Exploration.Node;
 import arcomat.analysis.Exploration.Step;
+import arcomat.analysis.Verdict.Answer;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
@@ -36,8 +37,12 @@ public final class TransitionTests {
         }
     }
 
-    /** A transition that no test takes, and why. */
-    public record Uncovered(Goal transition, String reason) {}
+    /**
+     * A transition that no test takes, and why.
+     *
+     * @param certain whether no test can take it
+     */
+    public record Uncovered(Goal transition, String reason, boolean certain) {}
 
     /**
      * @param transitions how many there are
@@ -54,6 +59,14 @@ public final class TransitionTests {
         public Result {
             tests = List.copyOf(tests);
             uncovered = List.copyOf(uncovered);
+        }
+
+        /** Holds if all is taken that can be; fails if that is nothing. */
+        public Answer answer() {
+            if (!uncovered.stream().allMatch(Uncovered::certain)) {
+                return Answer.UNKNOWN;
+            }
+            return tests.isEmpty() ? Answer.FAILS : Answer.HOLDS;
         }
     }
 
@@ -87,7 +100,7 @@ public final class TransitionTests {
         List<Uncovered> uncovered = new ArrayList<>();
         for (Goal goal : exploration.goals()) {
             if (!exploration.reached().contains(goal)) {
-                uncovered.add(new Uncovered(goal, exploration.whyNot(goal)));
+                uncovered.add(exploration.whyNot(goal));
             }
         }
         return new Result(

@@ -29,6 +29,7 @@ public final class Cli {
         COMMANDS.put("simulate", SimulateCommand::new);
         COMMANDS.put("test", TestCommand::new);
         COMMANDS.put("refines", RefinesCommand::new);
+        COMMANDS.put("tests", TestsCommand::new);
         COMMANDS.put("run-brick", RunBrickCommand::new);
         COMMANDS.put("link", LinkCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);

@@ -93,4 +93,14 @@ public final class Pipeline {
     public AnalysisResult refines(RefinesRequest request, List<String> paths) throws WrongUse {
         return RefinesStep.run(request, paths, names, progress);
     }
+
+    /**
+     * Writes stream tests that take every transition.
+     *
+     * @throws WrongUse where the request does not fit the models, or the folder cannot be written
+     */
+    public TransitionTestsResult transitionTests(TransitionTestsRequest request, List<String> paths)
+            throws WrongUse {
+        return TransitionTestsStep.run(request, paths, names, progress);
+    }
 }
