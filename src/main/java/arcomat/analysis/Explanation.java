@@ -50,7 +50,7 @@ final class Explanation {
         return sentences;
     }
 
-    private static String words(Map<String, Sent> sent) {
+    static String words(Map<String, Sent> sent) {
         String words =
                 sent.entrySet().stream()
                         .filter(each -> !each.getValue().equals(Sent.SILENCE))
@@ -59,7 +59,7 @@ final class Explanation {
         return words.isEmpty() ? "nothing" : words;
     }
 
-    private static String by(Promise promise, String before, List<Trace.Cause> causes) {
+    static String by(Promise promise, String before, List<Trace.Cause> causes) {
         if (before.isEmpty()) {
             return "";
         }
@@ -96,7 +96,7 @@ final class Explanation {
                 .findFirst();
     }
 
-    private static Optional<Span> place(Promise promise, List<Trace.Cause> causes) {
+    static Optional<Span> place(Promise promise, List<Trace.Cause> causes) {
         for (Trace.Cause cause : causes) {
             if (cause instanceof Trace.Taken taken && taken.transition().span() != null) {
                 return Optional.of(taken.transition().span());

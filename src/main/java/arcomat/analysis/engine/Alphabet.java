@@ -27,7 +27,7 @@ public final class Alphabet {
      * @param foci each with the positions of its ports in a letter
      * @param positions one array per focus
      */
-    Alphabet(List<Port> inputs, List<Focus> foci, List<int[]> positions) {
+    public Alphabet(List<Port> inputs, List<Focus> foci, List<int[]> positions) {
         Look[] looks = new Look[inputs.size()];
         java.util.Arrays.fill(looks, new arcomat.semantics.Attention.Unseen());
         for (int f = 0; f < foci.size(); f++) {
@@ -97,12 +97,12 @@ public final class Alphabet {
         return letters.get(index);
     }
 
-    int messages(int index) {
+    public int messages(int index) {
         return messages[index];
     }
 
     /** The number of a letter for one of the foci. */
-    long kind(int focus, int index) {
+    public long kind(int focus, int index) {
         return kinds[focus][index];
     }
 }

@@ -17,7 +17,7 @@ public final class Focus {
     private final int[] ports;
     private final long[] strides;
 
-    Focus(int number, Attention attention, List<Port> inputs) {
+    public Focus(int number, Attention attention, List<Port> inputs) {
         this.number = number;
         this.attention = attention;
         kinds = new Kinds[inputs.size()];
@@ -37,7 +37,7 @@ public final class Focus {
     }
 
     /** Foci of one side are numbered from 0. */
-    int number() {
+    public int number() {
         return number;
     }
 

@@ -66,7 +66,7 @@ public final class Kinds {
     }
 
     /** One message of each kind; null is silence. */
-    List<Value> samples() {
+    public List<Value> samples() {
         return samples;
     }
 

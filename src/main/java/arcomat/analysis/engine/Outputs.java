@@ -10,7 +10,7 @@ import java.util.Map;
 /** Numbers for output cubes over the observed ports. Both sides of a comparison share them. */
 public final class Outputs {
     /** No letter, but the run's end: the distinguished error. */
-    static final int ERROR = 0;
+    public static final int ERROR = 0;
 
     private final Map<Output, Integer> numbers = new HashMap<>();
     private final List<Output> cubes = new ArrayList<>();

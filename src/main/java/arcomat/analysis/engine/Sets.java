@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Numbers for sets of configurations; each set is sorted. */
-final class Sets {
+public final class Sets {
     private record Key(int[] members) {
         @Override
         public boolean equals(Object other) {
@@ -27,7 +27,7 @@ final class Sets {
     private final IntArrayList singletons = new IntArrayList();
 
     /** The number of the set of one configuration. */
-    int singleton(int configuration) {
+    public int singleton(int configuration) {
         while (singletons.size() <= configuration) {
             singletons.add(-1);
         }
@@ -43,7 +43,7 @@ final class Sets {
     /**
      * @param members without duplicates; sorted here
      */
-    int number(int[] members) {
+    public int number(int[] members) {
         if (members.length == 1) {
             return singleton(members[0]);
         }
@@ -58,7 +58,7 @@ final class Sets {
         return known;
     }
 
-    int[] members(int number) {
+    public int[] members(int number) {
         return sets.get(number);
     }
 

@@ -1,0 +1,141 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.engine.AtomicSide;
+import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.TooManyMessages;
+import arcomat.analysis.game.Choices;
+import arcomat.analysis.game.Cores;
+import arcomat.analysis.game.Groups;
+import arcomat.analysis.game.Requirement;
+import arcomat.analysis.game.Telling;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Port;
+
+import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whether some requirements on a component contradict each other: whether there is no
+ * implementation that satisfies all of them against every input. A safety game on products of
+ * subset states, in which the environment picks the input and the system the output; the system
+ * loses where a requirement has no successor.
+ */
+public final class Contradictions {
+    private final Promise promise;
+    private final boolean all;
+    private final Budget budget;
+    private final Choices choices;
+    private final List<Requirement> requirements = new ArrayList<>();
+
+    private Contradictions(Promise promise, boolean all, Budget budget) {
+        this.promise = promise;
+        this.all = all;
+        this.budget = budget;
+        List<Port> outputs = promise.component().outputs();
+        List<String> names = outputs.stream().map(Port::name).toList();
+        Outputs numbers = new Outputs();
+        this.choices = new Choices(outputs, numbers);
+        for (Promise each : promise.each()) {
+            requirements.add(
+                    new Requirement(new AtomicSide(each.behaviour(), names, numbers), choices));
+        }
+    }
+
+    /**
+     * @param promise the automata that are to be kept together
+     * @param all whether to look for all minimal contradicting subsets
+     */
+    public static Consistency check(Promise promise, boolean all, Budget budget) {
+        if (promise.automata().isEmpty()) {
+            return new Consistency(
+                    Answer.HOLDS,
+                    "",
+                    List.of(),
+                    Optional.empty(),
+                    List.of("nothing is required: there is no automaton"),
+                    0);
+        }
+        if (promise.component().profile() == Component.Profile.EVENT_DRIVEN) {
+            return unknown("it handles events, and only slices are searched", 0);
+        }
+        try {
+            return new Contradictions(promise, all, budget).search();
+        } catch (TooManyMessages problem) {
+            return unknown(problem.getMessage(), 0);
+        }
+    }
+
+    private static Consistency unknown(String reason, long explored) {
+        return new Consistency(
+                Answer.UNKNOWN, reason, List.of(), Optional.empty(), List.of(), explored);
+    }
+
+    private Consistency search() {
+        Groups apart = Groups.byOutputs(decided());
+        Groups together = Groups.one(requirements.size());
+        boolean mayErr =
+                promise.automata().stream()
+                        .anyMatch(a -> a.completion() == Automaton.Completion.ERROR);
+        Consistency found = search(new Cores(requirements, mayErr ? together : apart, choices, budget));
+        boolean erred = requirements.stream().anyMatch(Requirement::errs);
+        return erred && !mayErr
+                ? search(new Cores(requirements, together, choices, budget))
+                : found;
+    }
+
+    /** Per requirement the outputs that it does not leave open for good. */
+    private List<BitSet> decided() {
+        List<Port> outputs = promise.component().outputs();
+        List<BitSet> decided = new ArrayList<>();
+        for (Automaton automaton : promise.automata()) {
+            BitSet own = new BitSet();
+            for (int port = 0; port < outputs.size(); port++) {
+                String name = outputs.get(port).name();
+                boolean sent =
+                        automaton.initials().stream().anyMatch(i -> sends(i.sends(), name))
+                                || automaton.transitions().stream()
+                                        .anyMatch(t -> sends(t.sends(), name));
+                own.set(port, sent);
+            }
+            decided.add(own);
+        }
+        return decided;
+    }
+
+    private static boolean sends(List<Automaton.Send> sends, String port) {
+        return sends.stream().anyMatch(send -> send.port().name().equals(port));
+    }
+
+    private Consistency search(Cores cores) {
+        List<BitSet> found =
+                all ? cores.every() : cores.first().map(List::of).orElse(List.of());
+        List<String> notes = new ArrayList<>();
+        if (!found.isEmpty()) {
+            List<Contradiction> told = found.stream().map(core -> tell(cores, core)).toList();
+            if (all && cores.stopped().isPresent()) {
+                notes.add("there may be more contradictions: " + cores.stopped().get());
+            }
+            return new Consistency(
+                    Answer.FAILS, "", told, Optional.empty(), notes, cores.explored());
+        }
+        if (cores.stopped().isPresent()) {
+            return unknown(cores.stopped().get(), cores.explored());
+        }
+        return new Consistency(
+                Answer.HOLDS, "", List.of(), Optional.empty(), notes, cores.explored());
+    }
+
+    private Contradiction tell(Cores cores, BitSet core) {
+        List<Promise> members = core.stream().mapToObj(promise.each()::get).toList();
+        Telling.Won won = Telling.of(cores.lost(core), budget);
+        return new Contradiction(
+                members.stream().map(each -> each.automata().get(0)).toList(),
+                cores.isMinimal(core),
+                won.word(),
+                won.turns().stream().map(turn -> Demands.step(turn, members)).toList());
+    }
+}

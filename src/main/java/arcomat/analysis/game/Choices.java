@@ -1,0 +1,210 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.engine.Outputs;
+import arcomat.model.FirstValue;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What a system may send so that each of several requirements allows it. Only outputs that matter
+ * are listed: one that fewer steps allow than another leaves the requirements fewer ways to go on,
+ * and is never better.
+ */
+public final class Choices {
+    /**
+     * One output.
+     *
+     * @param sent a cube: where a port is left open, every message will do; null where the run ends
+     * @param allowed per list of cubes the positions of those that allow it
+     */
+    record Choice(Output sent, int[][] allowed) {}
+
+    private record Key(int[] cubes) {
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Key key && Arrays.equals(cubes, key.cubes);
+        }
+
+        @Override
+        public int hashCode() {
+            return Arrays.hashCode(cubes);
+        }
+    }
+
+    private final List<Port> ports;
+    private final Outputs outputs;
+    private final Map<Key, Integer> numbers = new HashMap<>();
+    private final List<int[]> lists = new ArrayList<>();
+    private final Map<Key, List<Choice>> known = new HashMap<>();
+
+    /**
+     * @param ports the output ports, as cubes list them
+     */
+    public Choices(List<Port> ports, Outputs outputs) {
+        this.ports = ports;
+        this.outputs = outputs;
+    }
+
+    List<Port> ports() {
+        return ports;
+    }
+
+    Output cube(int number) {
+        return outputs.cube(number);
+    }
+
+    /** The number of a list of cubes. */
+    int number(int[] cubes) {
+        Integer number = numbers.get(new Key(cubes));
+        if (number == null) {
+            number = lists.size();
+            lists.add(cubes);
+            numbers.put(new Key(cubes), number);
+        }
+        return number;
+    }
+
+    /**
+     * All outputs that matter, in the order in which they are mentioned; none where the
+     * requirements contradict each other.
+     *
+     * @param demands numbers of lists of cubes, one per requirement
+     */
+    List<Choice> of(int[] demands) {
+        Key key = new Key(demands);
+        List<Choice> found = known.get(key);
+        if (found == null) {
+            found = compute(demands);
+            known.put(key, found);
+        }
+        return found;
+    }
+
+    private List<Choice> compute(int[] demands) {
+        List<Choice> found = new ArrayList<>();
+        int[][] letters = new int[demands.length][];
+        int[][] errors = new int[demands.length][];
+        for (int i = 0; i < demands.length; i++) {
+            int[] cubes = lists.get(demands[i]);
+            letters[i] = positions(cubes, true);
+            errors[i] = positions(cubes, false);
+        }
+        if (allPossible(letters)) {
+            choose(demands, letters, new ArrayList<>(), found, new HashSet<>());
+        }
+        if (demands.length > 0 && allPossible(errors)) {
+            found.add(new Choice(null, errors));
+        }
+        return List.copyOf(found);
+    }
+
+    private int[] positions(int[] cubes, boolean letters) {
+        int[] all = new int[cubes.length];
+        int count = 0;
+        for (int i = 0; i < cubes.length; i++) {
+            if (outputs.isLetter(cubes[i]) == letters) {
+                all[count++] = i;
+            }
+        }
+        return Arrays.copyOf(all, count);
+    }
+
+    private static boolean allPossible(int[][] allowed) {
+        return Arrays.stream(allowed).allMatch(each -> each.length > 0);
+    }
+
+    /** Port by port; what is left of each requirement's cubes must not become empty. */
+    private void choose(
+            int[] demands,
+            int[][] allowed,
+            List<Sent> sent,
+            List<Choice> found,
+            Set<List<Integer>> seen) {
+        int port = sent.size();
+        if (port == ports.size()) {
+            List<Integer> flat = new ArrayList<>();
+            for (int[] each : allowed) {
+                flat.add(-1);
+                Arrays.stream(each).forEach(flat::add);
+            }
+            if (seen.add(flat)) {
+                found.add(new Choice(new Output(sent), allowed));
+            }
+            return;
+        }
+        for (Sent option : options(demands, allowed, port)) {
+            int[][] rest = new int[demands.length][];
+            for (int i = 0; i < demands.length; i++) {
+                rest[i] = allowing(lists.get(demands[i]), allowed[i], port, option);
+            }
+            if (allPossible(rest)) {
+                List<Sent> longer = new ArrayList<>(sent);
+                longer.add(option);
+                choose(demands, rest, longer, found, seen);
+            }
+        }
+    }
+
+    private int[] allowing(int[] cubes, int[] allowed, int port, Sent option) {
+        int[] rest = new int[allowed.length];
+        int count = 0;
+        for (int position : allowed) {
+            if (outputs.cube(cubes[position]).ports().get(port).meet(option).isPresent()) {
+                rest[count++] = position;
+            }
+        }
+        return count == allowed.length ? allowed : Arrays.copyOf(rest, count);
+    }
+
+    /** What is mentioned for a port; where nothing is, what all leave open. */
+    private Set<Sent> options(int[] demands, int[][] allowed, int port) {
+        Set<Sent> options = new LinkedHashSet<>();
+        boolean some = false;
+        for (int i = 0; i < demands.length; i++) {
+            int[] cubes = lists.get(demands[i]);
+            for (int position : allowed[i]) {
+                Sent sent = outputs.cube(cubes[position]).ports().get(port);
+                if (sent instanceof Sent.Messages) {
+                    options.add(sent);
+                }
+                some |= sent instanceof Sent.AnyMessage;
+            }
+        }
+        boolean one = options.stream().anyMatch(each -> new Sent.AnyMessage().allows(values(each)));
+        if (some && !one) {
+            options.add(new Sent.AnyMessage());
+        }
+        if (options.isEmpty()) {
+            options.add(new Sent.Anything());
+        }
+        return options;
+    }
+
+    private static List<Value> values(Sent sent) {
+        return ((Sent.Messages) sent).values();
+    }
+
+    /** The letter of a cube with the fewest messages; what is left open has its first value. */
+    static Output letter(Output cube, List<Port> ports) {
+        List<Sent> letter = new ArrayList<>();
+        for (int i = 0; i < ports.size(); i++) {
+            Sent sent = cube.ports().get(i);
+            if (sent instanceof Sent.AnyMessage) {
+                sent = new Sent.Messages(List.of(FirstValue.of(ports.get(i).type())));
+            }
+            letter.add(sent instanceof Sent.Anything ? Sent.SILENCE : sent);
+        }
+        return new Output(letter);
+    }
+}

@@ -1,0 +1,29 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.engine.Steps;
+
+import java.util.List;
+
+/**
+ * What one requirement allows after one kind of letter: its steps, sorted by what they send.
+ *
+ * @param before per member of the set: the configuration, and where its steps begin in {@code all}
+ * @param cubes numbers of the distinct output cubes, in text order
+ * @param list the number of these cubes as a list
+ * @param next per cube the configurations afterwards
+ */
+record Reply(List<Part> before, int[] cubes, int list, int[][] next) {
+
+    /** The steps of one member of the set. */
+    record Part(int configuration, Steps steps) {}
+
+    /** The position of a cube; -1 where no step sends it. */
+    int position(int cube) {
+        for (int i = 0; i < cubes.length; i++) {
+            if (cubes[i] == cube) {
+                return i;
+            }
+        }
+        return -1;
+    }
+}

@@ -1,0 +1,168 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.engine.Focus;
+import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.Sets;
+import arcomat.analysis.engine.Side;
+import arcomat.analysis.engine.Steps;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Output;
+
+import com.carrotsearch.hppc.IntArrayList;
+import com.carrotsearch.hppc.LongObjectHashMap;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * One requirement, followed by what is observed: the set of configurations that it may be in after
+ * the inputs and outputs so far (subset construction). Once chaos is among them it asks for nothing
+ * any more. Sets are numbered, and replies are remembered.
+ */
+public final class Requirement {
+    /** In place of the number of a set: everything is allowed from here on. */
+    static final int CHAOS = -1;
+
+    private final Side side;
+    private final Choices choices;
+    private final int[] positions;
+    private final Sets sets = new Sets();
+    private final List<Focus> focusOfSet = new ArrayList<>();
+    private final List<LongObjectHashMap<Reply>> replies = new ArrayList<>();
+    private final Map<Attention, Focus> foci = new HashMap<>();
+    private Reply opening;
+    private boolean errs;
+
+    /**
+     * @param choices shared by all requirements of a game
+     */
+    public Requirement(Side side, Choices choices) {
+        this.side = side;
+        this.choices = choices;
+        this.positions = IntStream.range(0, side.inputs().size()).toArray();
+    }
+
+    Side side() {
+        return side;
+    }
+
+    /** An output cube by its number; null where the run ends. */
+    Output sent(int cube) {
+        return choices.cube(cube);
+    }
+
+    /** Whether a step was met in which the run ends: all requirements have to agree on that. */
+    public boolean errs() {
+        return errs;
+    }
+
+    /** What may be sent before anything is read. */
+    Reply opening() {
+        if (opening == null) {
+            opening = reply(List.of(new Reply.Part(-1, side.openings())));
+        }
+        return opening;
+    }
+
+    /** What its members together pay attention to. */
+    Focus focus(int set) {
+        Focus known = set < focusOfSet.size() ? focusOfSet.get(set) : null;
+        if (known == null) {
+            while (focusOfSet.size() <= set) {
+                focusOfSet.add(null);
+                replies.add(new LongObjectHashMap<>(4));
+            }
+            List<Port> inputs = side.inputs();
+            known =
+                    foci.computeIfAbsent(
+                            attention(set), each -> new Focus(foci.size(), each, inputs));
+            focusOfSet.set(set, known);
+        }
+        return known;
+    }
+
+    private Attention attention(int set) {
+        Look[] looks = new Look[positions.length];
+        java.util.Arrays.fill(looks, new Attention.Unseen());
+        for (int member : sets.members(set)) {
+            List<Look> own = side.focus(member).attention().looks();
+            for (int port = 0; port < looks.length; port++) {
+                looks[port] = looks[port].and(own.get(port));
+            }
+        }
+        return new Attention(List.of(looks));
+    }
+
+    /** What may be sent in reaction to a letter. */
+    Reply reply(int set, Value[] letter) {
+        long kind = focus(set).kind(letter, positions);
+        Reply known = replies.get(set).get(kind);
+        if (known == null) {
+            known = compute(set, letter);
+            replies.get(set).put(kind, known);
+        }
+        return known;
+    }
+
+    private Reply compute(int set, Value[] letter) {
+        List<Reply.Part> parts = new ArrayList<>();
+        for (int member : sets.members(set)) {
+            long kind = side.focus(member).kind(letter, positions);
+            parts.add(new Reply.Part(member, side.steps(member, kind, letter)));
+        }
+        return reply(parts);
+    }
+
+    private Reply reply(List<Reply.Part> parts) {
+        IntArrayList cubes = new IntArrayList(2);
+        List<IntArrayList> next = new ArrayList<>(2);
+        for (Reply.Part part : parts) {
+            Steps steps = part.steps();
+            for (int step = 0; step < steps.size(); step++) {
+                int position = cubes.indexOf(steps.outputs()[step]);
+                if (position < 0) {
+                    position = cubes.size();
+                    cubes.add(steps.outputs()[step]);
+                    next.add(new IntArrayList(1));
+                    errs |= steps.outputs()[step] == Outputs.ERROR;
+                }
+                if (!next.get(position).contains(steps.next()[step])) {
+                    next.get(position).add(steps.next()[step]);
+                }
+            }
+        }
+        int[][] lists = next.stream().map(IntArrayList::toArray).toArray(int[][]::new);
+        int[] all = cubes.toArray();
+        return new Reply(parts, all, choices.number(all), lists);
+    }
+
+    /**
+     * The set after a letter was sent.
+     *
+     * @param allowed positions of the reply's cubes that have the letter; at least one
+     */
+    int successor(Reply reply, int[] allowed) {
+        if (allowed.length == 1 && reply.next()[allowed[0]].length == 1) {
+            int next = reply.next()[allowed[0]][0];
+            return side.isChaos(next) ? CHAOS : sets.singleton(next);
+        }
+        IntArrayList members = new IntArrayList(allowed.length);
+        for (int cube : allowed) {
+            for (int next : reply.next()[cube]) {
+                if (side.isChaos(next)) {
+                    return CHAOS;
+                }
+                if (!members.contains(next)) {
+                    members.add(next);
+                }
+            }
+        }
+        return sets.number(members.toArray());
+    }
+}

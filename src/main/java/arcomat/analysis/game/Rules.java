@@ -1,0 +1,151 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.engine.Alphabet;
+import arcomat.analysis.engine.Focus;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Output;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * The moves of the game: the environment picks an input letter, the system an output that none of
+ * the requirements forbids. Outputs are chosen knowing the input that they react to, also where
+ * they are seen one slice later.
+ */
+public final class Rules {
+    /** The position in which no requirement asks for anything any more. */
+    static final int FREE = 0;
+
+    /**
+     * A move of the system.
+     *
+     * @param sent null where the run ends
+     */
+    record Option(Output sent, int position) {}
+
+    private final List<Requirement> requirements;
+    private final Choices choices;
+    private final List<Port> inputs;
+    private final int[] identity;
+    private final Positions positions = new Positions();
+    private final Map<List<Integer>, Alphabet> alphabets = new HashMap<>();
+
+    /**
+     * @param requirements at least one, all of the same component
+     */
+    public Rules(List<Requirement> requirements, Choices choices) {
+        this.requirements = List.copyOf(requirements);
+        this.choices = choices;
+        this.inputs = requirements.get(0).side().inputs();
+        this.identity = IntStream.range(0, inputs.size()).toArray();
+        int[] free = new int[requirements.size()];
+        Arrays.fill(free, Requirement.CHAOS);
+        positions.number(free);
+    }
+
+    List<Requirement> requirements() {
+        return requirements;
+    }
+
+    List<Port> inputs() {
+        return inputs;
+    }
+
+    List<Port> outputs() {
+        return choices.ports();
+    }
+
+    /** How many positions have been met. */
+    int size() {
+        return positions.size();
+    }
+
+    int[] sets(int position) {
+        return positions.sets(position);
+    }
+
+    /** The letters that matter in some positions. */
+    Alphabet alphabet(int... some) {
+        List<Focus> foci = new ArrayList<>();
+        List<Integer> key = new ArrayList<>();
+        for (int position : some) {
+            int[] sets = positions.sets(position);
+            for (int i = 0; i < sets.length; i++) {
+                if (sets[i] != Requirement.CHAOS) {
+                    Focus focus = requirements.get(i).focus(sets[i]);
+                    foci.add(focus);
+                    key.add(i);
+                    key.add(focus.number());
+                }
+            }
+        }
+        return alphabets.computeIfAbsent(
+                key,
+                each ->
+                        new Alphabet(
+                                inputs, foci, java.util.Collections.nCopies(foci.size(), identity)));
+    }
+
+    /** The system's first moves. */
+    List<Option> openings() {
+        Reply[] replies = new Reply[requirements.size()];
+        for (int i = 0; i < replies.length; i++) {
+            replies[i] = requirements.get(i).opening();
+        }
+        return options(replies);
+    }
+
+    /** The system's moves after an input. */
+    List<Option> options(int position, Value[] letter) {
+        return options(replies(position, letter));
+    }
+
+    /** What each requirement allows; null where it allows everything. */
+    Reply[] replies(int position, Value[] letter) {
+        int[] sets = positions.sets(position);
+        Reply[] replies = new Reply[sets.length];
+        for (int i = 0; i < sets.length; i++) {
+            if (sets[i] != Requirement.CHAOS) {
+                replies[i] = requirements.get(i).reply(sets[i], letter);
+            }
+        }
+        return replies;
+    }
+
+    private List<Option> options(Reply[] replies) {
+        int[] demands = new int[replies.length];
+        int count = 0;
+        for (Reply reply : replies) {
+            if (reply != null) {
+                demands[count++] = reply.list();
+            }
+        }
+        List<Choices.Choice> possible = choices.of(Arrays.copyOf(demands, count));
+        List<Option> options = new ArrayList<>(possible.size());
+        for (Choices.Choice choice : possible) {
+            options.add(new Option(choice.sent(), after(replies, choice)));
+        }
+        return options;
+    }
+
+    private int after(Reply[] replies, Choices.Choice choice) {
+        if (choice.sent() == null) {
+            return FREE;
+        }
+        int[] next = new int[replies.length];
+        int asked = 0;
+        for (int i = 0; i < next.length; i++) {
+            next[i] =
+                    replies[i] == null
+                            ? Requirement.CHAOS
+                            : requirements.get(i).successor(replies[i], choice.allowed()[asked++]);
+        }
+        return positions.number(next);
+    }
+}

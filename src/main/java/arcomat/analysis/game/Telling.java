@@ -1,0 +1,151 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.engine.Comparison.Allowed;
+import arcomat.analysis.engine.Steps;
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * How the environment wins a game, turn by turn: with a single word if there is one, else by
+ * answering what the system does.
+ */
+public final class Telling {
+    private static final int BEGINNING = -1;
+
+    /**
+     * @param turns the first one is the beginning; answers refer to the others by number
+     * @param word the inputs, where one word works whatever the system answers
+     */
+    public record Won(List<Turn> turns, java.util.Optional<List<Letter>> word) {}
+
+    /** Where a turn is played: after so many letters of the word, or anywhere; and the position. */
+    private record Place(int letters, int position) {}
+
+    private final Game game;
+    private final Rules rules;
+    private final List<Value[]> word;
+    private final int[] strategy;
+    private final Map<Place, Integer> numbers = new LinkedHashMap<>();
+    private final List<Place> places = new ArrayList<>();
+
+    private Telling(Game game, List<Value[]> word, int[] strategy) {
+        this.game = game;
+        this.rules = game.rules();
+        this.word = word;
+        this.strategy = strategy;
+    }
+
+    /** Tells a game that the environment wins. */
+    public static Won of(Game game, Budget budget) {
+        game.playOn();
+        Words.Found found = new Words(game, budget).search();
+        Telling telling =
+                found.word().isPresent()
+                        ? new Telling(game, found.word().get(), null)
+                        : new Telling(game, null, game.winningLetters());
+        return new Won(telling.turns(), found.word().map(telling::letters));
+    }
+
+    private List<Letter> letters(List<Value[]> inputs) {
+        return inputs.stream().map(this::letter).toList();
+    }
+
+    private List<Turn> turns() {
+        number(new Place(0, BEGINNING));
+        List<Turn> turns = new ArrayList<>();
+        for (int i = 0; i < places.size(); i++) {
+            turns.add(turn(places.get(i)));
+        }
+        return turns;
+    }
+
+    private int number(Place place) {
+        return numbers.computeIfAbsent(
+                place,
+                each -> {
+                    places.add(each);
+                    return places.size() - 1;
+                });
+    }
+
+    private Turn turn(Place place) {
+        boolean beginning = place.position == BEGINNING;
+        Value[] input = beginning ? new Value[rules.inputs().size()] : input(place);
+        List<Rules.Option> options =
+                beginning ? rules.openings() : rules.options(place.position, input);
+        List<Turn.Answer> answers = new ArrayList<>();
+        int letters = beginning || word == null ? 0 : place.letters + 1;
+        for (Rules.Option option : options) {
+            int next = number(new Place(letters, option.position()));
+            answers.add(new Turn.Answer(named(option.sent()), next));
+        }
+        return new Turn(
+                letter(input), answers, answers.isEmpty() ? demands(place, input) : List.of());
+    }
+
+    private Value[] input(Place place) {
+        return word != null
+                ? word.get(place.letters)
+                : rules.alphabet(place.position).letter(strategy[place.position]);
+    }
+
+    private List<Turn.Demand> demands(Place place, Value[] input) {
+        List<Turn.Demand> demands = new ArrayList<>();
+        for (int i = 0; i < rules.requirements().size(); i++) {
+            Requirement requirement = rules.requirements().get(i);
+            Reply reply =
+                    place.position == BEGINNING
+                            ? requirement.opening()
+                            : rules.replies(place.position, input)[i];
+            if (reply != null) {
+                demands.add(new Turn.Demand(i, allowed(requirement, reply)));
+            }
+        }
+        return demands;
+    }
+
+    private List<Allowed> allowed(Requirement requirement, Reply reply) {
+        List<Allowed> allowed = new ArrayList<>();
+        for (Reply.Part part : reply.before()) {
+            Steps steps = part.steps();
+            for (int step = 0; step < steps.size(); step++) {
+                allowed.add(
+                        new Allowed(
+                                part.configuration() < 0
+                                        ? ""
+                                        : requirement.side().describe(part.configuration()),
+                                steps.causes().get(step),
+                                named(requirement.sent(steps.outputs()[step]))));
+            }
+        }
+        return allowed;
+    }
+
+    private Map<String, Sent> named(Output output) {
+        Map<String, Sent> named = new LinkedHashMap<>();
+        for (int i = 0; output != null && i < rules.outputs().size(); i++) {
+            named.put(rules.outputs().get(i).name(), output.ports().get(i));
+        }
+        return named;
+    }
+
+    private Letter letter(Value[] messages) {
+        Map<String, Value> named = new LinkedHashMap<>();
+        List<Port> inputs = rules.inputs();
+        for (int i = 0; i < messages.length; i++) {
+            if (messages[i] != null) {
+                named.put(inputs.get(i).name(), messages[i]);
+            }
+        }
+        return Letter.of(named);
+    }
+}
