@@ -80,7 +80,8 @@ public final class Contradictions {
         boolean mayErr =
                 promise.automata().stream()
                         .anyMatch(a -> a.completion() == Automaton.Completion.ERROR);
-        Consistency found = search(new Cores(requirements, mayErr ? together : apart, choices, budget));
+        Consistency found =
+                search(new Cores(requirements, mayErr ? together : apart, choices, budget));
         boolean erred = requirements.stream().anyMatch(Requirement::errs);
         return erred && !mayErr
                 ? search(new Cores(requirements, together, choices, budget))
@@ -111,8 +112,7 @@ public final class Contradictions {
     }
 
     private Consistency search(Cores cores) {
-        List<BitSet> found =
-                all ? cores.every() : cores.first().map(List::of).orElse(List.of());
+        List<BitSet> found = all ? cores.every() : cores.first().map(List::of).orElse(List.of());
         List<String> notes = new ArrayList<>();
         if (!found.isEmpty()) {
             List<Contradiction> told = found.stream().map(core -> tell(cores, core)).toList();

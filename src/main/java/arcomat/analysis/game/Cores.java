@@ -33,8 +33,7 @@ public final class Cores {
     private String stopped;
     private long explored;
 
-    public Cores(
-            List<Requirement> requirements, Groups groups, Choices choices, Budget budget) {
+    public Cores(List<Requirement> requirements, Groups groups, Choices choices, Budget budget) {
         this.requirements = requirements;
         this.groups = groups;
         this.choices = choices;

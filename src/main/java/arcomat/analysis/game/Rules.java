@@ -89,7 +89,9 @@ public final class Rules {
                 key,
                 each ->
                         new Alphabet(
-                                inputs, foci, java.util.Collections.nCopies(foci.size(), identity)));
+                                inputs,
+                                foci,
+                                java.util.Collections.nCopies(foci.size(), identity)));
     }
 
     /** The system's first moves. */
