@@ -50,20 +50,7 @@ public record Promise(Component component, List<Value> arguments, List<Automaton
 
     /** The same with another completion. */
     public Promise with(Automaton.Completion completion) {
-        List<Automaton> changed =
-                automata.stream()
-                        .map(
-                                a ->
-                                        new Automaton(
-                                                a.name(),
-                                                completion,
-                                                a.omitted(),
-                                                a.states(),
-                                                a.variables(),
-                                                a.initials(),
-                                                a.transitions(),
-                                                a.span()))
-                        .toList();
+        List<Automaton> changed = automata.stream().map(a -> a.with(completion)).toList();
         return new Promise(component, arguments, changed);
     }
 

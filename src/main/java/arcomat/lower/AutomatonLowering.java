@@ -46,6 +46,7 @@ final class AutomatonLowering {
                 variables,
                 symbol.initials().stream().map(this::initial).toList(),
                 symbol.transitions().stream().map(this::transition).toList(),
+                symbol.states().stream().map(StateSymbol::nameSpan).toList(),
                 symbol.node().span());
     }
 

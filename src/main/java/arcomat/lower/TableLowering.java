@@ -39,6 +39,7 @@ final class TableLowering {
                 List.of(),
                 List.of(new Automaton.Initial(0, List.of(), List.of(), table.node().span())),
                 transitions(),
+                List.of(table.node().span()),
                 table.node().span());
     }
 

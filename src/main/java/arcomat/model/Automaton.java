@@ -11,6 +11,7 @@ import java.util.Optional;
  * @param name empty for an automaton without a name
  * @param states names in the order of their declaration; states are known by their index
  * @param initials alternatives
+ * @param places where each state is declared, by its index
  */
 public record Automaton(
         String name,
@@ -20,12 +21,20 @@ public record Automaton(
         List<Variable> variables,
         List<Initial> initials,
         List<Transition> transitions,
+        List<Span> places,
         Span span) {
     public Automaton {
         states = List.copyOf(states);
         variables = List.copyOf(variables);
         initials = List.copyOf(initials);
         transitions = List.copyOf(transitions);
+        places = List.copyOf(places);
+    }
+
+    /** The same with another completion. */
+    public Automaton with(Completion other) {
+        return new Automaton(
+                name, other, omitted, states, variables, initials, transitions, places, span);
     }
 
     /** What happens where no transition is enabled. */

@@ -2,9 +2,12 @@ package arcomat.semantics;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.model.Trace;
 import arcomat.model.Variable;
 import arcomat.rt.ModelError;
 import arcomat.source.Span;
+
+import java.util.Optional;
 
 /**
  * The model goes wrong in a step: a value outside its range, a division by zero. Whoever runs the
@@ -14,8 +17,35 @@ import arcomat.source.Span;
 public final class Fault extends ModelError {
     private static final long serialVersionUID = 1L;
 
-    Fault(String message) {
+    /** What can go wrong. */
+    public enum Kind {
+        DIVISION_BY_ZERO,
+        OUTSIDE_RANGE
+    }
+
+    private final Kind kind;
+    private final String problem;
+    private final transient Trace.Taken taken;
+
+    private Fault(Kind kind, String problem, String message, Trace.Taken taken) {
         super(message);
+        this.kind = kind;
+        this.problem = problem;
+        this.taken = taken;
+    }
+
+    public Kind kind() {
+        return kind;
+    }
+
+    /** What goes wrong, without the place. */
+    public String problem() {
+        return problem;
+    }
+
+    /** The transition whose guard or right-hand side goes wrong, if it is one. */
+    public Optional<Trace.Taken> taken() {
+        return Optional.ofNullable(taken);
     }
 
     @Override
@@ -24,15 +54,21 @@ public final class Fault extends ModelError {
     }
 
     static Fault divisionByZero() {
-        return new Fault("division by zero");
+        String problem = "division by zero";
+        return new Fault(Kind.DIVISION_BY_ZERO, problem, problem, null);
     }
 
     static Fault outsideRange(String name, Object value, String type) {
-        return new Fault(name + " = " + value + " is outside " + type);
+        String problem = name + " = " + value + " is outside " + type;
+        return new Fault(Kind.OUTSIDE_RANGE, problem, problem, null);
     }
 
     Fault in(String place) {
-        return new Fault(place + ": " + getMessage());
+        return new Fault(kind, problem, place + ": " + getMessage(), taken);
+    }
+
+    Fault in(String place, Trace.Taken transition) {
+        return new Fault(kind, problem, place + ": " + getMessage(), transition);
     }
 
     /** The place of a transition in messages: {@code AvoidCrash, driving -> waiting (line 12)}. */

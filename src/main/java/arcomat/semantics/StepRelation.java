@@ -195,7 +195,7 @@ public final class StepRelation {
         try {
             return ready.condition.holds(input.slots(), before.slots());
         } catch (Fault fault) {
-            throw fault.in(place(ready));
+            throw fault.in(place(ready), ready.cause);
         }
     }
 
@@ -213,7 +213,7 @@ public final class StepRelation {
                     ready.effect.output(input.slots(), before.slots()),
                     new Configuration(ready.cause.transition().target(), variables));
         } catch (Fault fault) {
-            throw fault.in(place(ready));
+            throw fault.in(place(ready), ready.cause);
         }
     }
 

@@ -14,6 +14,7 @@ import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -314,6 +315,7 @@ public final class ComponentBuilder {
                             variables,
                             initials,
                             transitions,
+                            Collections.nCopies(states.size(), NOWHERE),
                             NOWHERE));
             return ComponentBuilder.this;
         }

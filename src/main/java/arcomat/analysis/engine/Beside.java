@@ -50,14 +50,14 @@ record Beside(Type type, List<Value> values) {
             long next = integer.low();
             for (Value value : values) {
                 long number = ((Value.IntegerValue) value).value();
-                if (next < number) {
-                    gaps.add(new Value.IntegerValue(number - 1));
+                if (next < number && next <= integer.high()) {
+                    gaps.add(new Value.IntegerValue(Math.min(number - 1, integer.high())));
                 }
                 next = Math.max(next, number == Long.MAX_VALUE ? number : number + 1);
             }
             long last = ((Value.IntegerValue) values.get(values.size() - 1)).value();
             if (last < integer.high()) {
-                gaps.add(new Value.IntegerValue(last + 1));
+                gaps.add(new Value.IntegerValue(Math.max(last + 1, integer.low())));
             }
         } else if (type instanceof Type.RealType) {
             double last = Double.NaN;

@@ -2,6 +2,7 @@ package arcomat.analysis.engine;
 
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
@@ -34,7 +35,7 @@ public final class Kinds {
         if (!total) {
             samples.add(null);
         }
-        samples.addAll(values);
+        values.stream().filter(value -> isIn(port.type(), value)).forEach(samples::add);
         if (!closed) {
             Beside beside = new Beside(port.type(), values);
             samples.addAll(ordered ? beside.gaps() : beside.any());
@@ -63,6 +64,15 @@ public final class Kinds {
         List<Value> all =
                 SmallType.values(port.type()).orElseThrow(() -> new TooManyMessages(port));
         return new Kinds(port, total, all, false, true);
+    }
+
+    /** A port may be compared with a variable that is outside of the port's range. */
+    private static boolean isIn(Type type, Value value) {
+        if (type instanceof Type.IntegerType integer) {
+            long number = ((Value.IntegerValue) value).value();
+            return integer.low() <= number && number <= integer.high();
+        }
+        return true;
     }
 
     /** One message of each kind; null is silence. */

@@ -1,0 +1,68 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.Promise;
+import arcomat.model.Automaton;
+import arcomat.semantics.Fault;
+import arcomat.source.Diagnostic;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.function.Function;
+
+/** All analyses of one automaton. */
+public final class Analyses {
+    /** In alphabetical order. */
+    static final List<Function<Subject, Analysis>> ALL =
+            List.of(
+                    Completeness::new,
+                    DeadTransition::new,
+                    DivisionByZero::new,
+                    Overlap::new,
+                    RangeOverflow::new,
+                    Trap::new,
+                    UnreachableState::new,
+                    VacuousOnSilence::new);
+
+    private static final Comparator<Finding> ORDER =
+            Comparator.comparing(Finding::diagnostic, Diagnostic.ORDER);
+
+    private Analyses() {}
+
+    /** Each automaton of a promise on its own. */
+    public static List<Examination> examine(Promise promise, Budget budget) {
+        return promise.automata().stream().map(a -> examine(promise, a, budget)).toList();
+    }
+
+    private static Examination examine(Promise promise, Automaton automaton, Budget budget) {
+        Subject subject;
+        try {
+            subject = Subject.of(promise.component(), automaton, promise.arguments());
+        } catch (Fault fault) {
+            return new Examination(
+                    promise.component(), automaton, List.of(beginning(fault, automaton)), "", 0);
+        }
+        List<Analysis> analyses = ALL.stream().map(each -> each.apply(subject)).toList();
+        Exploration explored = Exploration.run(subject, analyses, budget);
+        List<Finding> findings = new ArrayList<>();
+        analyses.forEach(each -> findings.addAll(each.findings(explored)));
+        findings.sort(ORDER);
+        return new Examination(
+                promise.component(), automaton, findings, explored.obstacle(), explored.size());
+    }
+
+    /** The automaton goes wrong before it reads anything. */
+    private static Finding beginning(Fault fault, Automaton automaton) {
+        String code =
+                switch (fault.kind()) {
+                    case DIVISION_BY_ZERO -> DivisionByZero.CODE;
+                    case OUTSIDE_RANGE -> RangeOverflow.CODE;
+                };
+        return Finding.never(
+                Diagnostic.error(
+                        code,
+                        automaton.initials().get(0).span(),
+                        "run error at the start: " + fault.getMessage()));
+    }
+}

@@ -1,0 +1,104 @@
+package arcomat.analysis.automaton;
+
+import arcomat.model.Automaton.Completion;
+import arcomat.model.Component;
+import arcomat.model.FirstValue;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.source.Diagnostic;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * An input that a state does not handle, one per state; one with a message if there is any. Under
+ * {@code ignore} an automaton is complete by declaration (the paper, section 3). What chaos makes
+ * of silence is a question of its own, {@link VacuousOnSilence}.
+ */
+final class Completeness implements Analysis {
+    static final String CODE = "ARC1002";
+
+    private final Subject subject;
+    private final Story story;
+    private final Completion completion;
+    private final Witnesses<Integer> messages = new Witnesses<>();
+    private final Witnesses<Integer> silence = new Witnesses<>();
+
+    Completeness(Subject subject) {
+        this.subject = subject;
+        this.story = new Story(subject);
+        this.completion = subject.automaton().completion();
+    }
+
+    @Override
+    public void see(Situation situation) {
+        if (completion == Completion.IGNORE || !situation.isUnhandled()) {
+            return;
+        }
+        if (!situation.isSilent()) {
+            messages.add(situation.state(), situation);
+            return;
+        }
+        withMessage(situation).ifPresent(each -> messages.add(each.state(), each));
+        if (!VacuousOnSilence.concerns(subject)) {
+            silence.add(situation.state(), situation);
+        }
+    }
+
+    /** Silence may stand for letters with a message on a port that the state does not look at. */
+    private Optional<Situation> withMessage(Situation silent) {
+        List<Port> inputs = subject.component().inputs();
+        List<Attention.Look> looks =
+                subject.relation().attention(silent.visit().configuration()).looks();
+        for (int port = 0; port < inputs.size(); port++) {
+            if (looks.get(port) instanceof Attention.Unseen) {
+                Value[] letter = silent.letter().clone();
+                letter[port] = FirstValue.of(inputs.get(port).type());
+                return Optional.of(
+                        new Situation(silent.visit(), letter, List.of(), Optional.empty()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    @Override
+    public List<Finding> findings(Exploration explored) {
+        List<Finding> findings = new ArrayList<>();
+        for (int state = 0; state < subject.automaton().states().size(); state++) {
+            Optional<Situation> quiet = silence.of(state);
+            messages.of(state).or(() -> quiet).map(this::finding).ifPresent(findings::add);
+        }
+        return findings;
+    }
+
+    private Finding finding(Situation situation) {
+        String message =
+                "in %s no transition handles %s: %s"
+                        .formatted(
+                                story.words(situation.visit().configuration()),
+                                story.words(situation.letter()),
+                                consequence());
+        Diagnostic warning =
+                Diagnostic.warning(
+                        CODE, subject.automaton().places().get(situation.state()), message);
+        Diagnostic diagnostic =
+                completion == Completion.ERROR
+                        ? warning.withSeverity(arcomat.source.Severity.ERROR)
+                        : warning;
+        return story.finding(diagnostic, situation);
+    }
+
+    private String consequence() {
+        boolean events = subject.component().profile() == Component.Profile.EVENT_DRIVEN;
+        return switch (completion) {
+            case CHAOS -> "anything may happen from then on (completion chaos)";
+            case OUTPUT -> "anything may be sent, and the state stays (completion output)";
+            case ERROR ->
+                    "that is forbidden (completion error), but this %s can come"
+                            .formatted(events ? "event" : "input");
+            case IGNORE -> throw new AssertionError(completion);
+        };
+    }
+}

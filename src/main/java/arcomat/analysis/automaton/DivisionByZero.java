@@ -1,0 +1,12 @@
+package arcomat.analysis.automaton;
+
+import arcomat.semantics.Fault;
+
+/** A division, or a remainder, by zero; in a guard or in what is sent or assigned. */
+final class DivisionByZero extends FaultAnalysis {
+    static final String CODE = "ARC1008";
+
+    DivisionByZero(Subject subject) {
+        super(CODE, Fault.Kind.DIVISION_BY_ZERO, subject);
+    }
+}

@@ -1,0 +1,211 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.automaton.Visit.Place;
+import arcomat.analysis.engine.Letters;
+import arcomat.analysis.engine.TooManyMessages;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Unseen;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Input;
+import arcomat.semantics.Output;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Start;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * All configurations that an automaton can reach, breadth first, with one letter of each kind that
+ * a configuration tells apart. Completions lead nowhere new: they keep the configuration, or end in
+ * chaos or error.
+ */
+final class Exploration {
+    private final Subject subject;
+    private final List<Analysis> watching;
+    private final Budget budget;
+
+    private final Map<Place, Visit> visits = new HashMap<>();
+    private final List<Visit> byNumber = new ArrayList<>();
+    private final Map<Attention, List<Value[]>> alphabets = new HashMap<>();
+    private final boolean[] reached;
+    private Map<Place, Visit> next = new LinkedHashMap<>();
+    private String obstacle = "";
+
+    private Exploration(Subject subject, List<Analysis> watching, Budget budget) {
+        this.subject = subject;
+        this.watching = watching;
+        this.budget = budget;
+        this.reached = new boolean[subject.automaton().states().size()];
+    }
+
+    /** Shows all that can happen to those who watch. */
+    static Exploration run(Subject subject, List<Analysis> watching, Budget budget) {
+        Exploration exploration = new Exploration(subject, watching, budget);
+        for (Start start : subject.relation().starts()) {
+            Place place = new Place(start.configuration(), Set.of());
+            exploration.propose(place, null, null, start.output());
+        }
+        exploration.explore();
+        return exploration;
+    }
+
+    private void explore() {
+        while (!next.isEmpty()) {
+            List<Visit> level = new ArrayList<>(next.values());
+            level.sort(Comparator.comparingInt(Visit::messages));
+            next = new LinkedHashMap<>();
+            level.forEach(visit -> visits.put(visit.place(), visit));
+            for (Visit visit : level) {
+                String exhausted = budget.exhausted(byNumber.size());
+                if (exhausted != null) {
+                    obstacle = exhausted;
+                    return;
+                }
+                lookAround(visit);
+            }
+        }
+    }
+
+    private void lookAround(Visit visit) {
+        try {
+            for (Value[] letter : letters(visit)) {
+                if (isPossible(letter, visit)) {
+                    Situation situation = situation(visit, letter);
+                    watching.forEach(each -> each.see(situation));
+                }
+            }
+        } catch (TooManyMessages tooMany) {
+            obstacle = tooMany.getMessage();
+        }
+    }
+
+    private List<Value[]> letters(Visit visit) {
+        Attention attention = subject.relation().attention(visit.configuration());
+        List<Value[]> known = alphabets.get(attention);
+        if (known == null) {
+            known = Letters.of(subject.component(), attention);
+            alphabets.put(attention, known);
+        }
+        return known;
+    }
+
+    /** A port that has latched a message never loses it. */
+    private boolean isPossible(Value[] letter, Visit visit) {
+        if (visit.latched().isEmpty()) {
+            return true;
+        }
+        Attention attention = subject.relation().attention(visit.configuration());
+        return visit.latched().stream()
+                .noneMatch(
+                        port ->
+                                letter[port] == null
+                                        && !(attention.looks().get(port) instanceof Unseen));
+    }
+
+    private Situation situation(Visit visit, Value[] letter) {
+        Input input = Input.of(letter);
+        List<Alternative> alternatives = new ArrayList<>();
+        try {
+            for (Trace.Taken taken : subject.relation().enabled(visit.configuration(), input)) {
+                alternatives.add(alternative(taken, visit, letter, input));
+            }
+        } catch (Fault inGuard) {
+            return new Situation(visit, letter, List.of(), Optional.of(inGuard));
+        }
+        return new Situation(visit, letter, alternatives, Optional.empty());
+    }
+
+    private Alternative alternative(Trace.Taken taken, Visit visit, Value[] letter, Input input) {
+        try {
+            Reaction reaction = subject.relation().take(taken, visit.configuration(), input);
+            Place place = new Place(reaction.next(), latched(visit, letter));
+            int number = propose(place, visit, letter, reaction.output());
+            return new Alternative(taken, Optional.of(reaction), Optional.empty(), number);
+        } catch (Fault fault) {
+            return new Alternative(taken, Optional.empty(), Optional.of(fault), -1);
+        }
+    }
+
+    private Set<Integer> latched(Visit before, Value[] letter) {
+        if (subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS) {
+            return Set.of();
+        }
+        List<Port> inputs = subject.component().inputs();
+        Set<Integer> latched = new HashSet<>(before.latched());
+        for (int port = 0; port < letter.length; port++) {
+            if (inputs.get(port).latched() && letter[port] != null) {
+                latched.add(port);
+            }
+        }
+        return latched;
+    }
+
+    /** Keeps the better of two ways that are equally long. */
+    private int propose(Place place, Visit before, Value[] letter, Output output) {
+        Visit known = visits.get(place);
+        if (known != null) {
+            return known.number();
+        }
+        Visit other = next.get(place);
+        int messages = before == null ? 0 : before.messages() + Letters.messages(letter);
+        if (other != null && other.messages() <= messages) {
+            return other.number();
+        }
+        int number = other == null ? byNumber.size() : other.number();
+        int length = before == null ? 0 : before.length() + 1;
+        Visit visit =
+                new Visit(
+                        number,
+                        place.configuration(),
+                        place.latched(),
+                        before,
+                        letter,
+                        output,
+                        length,
+                        messages);
+        next.put(place, visit);
+        if (other == null) {
+            byNumber.add(visit);
+            reached[place.configuration().state()] = true;
+        } else {
+            byNumber.set(number, visit);
+        }
+        return number;
+    }
+
+    /** Whether everything that can be reached has been seen. */
+    boolean isComplete() {
+        return obstacle.isEmpty();
+    }
+
+    /** Why not everything has been seen; else empty. */
+    String obstacle() {
+        return obstacle;
+    }
+
+    boolean hasReached(int state) {
+        return reached[state];
+    }
+
+    Visit visit(int number) {
+        return byNumber.get(number);
+    }
+
+    /** How many configurations were met. */
+    int size() {
+        return byNumber.size();
+    }
+}

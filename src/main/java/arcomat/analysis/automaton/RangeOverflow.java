@@ -1,0 +1,12 @@
+package arcomat.analysis.automaton;
+
+import arcomat.semantics.Fault;
+
+/** A value that leaves the range of its variable or port. */
+final class RangeOverflow extends FaultAnalysis {
+    static final String CODE = "ARC1007";
+
+    RangeOverflow(Subject subject) {
+        super(CODE, Fault.Kind.OUTSIDE_RANGE, subject);
+    }
+}

@@ -1,0 +1,55 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.engine.Letters;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Reaction;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What may happen in a reachable configuration on one kind of letter.
+ *
+ * @param letter messages by position of the input port, null for silence
+ * @param alternatives one per enabled transition, in text order
+ * @param fault where a guard goes wrong; then nothing is known of the alternatives
+ */
+record Situation(
+        Visit visit, Value[] letter, List<Alternative> alternatives, Optional<Fault> fault) {
+
+    /**
+     * An enabled transition.
+     *
+     * @param reaction empty where the right-hand side goes wrong
+     * @param next number of the visit that it leads to; -1 where it goes wrong
+     */
+    record Alternative(
+            Trace.Taken taken, Optional<Reaction> reaction, Optional<Fault> fault, int next) {}
+
+    int state() {
+        return visit.configuration().state();
+    }
+
+    /** Whether no transition answers. */
+    boolean isUnhandled() {
+        return alternatives.isEmpty() && fault.isEmpty();
+    }
+
+    boolean isSilent() {
+        return Letters.messages(letter) == 0;
+    }
+
+    /** Whether this is the better witness: the way to it is shorter, or has fewer messages. */
+    boolean isSimplerThan(Situation other) {
+        if (visit.length() != other.visit.length()) {
+            return visit.length() < other.visit.length();
+        }
+        return messages() < other.messages();
+    }
+
+    private int messages() {
+        return visit.messages() + Letters.messages(letter);
+    }
+}

@@ -1,0 +1,54 @@
+package arcomat.analysis.automaton;
+
+import arcomat.model.Automaton.Transition;
+import arcomat.source.Diagnostic;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A state that no run reaches. */
+final class UnreachableState implements Analysis {
+    static final String CODE = "ARC1003";
+
+    private final Subject subject;
+
+    UnreachableState(Subject subject) {
+        this.subject = subject;
+    }
+
+    @Override
+    public void see(Situation situation) {
+        // What is reached is known to the exploration.
+    }
+
+    @Override
+    public List<Finding> findings(Exploration explored) {
+        List<Finding> findings = new ArrayList<>();
+        for (int state = 0; state < subject.automaton().states().size(); state++) {
+            if (explored.isComplete() && !explored.hasReached(state)) {
+                findings.add(Finding.never(diagnostic(state)));
+            }
+        }
+        return findings;
+    }
+
+    private Diagnostic diagnostic(int state) {
+        List<Transition> leading =
+                subject.automaton().transitions().stream()
+                        .filter(t -> t.target() == state && t.source() != state)
+                        .toList();
+        String reason =
+                leading.isEmpty()
+                        ? "no transition leads to it"
+                        : "no transition that leads to it can be taken";
+        Diagnostic diagnostic =
+                Diagnostic.warning(
+                        CODE,
+                        subject.automaton().places().get(state),
+                        "state %s is never reached: %s".formatted(subject.state(state), reason));
+        for (Transition transition : leading) {
+            diagnostic = diagnostic.withRelated(transition.span(), "can never be taken");
+        }
+        return diagnostic;
+    }
+}

@@ -1,0 +1,150 @@
+package arcomat.analysis.automaton;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.automaton.NaiveExploration.Overlapping;
+import arcomat.model.Component;
+import arcomat.source.SourceFile;
+
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import net.jqwik.api.statistics.Statistics;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/**
+ * On random small automata the analyses find what trying all letters in all configurations finds,
+ * with witnesses that are as short.
+ */
+class NaiveAgreementTest {
+    private static final List<String> STATES = List.of("s0", "s1", "s2");
+
+    @Property(tries = 500)
+    void agree(@ForAll("automata") String text) {
+        Component component =
+                Models.read(List.of(new SourceFile("Random.arc", text))).components().get(0);
+        Examination examination = Models.examine(component).get(0);
+        NaiveExploration naive = NaiveExploration.of(component);
+
+        assertThat(examination.obstacle()).isEmpty();
+        assertThat(lengths(examination, Overlap.CODE)).isEqualTo(overlaps(naive));
+        assertThat(places(examination, Completeness.CODE)).isEqualTo(naive.unhandled());
+        assertThat(places(examination, UnreachableState.CODE)).isEqualTo(naive.unreached());
+        assertThat(places(examination, DeadTransition.CODE)).isEqualTo(naive.dead());
+        assertThat(lengths(examination, RangeOverflow.CODE)).isEqualTo(naive.overflows());
+        assertThat(lengths(examination, DivisionByZero.CODE)).isEqualTo(naive.divisions());
+        assertThat(lengths(examination, Trap.CODE).values().stream().min(Integer::compare))
+                .isEqualTo(naive.wayIntoATrap());
+        assertThat(places(examination, VacuousOnSilence.CODE).isEmpty())
+                .isEqualTo(naive.vacuous().isEmpty());
+        Replay.all(examination);
+        occurs("overlap", !naive.overlaps().isEmpty(), 30);
+        occurs("run error", !naive.divisions().isEmpty() || !naive.overflows().isEmpty(), 10);
+        occurs("all states reached", naive.unreached().isEmpty(), 10);
+        occurs("trap behind a letter", naive.wayIntoATrap().orElse(0) > 0, 10);
+    }
+
+    /** Agreement says little where nothing is to be found. */
+    private static void occurs(String what, boolean here, double percent) {
+        Statistics.label(what)
+                .collect(here)
+                .coverage(all -> all.check(true).percentage(share -> share >= percent));
+    }
+
+    /** Letters of the witness by the place of the finding, and by its words where it has several. */
+    private static Map<String, Integer> lengths(Examination examination, String code) {
+        Map<String, Integer> lengths = new TreeMap<>();
+        for (Finding finding : findings(examination, code)) {
+            String kind =
+                    code.equals(Overlap.CODE)
+                            ? finding.diagnostic().related().get(0).span().startPosition()
+                                    + kind(finding.diagnostic().message())
+                            : "";
+            lengths.put(
+                    finding.diagnostic().span().startPosition() + kind,
+                    finding.trace().size() - 1);
+        }
+        return lengths;
+    }
+
+    private static String kind(String message) {
+        if (message.contains("same effect")) {
+            return "SAME";
+        }
+        return message.contains("what is sent differs") ? "OBSERVABLE" : "HIDDEN";
+    }
+
+    private static Map<String, Integer> overlaps(NaiveExploration naive) {
+        Map<String, Integer> lengths = new TreeMap<>();
+        for (Map.Entry<Overlapping, Integer> each : naive.overlaps().entrySet()) {
+            Overlapping pair = each.getKey();
+            lengths.put(pair.first() + pair.second() + pair.kind(), each.getValue());
+        }
+        return lengths;
+    }
+
+    private static Set<String> places(Examination examination, String code) {
+        return findings(examination, code).stream()
+                .map(finding -> finding.diagnostic().span().startPosition().toString())
+                .collect(Collectors.toCollection(TreeSet::new));
+    }
+
+    private static List<Finding> findings(Examination examination, String code) {
+        return examination.findings().stream().filter(f -> f.code().equals(code)).toList();
+    }
+
+    @Provide
+    Arbitrary<String> automata() {
+        return Combinators.combine(
+                        Arbitraries.of("chaos", "output", "ignore", "error"),
+                        Arbitraries.of("silent", "free"),
+                        lines().list().ofMinSize(1).ofMaxSize(7))
+                .as(NaiveAgreementTest::text);
+    }
+
+    private static Arbitrary<String> lines() {
+        Arbitrary<String> states = Arbitraries.of(STATES);
+        Arbitrary<String> guards =
+                Arbitraries.of(
+                        "", "", "", " [n > v]", " [v < 2]", " [n <= 1 && on]", " [w == v]",
+                        " [n == v || b == --]", " [4 % v == 1]", " [n + v > 4]", " [v == 3]");
+        Arbitrary<String> inputs =
+                Arbitraries.of("", "", " {b == true}", " {b == --}", " {n == ?, b == false}");
+        Arbitrary<String> outputs =
+                Arbitraries.of(
+                        "", " / {x = 1}", " / {x = v}", " / {v = v + 1}", " / {v = n, x = 2}",
+                        " / {w = v, v = 0}", " / {x = 6 / n}", " / {y = true, v = w}",
+                        " / {y = ?, v = 3 - v}", " / {x = v, y = --}");
+        return Combinators.combine(states, states, guards, inputs, outputs)
+                .as((from, to, guard, in, out) -> from + " -> " + to + guard + in + out + ";");
+    }
+
+    private static String text(String completion, String omitted, List<String> lines) {
+        return """
+        component Random {
+          port in Boolean b, in Integer[0..3] n, <<total>> in Boolean on,
+               out Integer[0..2] x, out Boolean y;
+
+          <<completion = "%s", omitted = "%s">> automaton {
+            state s0, s1, s2;
+            variable Integer[0..3] v = 1;
+            variable Integer[0..9] w = 2;
+            initial s0;
+            %s
+          }
+        }
+        """
+                .formatted(completion, omitted, String.join("\n    ", lines))
+                .replace("<<total>> in Boolean on", lines.size() % 2 == 0
+                        ? "<<total>> in Boolean on" : "in Boolean on");
+    }
+}

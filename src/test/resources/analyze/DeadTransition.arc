@@ -1,0 +1,45 @@
+//// Bad.arc
+component Bad {
+  port in Boolean press, in Integer[0..9] level, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state off, on;
+    variable Integer[0..3] count = 0;
+    initial off;
+    off -> on {press == true} / {light = true};
+    on -> off [count == 0] {press == true} / {light = false};
+    on -> off [count > 0] {press == false} / {light = false};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition on -> off can never be taken: no input enables it in any configuration that is reached
+    on [level > 4 && level < 5] / {light = true};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition on -> on can never be taken: no input enables it in any configuration that is reached
+  }
+}
+
+//// BadTable.arc
+/** The second row is the first one again. */
+component BadTable {
+  timing instant;
+  port in Boolean press, out Boolean light;
+
+  <<completion = "ignore">> table {
+    in press;
+    out light;
+    | true | => | true |;
+    | true | => | false |;
+//  ~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition table -> table can never be taken: no input enables it in any configuration that is reached
+  }
+}
+
+//// Good.arc
+component Good {
+  port in Boolean press, in Integer[0..9] level, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state off, on;
+    variable Integer[0..3] count = 0;
+    initial off;
+    off -> on {press == true} / {light = true, count = 2};
+    on -> off [count > 0] {press == false} / {light = false};
+    on [level > 3 && level < 5] {press == --} / {light = true};
+  }
+}

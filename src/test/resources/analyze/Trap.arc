@@ -1,0 +1,79 @@
+//// BadSink.arc
+/** Two traps; one has two states. */
+component BadSink {
+  port in Boolean press, in Boolean stop, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state off, ended, idling, resting;
+//             ~~~~~ warning ARC1005: from ended on nothing is sent any more: no transition that sends can be taken
+//                    ~~~~~~ warning ARC1005: from idling on nothing is sent any more: no transition that sends can be taken; the trap is {idling, resting}
+    initial off / {light = false};
+    off {press == true} / {light = true};
+    off -> idling {press == false};
+    idling -> resting {press == true} / {light = --};
+    resting -> idling {press == false};
+    off -> ended {press == --, stop == true} / {light = false};
+  }
+}
+
+//// BadCounter.arc
+/** After three presses the lamp is dark for ever. */
+component BadCounter {
+  port in Boolean press, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state only;
+//        ~~~~ warning ARC1005: from only (left = 0) on nothing is sent any more: no transition that sends can be taken
+    variable Integer[0..3] left = 3;
+    initial only;
+    only [left > 0] {press == true} / {light = true, left = left - 1};
+  }
+}
+
+//// BadDumb.arc
+component BadDumb {
+  port in Boolean press, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state only;
+//        ~~~~ warning ARC1005: from only on nothing is sent any more: no transition that sends can be taken
+    initial only / {light = true};
+    only {press == true};
+  }
+}
+
+//// GoodLamp.arc
+component GoodLamp {
+  port in Boolean press, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state off, silent;
+    initial off / {light = false};
+    off -> silent {press == true};
+    silent -> off {press == true} / {light = true};
+  }
+}
+
+//// GoodSink.arc
+/** Has nothing to send. */
+component GoodSink {
+  port in Boolean press;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only {press == true};
+  }
+}
+
+//// GoodFree.arc
+/** What is omitted may be anything. */
+component GoodFree {
+  port in Boolean press, out Boolean light;
+
+  <<completion = "ignore", omitted = "free">> automaton {
+    state only;
+    initial only;
+    only {press == true};
+  }
+}
