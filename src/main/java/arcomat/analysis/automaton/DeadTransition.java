@@ -42,7 +42,6 @@ final class DeadTransition implements Analysis {
         return Diagnostic.warning(
                 CODE,
                 subject.transition(transition).span(),
-                "transition %s can never be taken: %s"
-                        .formatted(subject.move(transition), reason));
+                "transition %s can never be taken: %s".formatted(subject.move(transition), reason));
     }
 }

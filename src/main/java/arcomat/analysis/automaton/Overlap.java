@@ -75,8 +75,7 @@ final class Overlap implements Analysis {
         Pair last = null;
         for (Map.Entry<Pair, Situation> entry : overlaps.all().entrySet()) {
             Pair pair = entry.getKey();
-            boolean lesser =
-                    last != null && last.first == pair.first && last.second == pair.second;
+            boolean lesser = last != null && last.first == pair.first && last.second == pair.second;
             if (!lesser) {
                 findings.add(finding(pair, entry.getValue()));
             }
@@ -105,8 +104,7 @@ final class Overlap implements Analysis {
         Alternative one = find(pair.first, situation);
         Alternative two = find(pair.second, situation);
         return switch (pair.kind) {
-            case OBSERVABLE ->
-                    "and what is sent differs: %s or %s".formatted(sent(one), sent(two));
+            case OBSERVABLE -> "and what is sent differs: %s or %s".formatted(sent(one), sent(two));
             case HIDDEN ->
                     "and send the same, but lead to different configurations: %s or %s"
                             .formatted(target(one), target(two));

@@ -40,8 +40,7 @@ final class Story {
         for (Visit each = visit; each != null; each = each.before()) {
             Letter input = each.letter() == null ? Letter.SILENCE : letter(each.letter());
             moments.add(
-                    new Moment(
-                            input, sent(each.output()), words(each.configuration()), List.of()));
+                    new Moment(input, sent(each.output()), words(each.configuration()), List.of()));
         }
         Collections.reverse(moments);
         return moments;

@@ -37,7 +37,8 @@ record TrapGroup(Visit entry, TreeSet<Integer> states) {
                             }
                         });
         List<TrapGroup> found = new ArrayList<>();
-        for (TreeSet<Integer> states : new TreeSet<>(groups.keySet()).stream().map(groups::get).distinct().toList()) {
+        for (TreeSet<Integer> states :
+                new TreeSet<>(groups.keySet()).stream().map(groups::get).distinct().toList()) {
             found.add(new TrapGroup(entry(trapped, states, explored), states));
         }
         return found;

@@ -62,7 +62,9 @@ class AnalysesTest {
         return open.isEmpty();
     }
 
-    /** In its own file an analysis finds something, in a component called bad, and not in others. */
+    /**
+     * In its own file an analysis finds something, in a component called bad, and not in others.
+     */
     @TestFactory
     Stream<DynamicTest> everyAnalysisHasGoodAndBadExamples() throws IOException {
         return dataFiles().stream()
@@ -74,7 +76,9 @@ class AnalysesTest {
         String code = code(name(path));
         List<Expectation> own =
                 data.expectations().stream().filter(e -> e.code().equals(code)).toList();
-        assertThat(own).anyMatch(e -> !e.message().isEmpty()).allMatch(e -> e.path().contains("Bad"));
+        assertThat(own)
+                .anyMatch(e -> !e.message().isEmpty())
+                .allMatch(e -> e.path().contains("Bad"));
         assertThat(data.files()).anyMatch(file -> file.path().contains("Good"));
     }
 

@@ -4,11 +4,11 @@ import arcomat.analysis.Budget;
 import arcomat.analysis.Promise;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
+import arcomat.model.Expression;
 import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
-import arcomat.model.Expression;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
@@ -37,9 +37,7 @@ final class Models {
 
     /** Of all components with automata; parameters without a default have their first value. */
     static List<Examination> examine(Model model) {
-        return model.components().stream()
-                .flatMap(each -> examine(each).stream())
-                .toList();
+        return model.components().stream().flatMap(each -> examine(each).stream()).toList();
     }
 
     static List<Examination> examine(Component component) {

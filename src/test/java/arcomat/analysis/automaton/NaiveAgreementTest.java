@@ -28,7 +28,7 @@ import java.util.stream.Collectors;
 class NaiveAgreementTest {
     private static final List<String> STATES = List.of("s0", "s1", "s2");
 
-    @Property(tries = 500)
+    @Property(seed = "1", tries = 500)
     void agree(@ForAll("automata") String text) {
         Component component =
                 Models.read(List.of(new SourceFile("Random.arc", text))).components().get(0);
@@ -60,7 +60,9 @@ class NaiveAgreementTest {
                 .coverage(all -> all.check(true).percentage(share -> share >= percent));
     }
 
-    /** Letters of the witness by the place of the finding, and by its words where it has several. */
+    /**
+     * Letters of the witness by the place of the finding, and by its words where it has several.
+     */
     private static Map<String, Integer> lengths(Examination examination, String code) {
         Map<String, Integer> lengths = new TreeMap<>();
         for (Finding finding : findings(examination, code)) {
@@ -70,8 +72,7 @@ class NaiveAgreementTest {
                                     + kind(finding.diagnostic().message())
                             : "";
             lengths.put(
-                    finding.diagnostic().span().startPosition() + kind,
-                    finding.trace().size() - 1);
+                    finding.diagnostic().span().startPosition() + kind, finding.trace().size() - 1);
         }
         return lengths;
     }
@@ -107,24 +108,41 @@ class NaiveAgreementTest {
         return Combinators.combine(
                         Arbitraries.of("chaos", "output", "ignore", "error"),
                         Arbitraries.of("silent", "free"),
-                        lines().list().ofMinSize(1).ofMaxSize(7))
+                        lines().list().ofMinSize(3).ofMaxSize(10))
                 .as(NaiveAgreementTest::text);
     }
 
     private static Arbitrary<String> lines() {
         Arbitrary<String> states = Arbitraries.of(STATES);
+        Arbitrary<String> sources = Arbitraries.of("s0", "s0", "s1", "s2");
         Arbitrary<String> guards =
                 Arbitraries.of(
-                        "", "", "", " [n > v]", " [v < 2]", " [n <= 1 && on]", " [w == v]",
-                        " [n == v || b == --]", " [4 % v == 1]", " [n + v > 4]", " [v == 3]");
+                        "",
+                        "",
+                        "",
+                        " [n > v]",
+                        " [v < 2]",
+                        " [n <= 1 && on]",
+                        " [w == v]",
+                        " [n == v || b == --]",
+                        " [4 % v == 1]",
+                        " [n + v > 4]",
+                        " [v == 3]");
         Arbitrary<String> inputs =
                 Arbitraries.of("", "", " {b == true}", " {b == --}", " {n == ?, b == false}");
         Arbitrary<String> outputs =
                 Arbitraries.of(
-                        "", " / {x = 1}", " / {x = v}", " / {v = v + 1}", " / {v = n, x = 2}",
-                        " / {w = v, v = 0}", " / {x = 6 / n}", " / {y = true, v = w}",
-                        " / {y = ?, v = 3 - v}", " / {x = v, y = --}");
-        return Combinators.combine(states, states, guards, inputs, outputs)
+                        "",
+                        " / {x = 1}",
+                        " / {x = v}",
+                        " / {v = v + 1}",
+                        " / {v = n, x = 2}",
+                        " / {w = v, v = 0}",
+                        " / {x = 6 / n}",
+                        " / {y = true, v = w}",
+                        " / {y = ?, v = 3 - v}",
+                        " / {x = v, y = --}");
+        return Combinators.combine(sources, states, guards, inputs, outputs)
                 .as((from, to, guard, in, out) -> from + " -> " + to + guard + in + out + ";");
     }
 
@@ -144,7 +162,8 @@ class NaiveAgreementTest {
         }
         """
                 .formatted(completion, omitted, String.join("\n    ", lines))
-                .replace("<<total>> in Boolean on", lines.size() % 2 == 0
-                        ? "<<total>> in Boolean on" : "in Boolean on");
+                .replace(
+                        "<<total>> in Boolean on",
+                        lines.size() % 2 == 0 ? "<<total>> in Boolean on" : "in Boolean on");
     }
 }
