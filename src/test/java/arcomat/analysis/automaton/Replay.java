@@ -23,6 +23,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * Goes the way of every witness with the step relation alone, and sees at its end what was found.
@@ -75,7 +77,7 @@ final class Replay {
         for (Configuration configuration : before) {
             for (Reaction reaction : reactions(configuration, moment.input())) {
                 if (sent(reaction.output()).equals(moment.outputs())
-                        && moment.left().startsWith(state(reaction.next()))) {
+                        && moment.left().equals(words(reaction.next()))) {
                     found.add(reaction.next());
                 }
             }
@@ -97,8 +99,17 @@ final class Replay {
         return reactions;
     }
 
-    private String state(Configuration configuration) {
-        return automaton.states().get(configuration.state());
+    private String words(Configuration configuration) {
+        String values =
+                IntStream.range(0, configuration.variables().size())
+                        .mapToObj(
+                                i ->
+                                        automaton.variables().get(i).name()
+                                                + " = "
+                                                + configuration.variables().get(i))
+                        .collect(Collectors.joining(", "));
+        String state = automaton.states().get(configuration.state());
+        return values.isEmpty() ? state : state + " (" + values + ")";
     }
 
     private Map<String, Sent> sent(Output output) {
