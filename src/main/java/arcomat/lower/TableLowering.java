@@ -39,7 +39,6 @@ final class TableLowering {
                 List.of(),
                 List.of(new Automaton.Initial(0, List.of(), List.of(), table.node().span())),
                 transitions(),
-                List.of(table.node().span()),
                 table.node().span());
     }
 

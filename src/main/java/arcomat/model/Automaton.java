@@ -2,6 +2,7 @@ package arcomat.model;
 
 import arcomat.source.Span;
 
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -29,6 +30,28 @@ public record Automaton(
         initials = List.copyOf(initials);
         transitions = List.copyOf(transitions);
         places = List.copyOf(places);
+    }
+
+    /** Where all states are declared in one place. */
+    public Automaton(
+            String name,
+            Completion completion,
+            Omitted omitted,
+            List<String> states,
+            List<Variable> variables,
+            List<Initial> initials,
+            List<Transition> transitions,
+            Span span) {
+        this(
+                name,
+                completion,
+                omitted,
+                states,
+                variables,
+                initials,
+                transitions,
+                Collections.nCopies(states.size(), span),
+                span);
     }
 
     /** The same with another completion. */

@@ -14,7 +14,6 @@ import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 
@@ -315,7 +314,6 @@ public final class ComponentBuilder {
                             variables,
                             initials,
                             transitions,
-                            Collections.nCopies(states.size(), NOWHERE),
                             NOWHERE));
             return ComponentBuilder.this;
         }
