@@ -5,7 +5,7 @@ component Bad {
   <<completion = "ignore">> automaton {
     state off, on, lost, guarded;
 //                 ~~~~ warning ARC1003: state lost is never reached: no transition leads to it
-//                       ~~~~~~~ warning ARC1003: state guarded is never reached: no transition that leads to it can be taken
+//                       ~~~~~~~ warning ARC1003: state guarded is never reached: no run carries out a transition that leads to it
     variable Integer[0..5] count = 0;
     initial off;
     off -> on [count == 5] {press == false} / {light = true};

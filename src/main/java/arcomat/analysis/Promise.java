@@ -55,7 +55,7 @@ public record Promise(Component component, List<Value> arguments, List<Automaton
     }
 
     /** Each automaton on its own: a conjunction is kept if each of them is. */
-    List<Promise> each() {
+    public List<Promise> each() {
         return automata.size() < 2
                 ? List.of(this)
                 : automata.stream()

@@ -4,6 +4,7 @@ import arcomat.source.Diagnostic;
 import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
@@ -148,14 +149,23 @@ public final class Checks {
                                 () -> new Walk(workspace, profile, new Listeners(ALL, profile)),
                                 (each, step) -> step.accept(each),
                                 Walk::join));
-        return sort(walk.findings(), walk.suppressions(), profile);
+        List<Diagnostic> found =
+                walk.findings().stream().flatMap(each -> each.diagnostics().stream()).toList();
+        return sort(found, walk.suppressions(), profile);
     }
 
-    private static Review sort(List<Findings> found, Suppressions suppressions, Profile profile) {
+    /** Findings that others made: those that the models declare to be meant are told apart. */
+    public static Review sort(Workspace workspace, List<Diagnostic> findings) {
+        Listeners nobody = new Listeners(List.of(), Profile.REQUIREMENTS);
+        Walk walk = new Walk(workspace, Profile.REQUIREMENTS, nobody);
+        Walk.steps(workspace).forEach(step -> step.accept(walk));
+        return sort(findings, walk.suppressions(), Profile.REQUIREMENTS);
+    }
+
+    private static Review sort(
+            Collection<Diagnostic> found, Suppressions suppressions, Profile profile) {
         TreeSet<Diagnostic> all = new TreeSet<>(Diagnostic.ORDER);
-        for (Findings findings : found) {
-            all.addAll(findings.diagnostics());
-        }
+        all.addAll(found);
         List<Diagnostic> findings = new ArrayList<>();
         List<Review.Suppressed> suppressed = new ArrayList<>();
         for (Diagnostic finding : all) {

@@ -86,6 +86,15 @@ public final class Pipeline {
     }
 
     /**
+     * Examines automata one by one.
+     *
+     * @throws WrongUse where there are none, or the request does not fit the models
+     */
+    public AnalyzeResult analyze(AnalyzeRequest request, List<String> paths) throws WrongUse {
+        return AnalyzeStep.run(request, paths, names, progress);
+    }
+
+    /**
      * Compares two components.
      *
      * @throws WrongUse where the request does not fit the models

@@ -39,6 +39,12 @@ public final class FindingsJson {
 
     private static void write(JsonGenerator json, Diagnostic finding) throws IOException {
         json.writeStartObject();
+        writeFields(json, finding);
+        json.writeEndObject();
+    }
+
+    /** Into an object that has been started. */
+    static void writeFields(JsonGenerator json, Diagnostic finding) throws IOException {
         json.writeStringField("code", finding.code());
         json.writeStringField("severity", FindingsText.word(finding.severity()));
         json.writeStringField("message", finding.message());
@@ -54,7 +60,6 @@ public final class FindingsJson {
         if (finding.fix().isPresent()) {
             write(json, finding.fix().get());
         }
-        json.writeEndObject();
     }
 
     private static void write(JsonGenerator json, Fix fix) throws IOException {

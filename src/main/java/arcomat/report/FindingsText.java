@@ -21,7 +21,7 @@ public final class FindingsText {
         return out.toString();
     }
 
-    private static String render(Diagnostic finding, Style style) {
+    static String render(Diagnostic finding, Style style) {
         StringBuilder out = new StringBuilder();
         Severity severity = finding.severity();
         out.append(style.strong(place(finding.span())))

@@ -3,6 +3,7 @@ package arcomat.report;
 import arcomat.analysis.Moment;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Sentence;
+import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.semantics.Sent;
 
@@ -55,19 +56,29 @@ public final class VerdictJson {
 
     static void write(JsonGenerator json, Moment moment) throws IOException {
         json.writeStartObject();
+        input(json, moment.input());
+        outputs(json, moment.outputs());
+        json.writeStringField("left", moment.left());
+        strings(json, "right", moment.right());
+        json.writeEndObject();
+    }
+
+    /** The field {@code in}. */
+    static void input(JsonGenerator json, Letter letter) throws IOException {
         json.writeObjectFieldStart("in");
-        for (Map.Entry<String, List<Value>> port : moment.input().messages().entrySet()) {
+        for (Map.Entry<String, List<Value>> port : letter.messages().entrySet()) {
             json.writeFieldName(port.getKey());
             messages(json, port.getValue());
         }
         json.writeEndObject();
+    }
+
+    /** The field {@code out}. */
+    static void outputs(JsonGenerator json, Map<String, Sent> outputs) throws IOException {
         json.writeObjectFieldStart("out");
-        for (Map.Entry<String, Sent> port : moment.outputs().entrySet()) {
+        for (Map.Entry<String, Sent> port : outputs.entrySet()) {
             sent(json, port.getKey(), port.getValue());
         }
-        json.writeEndObject();
-        json.writeStringField("left", moment.left());
-        strings(json, "right", moment.right());
         json.writeEndObject();
     }
 

@@ -4,6 +4,7 @@ import arcomat.analysis.Moment;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.Verdict.Sentence;
+import arcomat.model.Letter;
 import arcomat.semantics.Sent;
 import arcomat.source.Severity;
 
@@ -68,10 +69,7 @@ public final class VerdictText {
         TextTable table = new TextTable(List.of("step", "input", "output", "left is", "right is"));
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
-            List<String> inputs = new ArrayList<>();
-            moment.input()
-                    .messages()
-                    .forEach((port, values) -> inputs.add(port + " = " + TraceTable.text(values)));
+            List<String> inputs = inputs(moment.input());
             List<String> outputs = outputs(moment.outputs());
             List<String> states = states(moment.right(), i == trace.size() - 1);
             int lines =
@@ -90,7 +88,16 @@ public final class VerdictText {
                 + table.render(style);
     }
 
-    private static List<String> outputs(Map<String, Sent> sent) {
+    /** Port by port. */
+    static List<String> inputs(Letter letter) {
+        List<String> inputs = new ArrayList<>();
+        letter.messages()
+                .forEach((port, values) -> inputs.add(port + " = " + TraceTable.text(values)));
+        return inputs;
+    }
+
+    /** Port by port, those that are silent left out; a star where it is left open. */
+    static List<String> outputs(Map<String, Sent> sent) {
         List<String> outputs = new ArrayList<>();
         sent.forEach(
                 (port, messages) -> {

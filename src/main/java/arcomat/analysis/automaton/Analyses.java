@@ -32,24 +32,26 @@ public final class Analyses {
 
     /** Each automaton of a promise on its own. */
     public static List<Examination> examine(Promise promise, Budget budget) {
-        return promise.automata().stream().map(a -> examine(promise, a, budget)).toList();
+        return promise.each().stream()
+                .filter(each -> !each.automata().isEmpty())
+                .map(each -> examineSole(each, budget))
+                .toList();
     }
 
-    private static Examination examine(Promise promise, Automaton automaton, Budget budget) {
+    private static Examination examineSole(Promise promise, Budget budget) {
+        Automaton automaton = promise.automata().get(0);
         Subject subject;
         try {
             subject = Subject.of(promise.component(), automaton, promise.arguments());
         } catch (Fault fault) {
-            return new Examination(
-                    promise.component(), automaton, List.of(beginning(fault, automaton)), "", 0);
+            return new Examination(promise, List.of(beginning(fault, automaton)), "", 0);
         }
         List<Analysis> analyses = ALL.stream().map(each -> each.apply(subject)).toList();
         Exploration explored = Exploration.run(subject, analyses, budget);
         List<Finding> findings = new ArrayList<>();
         analyses.forEach(each -> findings.addAll(each.findings(explored)));
         findings.sort(ORDER);
-        return new Examination(
-                promise.component(), automaton, findings, explored.obstacle(), explored.size());
+        return new Examination(promise, findings, explored.obstacle(), explored.size());
     }
 
     /** The automaton goes wrong before it reads anything. */

@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -9,16 +10,12 @@ import java.util.List;
 /**
  * What the analyses found about one automaton.
  *
+ * @param promise the automaton alone, with the arguments of its component
  * @param findings by place in the text
  * @param obstacle why not everything was looked at; else empty. Findings hold in any case
  * @param explored how many configurations were looked at
  */
-public record Examination(
-        Component component,
-        Automaton automaton,
-        List<Finding> findings,
-        String obstacle,
-        int explored) {
+public record Examination(Promise promise, List<Finding> findings, String obstacle, int explored) {
     public Examination {
         findings = List.copyOf(findings);
     }
@@ -29,5 +26,18 @@ public record Examination(
             return Answer.FAILS;
         }
         return obstacle.isEmpty() ? Answer.HOLDS : Answer.UNKNOWN;
+    }
+
+    public Component component() {
+        return promise.component();
+    }
+
+    public Automaton automaton() {
+        return promise.automata().get(0);
+    }
+
+    /** The same with some of the findings. */
+    public Examination with(List<Finding> some) {
+        return new Examination(promise, some, obstacle, explored);
     }
 }

@@ -40,14 +40,14 @@ final class UnreachableState implements Analysis {
         String reason =
                 leading.isEmpty()
                         ? "no transition leads to it"
-                        : "no transition that leads to it can be taken";
+                        : "no run carries out a transition that leads to it";
         Diagnostic diagnostic =
                 Diagnostic.warning(
                         CODE,
                         subject.automaton().places().get(state),
                         "state %s is never reached: %s".formatted(subject.state(state), reason));
         for (Transition transition : leading) {
-            diagnostic = diagnostic.withRelated(transition.span(), "can never be taken");
+            diagnostic = diagnostic.withRelated(transition.span(), "leads to it");
         }
         return diagnostic;
     }

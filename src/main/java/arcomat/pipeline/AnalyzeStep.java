@@ -1,0 +1,83 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Promise;
+import arcomat.analysis.automaton.Analyses;
+import arcomat.analysis.automaton.Examination;
+import arcomat.analysis.automaton.Finding;
+import arcomat.check.Checks;
+import arcomat.check.Review;
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.source.Diagnostic;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Examines automata, one by one. */
+final class AnalyzeStep {
+    private AnalyzeStep() {}
+
+    static AnalyzeResult run(
+            AnalyzeRequest request, List<String> paths, PathNames names, Progress progress)
+            throws WrongUse {
+        CheckedModels checked =
+                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+        if (checked.hasErrors()) {
+            return new AnalyzeResult(checked.result(), List.of(), 0);
+        }
+        List<Promise> promises = promises(request, checked, checked.lower(progress));
+        if (promises.isEmpty()) {
+            throw new WrongUse("there is no automaton in " + String.join(", ", paths));
+        }
+        List<Examination> examinations = new ArrayList<>();
+        for (Promise promise : promises) {
+            progress.step("examining " + promise.title());
+            examinations.addAll(Analyses.examine(promise, request.limits().budget()));
+        }
+        return withoutMeant(examinations, checked);
+    }
+
+    private static List<Promise> promises(
+            AnalyzeRequest request, CheckedModels checked, Model model) throws WrongUse {
+        if (request.components().isEmpty()) {
+            return InstancePromises.of(model, checked);
+        }
+        List<Promise> promises = new ArrayList<>();
+        for (String written : request.components()) {
+            Promise promise = PromiseReference.parse(written).in(checked, model);
+            Component component = promise.component();
+            if (promise.automata().isEmpty()) {
+                promise = Promise.required(component, promise.arguments());
+            }
+            if (promise.automata().isEmpty()) {
+                throw new WrongUse(
+                        "component '" + component.qualifiedName() + "' has no automaton");
+            }
+            promises.add(promise);
+        }
+        return promises;
+    }
+
+    /** Findings that a model declares to be meant are left out. */
+    private static AnalyzeResult withoutMeant(
+            List<Examination> examinations, CheckedModels checked) {
+        List<Diagnostic> all =
+                examinations.stream()
+                        .flatMap(each -> each.findings().stream())
+                        .map(Finding::diagnostic)
+                        .toList();
+        Review review = Checks.sort(checked.workspace(), all);
+        Set<Diagnostic> shown = new HashSet<>(review.findings());
+        List<Examination> rest = new ArrayList<>();
+        for (Examination each : examinations) {
+            rest.add(
+                    each.with(
+                            each.findings().stream()
+                                    .filter(finding -> shown.contains(finding.diagnostic()))
+                                    .toList()));
+        }
+        return new AnalyzeResult(checked.result(), rest, review.suppressed().size());
+    }
+}
