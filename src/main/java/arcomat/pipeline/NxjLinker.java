@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
+import java.util.OptionalInt;
 
 /** {@code nxjlink} of an installation of leJOS NXJ, as a process with a time limit. */
 final class NxjLinker {
@@ -84,7 +84,7 @@ final class NxjLinker {
         Map<String, String> environment = builder.environment();
         environment.put("NXJ_HOME", home.toString());
         environment.merge(JAVA_OPTIONS, ASSERTIONS, (given, added) -> given + " " + added);
-        Optional<String> failure = failure(builder.start(), seconds, program);
+        Optional<String> failure = failure(builder, seconds, program);
         return new Run(program, failure, output(log));
     }
 
@@ -92,24 +92,22 @@ final class NxjLinker {
         return Files.createFile(work.resolve("nothing.txt"));
     }
 
-    private static Optional<String> failure(Process process, int seconds, Path program)
+    private static Optional<String> failure(ProcessBuilder builder, int seconds, Path program)
             throws IOException {
         try {
-            if (!process.waitFor(seconds, TimeUnit.SECONDS)) {
+            OptionalInt status = LimitedProcess.run(builder, seconds);
+            if (status.isEmpty()) {
                 return Optional.of(
                         "nxjlink has not ended after "
                                 + seconds
                                 + " seconds and was stopped; allow it more with --limit");
             }
+            if (status.getAsInt() != 0) {
+                return Optional.of("nxjlink failed with exit status " + status.getAsInt());
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return Optional.of("nxjlink was interrupted");
-        } finally {
-            process.descendants().forEach(ProcessHandle::destroyForcibly);
-            process.destroyForcibly();
-        }
-        if (process.exitValue() != 0) {
-            return Optional.of("nxjlink failed with exit status " + process.exitValue());
         }
         return Files.exists(program) && Files.size(program) > 0
                 ? Optional.empty()

@@ -104,6 +104,16 @@ public final class Pipeline {
     }
 
     /**
+     * Writes the question whether one component refines another as a text for the program MONA.
+     *
+     * @param out the file to be written
+     * @throws WrongUse where the request does not fit the models, or the file cannot be written
+     */
+    public MonaResult mona(RefinesRequest request, String out, List<String> paths) throws WrongUse {
+        return MonaStep.run(request, out, paths, names, progress);
+    }
+
+    /**
      * Writes stream tests that take every transition.
      *
      * @throws WrongUse where the request does not fit the models, or the folder cannot be written

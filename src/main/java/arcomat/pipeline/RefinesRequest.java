@@ -9,10 +9,12 @@ import java.util.Optional;
  *
  * @param left as written: a component, or {@code component#automaton}
  * @param leftCompletion in place of that of its automata
+ * @param mona name or path of the program MONA, where it is to be asked instead of the engine
  */
 public record RefinesRequest(
         String left,
         String right,
         Optional<Completion> leftCompletion,
         Optional<Completion> rightCompletion,
+        Optional<String> mona,
         AnalysisLimits limits) {}

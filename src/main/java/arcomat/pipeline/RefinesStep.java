@@ -25,12 +25,15 @@ final class RefinesStep {
         Promise left = promise(request.left(), request.leftCompletion(), checked, model);
         Promise right = promise(request.right(), request.rightCompletion(), checked, model);
         progress.step("comparing");
-        Verdict verdict = Refinement.check(left, right, request.limits().budget());
+        Verdict verdict =
+                request.mona().isPresent()
+                        ? MonaStep.verdict(left, right, request, names)
+                        : Refinement.check(left, right, request.limits().budget());
         return new AnalysisResult(
                 checked.result(), List.of(new Answered(left.title(), right.title(), verdict)));
     }
 
-    private static Promise promise(
+    static Promise promise(
             String written, Optional<Completion> completion, CheckedModels checked, Model model)
             throws WrongUse {
         Promise promise = PromiseReference.parse(written).in(checked, model);

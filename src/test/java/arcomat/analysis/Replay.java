@@ -24,10 +24,10 @@ import java.util.Set;
  * Replays a counterexample outside the engine: the left side can do all of it, the right side all
  * but its last step. Nothing of the engine is used, only the step relation.
  */
-final class Replay {
+public final class Replay {
     private Replay() {}
 
-    static void check(Promise left, Promise right, Verdict verdict) {
+    public static void check(Promise left, Promise right, Verdict verdict) {
         List<Moment> trace = verdict.trace();
         if (!left.isComposition()) {
             assertThat(possible(left, trace))

@@ -22,7 +22,7 @@ import java.util.stream.Stream;
  * with the reason or the whole trace, or {@code unknown}.
  */
 class VerdictsTest {
-    private static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");
+    static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");
 
     private static final Map<String, Completion> COMPLETIONS =
             Map.of(
@@ -72,7 +72,7 @@ class VerdictsTest {
         }
     }
 
-    private static Promise promise(Model model, String name, char completion) {
+    static Promise promise(Model model, String name, char completion) {
         String[] parts = name.split("#");
         Promise all = Promise.of(model.component(parts[0]).orElseThrow(), List.of());
         Promise promise = parts.length > 1 ? all.only(parts[1]).orElseThrow() : all;

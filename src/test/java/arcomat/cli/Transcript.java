@@ -13,6 +13,8 @@ import java.util.List;
  * == bytes a/Bad.arc
  * C3 28
  * == link a/loop -> .
+ * == program tools/mona
+ * #!/bin/sh
  * == folder empty
  * $ arcomat check a
  * lines of standard output
@@ -40,7 +42,8 @@ record Transcript(List<Section> sections) {
         }
 
         /**
-         * {@code file}, {@code bytes}, {@code link} or {@code folder}; empty for other sections.
+         * {@code file}, {@code program}, {@code bytes}, {@code link} or {@code folder}; empty for
+         * other sections.
          */
         String kind() {
             return head.startsWith("== ") ? head.split(" ")[1] : "";

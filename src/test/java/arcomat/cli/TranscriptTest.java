@@ -82,6 +82,10 @@ class TranscriptTest {
         String text = String.join("\n", section.body()) + "\n";
         switch (section.kind()) {
             case "file" -> Files.writeString(path, text);
+            case "program" -> {
+                Files.writeString(path, text);
+                assertThat(path.toFile().setExecutable(true)).isTrue();
+            }
             case "bytes" -> Files.write(path, HexFormat.of().parseHex(text.replaceAll("\\s", "")));
             case "link" -> Files.createSymbolicLink(path, Path.of(names[1]));
             case "folder" -> Files.createDirectories(path);

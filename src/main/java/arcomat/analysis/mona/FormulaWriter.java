@@ -14,6 +14,7 @@ import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -76,7 +77,7 @@ final class FormulaWriter {
             State state = machine.states().get(number);
             List<StepText> steps = new ArrayList<>();
             Set<List<Choice>> known = new HashSet<>();
-            for (Step step : state.steps()) {
+            for (Step step : transitionsFirst(state.steps())) {
                 StepText text = step(step, machine, bits, right && state.chaos());
                 if (known.add(text.conditions())) {
                     steps.add(text);
@@ -85,6 +86,14 @@ final class FormulaWriter {
             states.add(new StateText(state.name(), bits.is(number, NOW), steps));
         }
         return new MachineText(name, title, bits.names(), openings, states);
+    }
+
+    private static List<Step> transitionsFirst(List<Step> steps) {
+        return steps.stream().sorted(Comparator.comparing(FormulaWriter::isCompletion)).toList();
+    }
+
+    private static boolean isCompletion(Step step) {
+        return step.causes().stream().anyMatch(Trace.Completed.class::isInstance);
     }
 
     private StepText step(Step step, Machine machine, Bits bits, boolean anything) {
