@@ -24,11 +24,13 @@ final class Explanation {
         String when = beginning ? "At the start" : "With input %d".formatted(number);
         sentences.add(
                 new Sentence(
-                        "%s, %s sends %s%s"
+                        "%s, %s %s%s"
                                 .formatted(
                                         when,
                                         left.title(),
-                                        words(forbidden.sent()),
+                                        forbidden.error()
+                                                ? "ends in an error"
+                                                : "sends " + words(forbidden.sent()),
                                         by(left, forbidden.left(), forbidden.causes())),
                         place(left, forbidden.causes())));
         for (Allowed allowed : forbidden.right()) {
@@ -37,7 +39,7 @@ final class Explanation {
                             "%s allows %s%s"
                                     .formatted(
                                             right.title(),
-                                            words(allowed.sent()),
+                                            allowed.error() ? "an error" : words(allowed.sent()),
                                             by(right, allowed.configuration(), allowed.causes())),
                             place(right, allowed.causes())));
         }

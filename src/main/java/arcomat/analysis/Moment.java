@@ -14,10 +14,17 @@ import java.util.Map;
  * @param outputs by port; what is left open is no {@link Sent.Messages}
  * @param left where the left side is afterwards, in words
  * @param right where the right side may be afterwards, each in words
+ * @param error whether the left side sends nothing because its run ends in an error
  */
-public record Moment(Letter input, Map<String, Sent> outputs, String left, List<String> right) {
+public record Moment(
+        Letter input, Map<String, Sent> outputs, String left, List<String> right, boolean error) {
     public Moment {
         outputs = java.util.Collections.unmodifiableMap(new LinkedHashMap<>(outputs));
         right = List.copyOf(right);
+    }
+
+    /** A moment without an error. */
+    public Moment(Letter input, Map<String, Sent> outputs, String left, List<String> right) {
+        this(input, outputs, left, right, false);
     }
 }

@@ -80,6 +80,9 @@ public final class VerdictJson {
             sent(json, port.getKey(), port.getValue());
         }
         json.writeEndObject();
+        if (moment.error()) {
+            json.writeBooleanField("error", true);
+        }
     }
 
     private static void sent(JsonGenerator json, String port, Sent sent) throws IOException {

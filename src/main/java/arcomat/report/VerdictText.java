@@ -70,7 +70,7 @@ public final class VerdictText {
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
             List<String> inputs = inputs(moment.input());
-            List<String> outputs = outputs(moment.outputs());
+            List<String> outputs = moment.error() ? List.of("error") : outputs(moment.outputs());
             List<String> states = states(moment.right(), i == trace.size() - 1);
             int lines =
                     Math.max(Math.max(1, inputs.size()), Math.max(outputs.size(), states.size()));

@@ -72,7 +72,7 @@ public final class Replay {
             try {
                 reactions.addAll(behaviour.reactions(each, input));
             } catch (Fault fault) {
-                if (moment.outputs().isEmpty()) {
+                if (moment.error()) {
                     next.add(List.of(Configuration.ERROR));
                 }
             }
@@ -82,7 +82,7 @@ public final class Replay {
                 boolean error = after.contains(Configuration.ERROR);
                 boolean chaos = each.stream().allMatch(one -> one == Configuration.CHAOS);
                 boolean allowed =
-                        moment.outputs().isEmpty()
+                        moment.error()
                                 ? error || chaos
                                 : !error
                                         && allows(

@@ -33,7 +33,11 @@ final class Verdicts {
 
     static String trace(List<Moment> trace) {
         return trace.stream()
-                .map(moment -> letter(moment.input()) + "/" + sent(moment.outputs()))
+                .map(
+                        moment ->
+                                letter(moment.input())
+                                        + "/"
+                                        + (moment.error() ? "error" : sent(moment.outputs())))
                 .collect(Collectors.joining(" "));
     }
 

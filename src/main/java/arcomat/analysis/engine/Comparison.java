@@ -43,7 +43,8 @@ public final class Comparison {
      * The step that the right side forbids.
      *
      * @param causes what the left side did; empty for a beginning
-     * @param sent what it sent; empty where its run ended
+     * @param sent what it sent
+     * @param error whether its run ended in an error instead
      * @param left the configuration before, in words
      * @param right what the right side may be in before, and what each step of it allows
      */
@@ -51,6 +52,7 @@ public final class Comparison {
             Letter input,
             List<Trace.Cause> causes,
             Map<String, Sent> sent,
+            boolean error,
             String left,
             List<Allowed> right) {}
 
@@ -59,7 +61,11 @@ public final class Comparison {
      *
      * @param configuration before the step, in words
      */
-    public record Allowed(String configuration, List<Trace.Cause> causes, Map<String, Sent> sent) {}
+    public record Allowed(
+            String configuration,
+            List<Trace.Cause> causes,
+            Map<String, Sent> sent,
+            boolean error) {}
 
     /** The moments of a failure, the forbidden one included. */
     public List<Moment> moments(Inclusion.Failure failure) {
@@ -136,7 +142,8 @@ public final class Comparison {
                 letter == null ? Letter.SILENCE : letter(letter),
                 sent(mine.whole().get(step), sent.sample()),
                 pairing.left.describe(mine.next()[step]),
-                right);
+                right,
+                sent.sample() == null);
     }
 
     private Letter letter(Value[] messages) {
@@ -185,6 +192,7 @@ public final class Comparison {
                 input,
                 failure.steps().causes().get(failure.step()),
                 sent(failure.steps().whole().get(failure.step()), failure.sent().sample()),
+                failure.sent().sample() == null,
                 before,
                 allowed);
     }
@@ -196,7 +204,7 @@ public final class Comparison {
             for (int i = 0; cube != null && i < observed.size(); i++) {
                 sent.put(observed.get(i), cube.ports().get(i));
             }
-            allowed.add(new Allowed(configuration, steps.causes().get(step), sent));
+            allowed.add(new Allowed(configuration, steps.causes().get(step), sent, cube == null));
         }
     }
 }

@@ -1,0 +1,55 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.RandomPairs.Pair;
+import arcomat.analysis.Verdict.Answer;
+
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.OptionalInt;
+
+/** The engine against naive enumeration, and every counterexample against the step relation. */
+class NaiveInclusionTest {
+    private static final int LENGTH = 5;
+
+    @Test
+    void agreesOnAHundredPairs() {
+        agree(RandomPairs.any(11, 100));
+    }
+
+    @Tag("slow")
+    @Test
+    void agreesOnAThousandPairs() {
+        agree(RandomPairs.any(12, 1_000));
+    }
+
+    private static void agree(List<Pair> pairs) {
+        int kept = 0;
+        int late = 0;
+        for (Pair pair : pairs) {
+            Verdict verdict = Refinement.check(pair.left(), pair.right(), Budget.ofMemory());
+            OptionalInt naive =
+                    new NaiveInclusion(pair.left(), pair.right()).shortestFailure(LENGTH);
+            assertThat(engine(verdict)).as(pair::toString).isEqualTo(naive);
+            if (verdict.answer() == Answer.FAILS) {
+                Replay.check(pair.left(), pair.right(), verdict);
+                late += verdict.trace().size() > 3 ? 1 : 0;
+            } else {
+                kept += verdict.notes().stream().noneMatch(n -> n.startsWith("empty")) ? 1 : 0;
+            }
+        }
+        assertThat(kept).as("hold, not vacuously").isGreaterThan(pairs.size() * 3 / 10);
+        assertThat(late).as("fail at length 3 or more").isGreaterThan(pairs.size() * 3 / 10);
+    }
+
+    /** The length of the counterexample, if enumeration can have found it. */
+    private static OptionalInt engine(Verdict verdict) {
+        int length = verdict.trace().size() - 1;
+        return verdict.answer() == Answer.FAILS && length <= LENGTH
+                ? OptionalInt.of(length)
+                : OptionalInt.empty();
+    }
+}
