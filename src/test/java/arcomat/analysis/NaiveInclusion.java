@@ -109,7 +109,8 @@ final class NaiveInclusion {
                 if (each.contains(Configuration.ERROR)) {
                     continue;
                 }
-                if (error ? output == ERROR : allows(side, reaction.output(), output)) {
+                boolean chaos = each.stream().allMatch(one -> one == Configuration.CHAOS);
+                if (output == ERROR ? error || chaos : !error && allows(side, reaction.output(), output)) {
                     found.add(next);
                 }
             }

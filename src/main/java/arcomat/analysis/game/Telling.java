@@ -124,7 +124,8 @@ public final class Telling {
                                         ? ""
                                         : requirement.side().describe(part.configuration()),
                                 steps.causes().get(step),
-                                named(requirement.sent(steps.outputs()[step]))));
+                                named(requirement.sent(steps.outputs()[step])),
+                                requirement.sent(steps.outputs()[step]) == null));
             }
         }
         return allowed;

@@ -168,7 +168,8 @@ public final class Replay {
                 letter(slice),
                 sent(mine, slice),
                 question.left().states().get(mine.next()).name(),
-                after.stream().map(state -> theirs.states().get(state).name()).toList());
+                after.stream().map(state -> theirs.states().get(state).name()).toList(),
+                mine.error());
     }
 
     /** The input before a slice. */
@@ -214,6 +215,7 @@ public final class Replay {
                 letter(slice),
                 mine.causes(),
                 sent(mine, slice),
+                mine.error(),
                 slice == 0 ? "" : question.left().states().get(state(slice - 1)).name(),
                 allowed);
     }
@@ -223,6 +225,6 @@ public final class Replay {
         for (int i = 0; !step.error() && i < question.observed().size(); i++) {
             sent.put(question.observed().get(i).port().name(), step.sent().ports().get(i));
         }
-        return new Allowed(before, step.causes(), sent);
+        return new Allowed(before, step.causes(), sent, step.error());
     }
 }
