@@ -4,6 +4,7 @@ import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.engine.Comparison.Allowed;
 import arcomat.analysis.engine.Comparison.Forbidden;
 import arcomat.model.Automaton;
+import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.semantics.Sent;
 import arcomat.source.Span;
@@ -66,36 +67,43 @@ final class Explanation {
             return "";
         }
         List<String> words = new ArrayList<>();
-        for (int i = 0; i < causes.size(); i++) {
-            words.add(cause(promise, i, causes.get(i)));
-        }
+        causes.forEach(each -> words.add(cause(promise, each)));
         return words.isEmpty() ? "" : ", in " + before + ": " + String.join("; ", words);
     }
 
-    private static String cause(Promise promise, int index, Trace.Cause cause) {
+    private static String cause(Promise promise, Trace.Cause cause) {
         if (cause instanceof Trace.Taken taken) {
-            Optional<Automaton> automaton = automaton(promise, index, taken);
-            String states =
-                    automaton
-                            .map(
-                                    a ->
-                                            a.states().get(taken.transition().source())
-                                                    + " -> "
-                                                    + a.states().get(taken.transition().target()))
-                            .orElse("of a part");
-            return "transition " + states;
+            return promise.isComposition()
+                    ? ofPart(promise.component(), taken).orElse("transition of a part")
+                    : among(promise.automata(), taken).orElse("transition");
         }
         Automaton.Completion completion = ((Trace.Completed) cause).completion();
         return "no transition fits, completion "
                 + completion.name().toLowerCase(java.util.Locale.ROOT);
     }
 
-    /** That of the promise, if the transition is one of its own. */
-    private static Optional<Automaton> automaton(Promise promise, int index, Trace.Taken taken) {
-        return promise.automata().stream()
+    private static Optional<String> among(List<Automaton> automata, Trace.Taken taken) {
+        return automata.stream()
                 .filter(a -> taken.index() < a.transitions().size())
                 .filter(a -> a.transitions().get(taken.index()).equals(taken.transition()))
-                .findFirst();
+                .findFirst()
+                .map(a -> "transition " + states(a, taken.transition()));
+    }
+
+    private static String states(Automaton automaton, Automaton.Transition transition) {
+        return automaton.states().get(transition.source())
+                + " -> "
+                + automaton.states().get(transition.target());
+    }
+
+    private static Optional<String> ofPart(Component component, Trace.Taken taken) {
+        if (component.body() instanceof Component.Atomic atomic) {
+            return among(atomic.automata(), taken).map(t -> t + " of " + component.name());
+        }
+        return ((Component.Composite) component.body())
+                .parts().stream()
+                        .flatMap(part -> ofPart(part.component(), taken).stream())
+                        .findFirst();
     }
 
     static Optional<Span> place(Promise promise, List<Trace.Cause> causes) {

@@ -63,6 +63,11 @@ public record Verdict(
                 Explored.NOTHING);
     }
 
+    /** Not even begun. */
+    public static Verdict unknown(String reason) {
+        return unknown(reason, Explored.NOTHING);
+    }
+
     static Verdict unknown(String reason, Explored explored) {
         return new Verdict(
                 Answer.UNKNOWN,

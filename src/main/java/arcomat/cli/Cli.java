@@ -30,6 +30,7 @@ public final class Cli {
         COMMANDS.put("test", TestCommand::new);
         COMMANDS.put("analyze", AnalyzeCommand::new);
         COMMANDS.put("refines", RefinesCommand::new);
+        COMMANDS.put("verify", VerifyCommand::new);
         COMMANDS.put("mona", MonaCommand::new);
         COMMANDS.put("tests", TestsCommand::new);
         COMMANDS.put("run-brick", RunBrickCommand::new);

@@ -52,7 +52,7 @@ final class RefinesCommand extends ComparisonCommand {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         AnalysisResult result = pipeline.refines(request(asked()), paths());
-        if (result.answers().isEmpty()) {
+        if (result.check().hasErrors()) {
             return refuse(result.check());
         }
         Answered answered = result.answers().get(0);

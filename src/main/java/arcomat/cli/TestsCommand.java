@@ -25,7 +25,7 @@ import java.util.List;
             "  arcomat test models/coffee build/tests",
             "",
             "Exit status: 0 all that can be taken is taken; 1 nothing can be taken; 3 something"
-                + " was",
+                    + " was",
             "not taken and may yet be possible; 2 wrong use or models with errors."
         })
 final class TestsCommand extends AnalysisCommand {

@@ -122,4 +122,9 @@ public final class Pipeline {
             throws WrongUse {
         return TransitionTestsStep.run(request, paths, names, progress);
     }
+
+    /** Shows that models keep all promises that they say they keep. */
+    public AnalysisResult verify(List<String> paths, AnalysisLimits limits) {
+        return VerifyStep.run(paths, limits, names, progress);
+    }
 }

@@ -29,6 +29,26 @@ public final class VerdictJson {
                 });
     }
 
+    /**
+     * Verdicts on many questions, with the names of both sides.
+     *
+     * @param sides two names per verdict
+     */
+    public static String render(List<List<String>> sides, List<Verdict> verdicts) {
+        return Json.text(
+                json -> {
+                    json.writeStartArray();
+                    for (int i = 0; i < verdicts.size(); i++) {
+                        json.writeStartObject();
+                        json.writeStringField("left", sides.get(i).get(0));
+                        json.writeStringField("right", sides.get(i).get(1));
+                        write(json, verdicts.get(i));
+                        json.writeEndObject();
+                    }
+                    json.writeEndArray();
+                });
+    }
+
     /** The fields of a verdict, into an object that has been started. */
     static void write(JsonGenerator json, Verdict verdict) throws IOException {
         json.writeStringField("verdict", verdict.answer().name().toLowerCase(Locale.ROOT));

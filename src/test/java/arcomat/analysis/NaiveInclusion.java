@@ -110,7 +110,9 @@ final class NaiveInclusion {
                     continue;
                 }
                 boolean chaos = each.stream().allMatch(one -> one == Configuration.CHAOS);
-                if (output == ERROR ? error || chaos : !error && allows(side, reaction.output(), output)) {
+                if (output == ERROR
+                        ? error || chaos
+                        : !error && allows(side, reaction.output(), output)) {
                     found.add(next);
                 }
             }

@@ -1,0 +1,48 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Obligation;
+import arcomat.analysis.Obligations;
+import arcomat.analysis.Refinement;
+import arcomat.analysis.Verdict;
+import arcomat.model.Component;
+import arcomat.model.Model;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Shows everything that has to be shown of the models that were named. */
+final class VerifyStep {
+    private VerifyStep() {}
+
+    static AnalysisResult run(
+            List<String> paths, AnalysisLimits limits, PathNames names, Progress progress) {
+        CheckedModels checked =
+                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+        if (checked.hasErrors()) {
+            return new AnalysisResult(checked.result(), List.of());
+        }
+        Model model = checked.lower(progress);
+        List<Component> components =
+                model.components().stream()
+                        .filter(c -> checked.loaded().isNamedByUser(c.span().file().path()))
+                        .toList();
+        Obligations.All all = Obligations.of(model, components);
+        List<Answered> answers = new ArrayList<>();
+        for (Obligation obligation : all.obligations()) {
+            String left = obligation.left().title();
+            String right = obligation.right().title();
+            progress.step("comparing " + left + " with " + right);
+            Verdict verdict =
+                    Refinement.check(obligation.left(), obligation.right(), limits.budget());
+            answers.add(new Answered(left, right, verdict));
+        }
+        all.open().forEach(name -> answers.add(takesArguments(name)));
+        return new AnalysisResult(checked.result(), answers);
+    }
+
+    private static Answered takesArguments(String name) {
+        String reason =
+                name + " takes arguments; ask with some: arcomat refines '" + name + "(..)' B PATH";
+        return new Answered(name, "", Verdict.unknown(reason));
+    }
+}
