@@ -78,6 +78,9 @@ public final class VerdictJson {
         json.writeStartObject();
         input(json, moment.input());
         outputs(json, moment.outputs());
+        if (moment.error()) {
+            json.writeBooleanField("error", true);
+        }
         json.writeStringField("left", moment.left());
         strings(json, "right", moment.right());
         json.writeEndObject();
@@ -100,9 +103,6 @@ public final class VerdictJson {
             sent(json, port.getKey(), port.getValue());
         }
         json.writeEndObject();
-        if (moment.error()) {
-            json.writeBooleanField("error", true);
-        }
     }
 
     private static void sent(JsonGenerator json, String port, Sent sent) throws IOException {
