@@ -5,9 +5,12 @@ import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.TooManyMessages;
 import arcomat.analysis.game.Choices;
+import arcomat.analysis.game.Controllers;
 import arcomat.analysis.game.Cores;
+import arcomat.analysis.game.Game;
 import arcomat.analysis.game.Groups;
 import arcomat.analysis.game.Requirement;
+import arcomat.analysis.game.Synthesis;
 import arcomat.analysis.game.Telling;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -41,7 +44,10 @@ public final class Contradictions {
         this.choices = new Choices(outputs, numbers);
         for (Promise each : promise.each()) {
             requirements.add(
-                    new Requirement(new AtomicSide(each.behaviour(), names, numbers), choices));
+                    new Requirement(
+                            new AtomicSide(each.behaviour(), names, numbers),
+                            each.automata().get(0),
+                            choices));
         }
     }
 
@@ -63,7 +69,8 @@ public final class Contradictions {
             return unknown("it handles events, and only slices are searched", 0);
         }
         try {
-            return new Contradictions(promise, all, budget).search();
+            Consistency found = new Contradictions(promise, all, budget).search();
+            return found.answer() == Answer.HOLDS ? Leniency.noted(promise, found, budget) : found;
         } catch (TooManyMessages problem) {
             return unknown(problem.getMessage(), 0);
         }
@@ -125,8 +132,43 @@ public final class Contradictions {
         if (cores.stopped().isPresent()) {
             return unknown(cores.stopped().get(), cores.explored());
         }
+        Optional<Component> controller = controller(cores);
+        if (controller.isEmpty()) {
+            notes.add("a controller has too many states or inputs to be written down");
+        }
         return new Consistency(
-                Answer.HOLDS, "", List.of(), Optional.empty(), notes, cores.explored());
+                Answer.HOLDS, "", List.of(), controller, notes, cores.explored());
+    }
+
+    private Optional<Component> controller(Cores cores) {
+        List<Game> games = cores.won();
+        if (cores.stopped().isPresent()) {
+            return Optional.empty();
+        }
+        Component required = promise.component();
+        return Synthesis.of(games, budget)
+                .map(machine -> Controllers.of(machine, required.span()))
+                .map(automaton -> controller(required, automaton));
+    }
+
+    private static Component controller(Component required, Automaton automaton) {
+        String name = required.name().replaceAll("\\W", "");
+        return new Component(
+                required.packageName(),
+                name + "Controller",
+                required.layer(),
+                false,
+                false,
+                required.profile(),
+                required.queueCapacity(),
+                required.cycle(),
+                List.of(),
+                List.of(),
+                required.ports(),
+                new Component.Atomic(List.of(automaton)),
+                List.of(),
+                List.of(),
+                required.span());
     }
 
     private Contradiction tell(Cores cores, BitSet core) {

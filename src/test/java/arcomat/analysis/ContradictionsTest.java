@@ -55,6 +55,7 @@ class ContradictionsTest {
         assertThat(text(found)).isEqualTo(String.join("\n", ask.lines()));
         assertThat(found.answer() == Answer.FAILS).isEqualTo(!found.contradictions().isEmpty());
         found.contradictions().forEach(each -> verify(promise, each));
+        found.controller().ifPresent(each -> ControllerChecks.check(promise, each));
     }
 
     private static Promise promise(Model model, String name) {
@@ -119,6 +120,7 @@ class ContradictionsTest {
                 lines.addAll(steps(each));
             }
         }
+        found.notes().forEach(lines::add);
         return String.join("\n", lines);
     }
 

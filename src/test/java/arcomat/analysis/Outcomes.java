@@ -59,7 +59,8 @@ final class Outcomes {
         return message == null ? Sent.SILENCE : new Sent.Messages(List.of(message));
     }
 
-    private static List<Value[]> letters(List<Port> ports) {
+    /** All letters, messages by position. */
+    static List<Value[]> letters(List<Port> ports) {
         List<Value[]> letters = new ArrayList<>();
         letters.add(new Value[ports.size()]);
         for (int port = 0; port < ports.size(); port++) {

@@ -27,6 +27,7 @@ class RandomContradictionsTest {
             if (found.answer() == Answer.HOLDS) {
                 boolean lost = new Outcomes(promise.each()).isLost(DEPTH);
                 assertThat(lost).as("seed %d", seed).isFalse();
+                ControllerChecks.check(promise, found.controller().orElseThrow());
                 continue;
             }
             Contradiction contradiction = found.contradictions().get(0);

@@ -1,7 +1,6 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.engine.Outputs;
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Output;
@@ -193,18 +192,5 @@ public final class Choices {
 
     private static List<Value> values(Sent sent) {
         return ((Sent.Messages) sent).values();
-    }
-
-    /** The letter of a cube with the fewest messages; what is left open has its first value. */
-    static Output letter(Output cube, List<Port> ports) {
-        List<Sent> letter = new ArrayList<>();
-        for (int i = 0; i < ports.size(); i++) {
-            Sent sent = cube.ports().get(i);
-            if (sent instanceof Sent.AnyMessage) {
-                sent = new Sent.Messages(List.of(FirstValue.of(ports.get(i).type())));
-            }
-            letter.add(sent instanceof Sent.Anything ? Sent.SILENCE : sent);
-        }
-        return new Output(letter);
     }
 }

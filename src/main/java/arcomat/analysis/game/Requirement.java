@@ -1,14 +1,17 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Focus;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.Sets;
 import arcomat.analysis.engine.Side;
 import arcomat.analysis.engine.Steps;
+import arcomat.model.Automaton;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Configuration;
 import arcomat.semantics.Output;
 
 import com.carrotsearch.hppc.IntArrayList;
@@ -18,6 +21,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.IntStream;
 
 /**
@@ -29,7 +33,8 @@ public final class Requirement {
     /** In place of the number of a set: everything is allowed from here on. */
     static final int CHAOS = -1;
 
-    private final Side side;
+    private final AtomicSide side;
+    private final Automaton automaton;
     private final Choices choices;
     private final int[] positions;
     private final Sets sets = new Sets();
@@ -40,16 +45,29 @@ public final class Requirement {
     private boolean errs;
 
     /**
+     * @param side what the automaton asks for
      * @param choices shared by all requirements of a game
      */
-    public Requirement(Side side, Choices choices) {
+    public Requirement(AtomicSide side, Automaton automaton, Choices choices) {
         this.side = side;
+        this.automaton = automaton;
         this.choices = choices;
         this.positions = IntStream.range(0, side.inputs().size()).toArray();
     }
 
     Side side() {
         return side;
+    }
+
+    /** The name of the state that it is in; empty where there is only one, or more than one way. */
+    Optional<String> state(int set) {
+        if (set == CHAOS || automaton.states().size() < 2 || sets.members(set).length > 1) {
+            return Optional.empty();
+        }
+        Configuration only = side.configuration(sets.members(set)[0]).get(0);
+        return only.isState()
+                ? Optional.of(automaton.states().get(only.state()))
+                : Optional.empty();
     }
 
     /** An output cube by its number; null where the run ends. */

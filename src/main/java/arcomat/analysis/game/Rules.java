@@ -4,6 +4,8 @@ import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.Focus;
 import arcomat.model.Port;
 import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Output;
 
 import java.util.ArrayList;
@@ -92,6 +94,30 @@ public final class Rules {
                                 inputs,
                                 foci,
                                 java.util.Collections.nCopies(foci.size(), identity)));
+    }
+
+    /** The states of the requirements in a position, as far as there are names for them. */
+    List<String> states(int position) {
+        List<String> names = new ArrayList<>();
+        int[] sets = positions.sets(position);
+        for (int i = 0; i < sets.length; i++) {
+            requirements.get(i).state(sets[i]).ifPresent(names::add);
+        }
+        return names;
+    }
+
+    /** What matters in a position. */
+    Attention attention(int position) {
+        int[] sets = positions.sets(position);
+        Look[] looks = new Look[inputs.size()];
+        Arrays.fill(looks, new Attention.Unseen());
+        for (int i = 0; i < sets.length; i++) {
+            for (int port = 0; sets[i] != Requirement.CHAOS && port < looks.length; port++) {
+                Attention own = requirements.get(i).focus(sets[i]).attention();
+                looks[port] = looks[port].and(own.looks().get(port));
+            }
+        }
+        return new Attention(List.of(looks));
     }
 
     /** The system's first moves. */

@@ -1,0 +1,177 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.engine.Kinds;
+import arcomat.model.FirstValue;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a system does that wins: in every position the first output that leads to no lost position.
+ * Games about different outputs are played at once, each on its own.
+ */
+public final class Synthesis {
+    private static final long MOST_LETTERS = 100_000;
+
+    private final List<Game> games;
+    private final Budget budget;
+    private final List<Port> inputs;
+    private final List<Port> outputs;
+    private final Map<List<Integer>, Integer> numbers = new LinkedHashMap<>();
+    private final List<List<Integer>> states = new ArrayList<>();
+
+    private Synthesis(List<Game> games, Budget budget) {
+        this.games = games;
+        this.budget = budget;
+        this.inputs = games.get(0).rules().inputs();
+        this.outputs = games.get(0).rules().outputs();
+    }
+
+    /**
+     * @param games at least one, each won by the system and explored
+     * @return empty where the machine is too large
+     */
+    public static Optional<Machine> of(List<Game> games, Budget budget) {
+        return new Synthesis(games, budget).machine();
+    }
+
+    private Optional<Machine> machine() {
+        List<Rules.Option> openings = new ArrayList<>();
+        games.forEach(game -> openings.add(best(game, game.rules().openings())));
+        number(openings);
+        List<Machine.State> all = new ArrayList<>();
+        for (int i = 0; i < states.size(); i++) {
+            Optional<Machine.State> state =
+                    budget.exhausted(i) == null ? state(states.get(i)) : Optional.empty();
+            if (state.isEmpty()) {
+                return Optional.empty();
+            }
+            all.add(state.get());
+        }
+        return Optional.of(new Machine(inputs, outputs, opening(openings), all));
+    }
+
+    /** Before anything is read nothing is sent without delay, whether total or not. */
+    private Output opening(List<Rules.Option> openings) {
+        return sent(openings, port -> port.total() && port.delay() > 0);
+    }
+
+    private static Rules.Option best(Game game, List<Rules.Option> options) {
+        return options.stream()
+                .filter(option -> !game.isLost(option.position()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private int number(List<Rules.Option> options) {
+        List<Integer> positions = options.stream().map(Rules.Option::position).toList();
+        return numbers.computeIfAbsent(
+                positions,
+                each -> {
+                    states.add(each);
+                    return states.size() - 1;
+                });
+    }
+
+    private Optional<Machine.State> state(List<Integer> positions) {
+        List<Look> looks = looks(positions);
+        List<List<Value>> samples = new ArrayList<>();
+        long letters = 1;
+        for (int port = 0; port < inputs.size(); port++) {
+            Port input = inputs.get(port);
+            samples.add(Kinds.of(input, input.total(), looks.get(port)).samples());
+            letters *= samples.get(port).size();
+            if (letters > MOST_LETTERS) {
+                return Optional.empty();
+            }
+        }
+        List<Machine.Reaction> reactions = new ArrayList<>();
+        react(positions, samples, new Value[inputs.size()], 0, reactions);
+        return Optional.of(new Machine.State(name(positions), looks, samples, reactions));
+    }
+
+    private String name(List<Integer> positions) {
+        List<String> names = new ArrayList<>();
+        for (int i = 0; i < games.size(); i++) {
+            names.addAll(games.get(i).rules().states(positions.get(i)));
+        }
+        return String.join("_", names);
+    }
+
+    private List<Look> looks(List<Integer> positions) {
+        Look[] looks = new Look[inputs.size()];
+        java.util.Arrays.fill(looks, new Attention.Unseen());
+        for (int i = 0; i < games.size(); i++) {
+            List<Look> own = games.get(i).rules().attention(positions.get(i)).looks();
+            for (int port = 0; port < looks.length; port++) {
+                looks[port] = looks[port].and(own.get(port));
+            }
+        }
+        return List.of(looks);
+    }
+
+    private void react(
+            List<Integer> positions,
+            List<List<Value>> samples,
+            Value[] letter,
+            int port,
+            List<Machine.Reaction> reactions) {
+        if (port == inputs.size()) {
+            reactions.add(reaction(positions, letter.clone()));
+            return;
+        }
+        for (Value sample : samples.get(port)) {
+            letter[port] = sample;
+            react(positions, samples, letter, port + 1, reactions);
+        }
+    }
+
+    private Machine.Reaction reaction(List<Integer> positions, Value[] letter) {
+        List<Rules.Option> moves = new ArrayList<>();
+        for (int i = 0; i < games.size(); i++) {
+            Game game = games.get(i);
+            int position = positions.get(i);
+            moves.add(
+                    position == Rules.FREE
+                            ? new Rules.Option(Output.anything(outputs.size()), Rules.FREE)
+                            : best(game, game.rules().options(position, letter)));
+        }
+        return moves.stream().anyMatch(move -> move.sent() == null)
+                ? new Machine.Reaction(null, 0)
+                : new Machine.Reaction(sent(moves, Port::total), number(moves));
+    }
+
+    private interface MustSend {
+        boolean on(Port port);
+    }
+
+    /** What all moves allow; silence where they leave that open. */
+    private Output sent(List<Rules.Option> moves, MustSend mustSend) {
+        Output all = Output.anything(outputs.size());
+        for (Rules.Option move : moves) {
+            all = all.meet(move.sent()).orElseThrow();
+        }
+        List<Sent> letter = new ArrayList<>();
+        for (int i = 0; i < outputs.size(); i++) {
+            Port port = outputs.get(i);
+            Sent sent = all.ports().get(i);
+            if (sent instanceof Sent.AnyMessage
+                    || sent instanceof Sent.Anything && mustSend.on(port)) {
+                sent = new Sent.Messages(Collections.singletonList(FirstValue.of(port.type())));
+            }
+            letter.add(sent instanceof Sent.Anything ? Sent.SILENCE : sent);
+        }
+        return new Output(letter);
+    }
+}

@@ -1,0 +1,67 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.Verdict.Answer;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Input;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+import arcomat.semantics.StepRelation;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** What is asked of every synthesised controller. */
+final class ControllerChecks {
+    private static final Budget BUDGET = new Budget(() -> false, 1_000_000);
+
+    private ControllerChecks() {}
+
+    /** It keeps every requirement, and leaves nothing open. */
+    static void check(Promise requirements, Component controller) {
+        for (Promise each : requirements.each()) {
+            Verdict verdict =
+                    Refinement.check(Promise.of(controller, List.of()), each, BUDGET);
+            assertThat(verdict.answer())
+                    .as("%s: %s %s", each.title(), Verdicts.trace(verdict.trace()), controller)
+                    .isEqualTo(Answer.HOLDS);
+        }
+        isDeterministic(controller);
+    }
+
+    /** One reaction to every input, and no transition for the completion to make up. */
+    private static void isDeterministic(Component controller) {
+        StepRelation relation = Behaviour.of(controller, List.of()).relations().get(0);
+        assertThat(relation.starts()).hasSize(1);
+        Deque<Configuration> open =
+                new ArrayDeque<>(List.of(relation.starts().get(0).configuration()));
+        Set<Configuration> met = new HashSet<>(open);
+        while (!open.isEmpty()) {
+            Configuration before = open.removeFirst();
+            for (var letter : Outcomes.letters(controller.inputs())) {
+                List<Reaction> reactions = relation.reactions(before, Input.of(letter));
+                assertThat(reactions).hasSize(1);
+                Reaction reaction = reactions.get(0);
+                assertThat(reaction.next()).isNotEqualTo(Configuration.CHAOS);
+                if (reaction.next().isState()) {
+                    assertThat(reaction.output().ports())
+                            .allMatch(sent -> sent instanceof Sent.Messages);
+                    if (met.add(reaction.next())) {
+                        open.add(reaction.next());
+                    }
+                }
+            }
+        }
+        Automaton automaton = relation.automaton();
+        assertThat(met.stream().filter(Configuration::isState))
+                .as("all states of %s are reached", automaton.states())
+                .hasSize(automaton.states().size());
+    }
+}
