@@ -136,8 +136,7 @@ public final class Contradictions {
         if (controller.isEmpty()) {
             notes.add("a controller has too many states or inputs to be written down");
         }
-        return new Consistency(
-                Answer.HOLDS, "", List.of(), controller, notes, cores.explored());
+        return new Consistency(Answer.HOLDS, "", List.of(), controller, notes, cores.explored());
     }
 
     private Optional<Component> controller(Cores cores) {
@@ -148,10 +147,21 @@ public final class Contradictions {
         Component required = promise.component();
         return Synthesis.of(games, budget)
                 .map(machine -> Controllers.of(machine, required.span()))
-                .map(automaton -> controller(required, automaton));
+                .map(automaton -> controller(required, automaton, kept()));
     }
 
-    private static Component controller(Component required, Automaton automaton) {
+    /** What the controller may say it refines: a component that has no more to it than these. */
+    private List<String> kept() {
+        Component required = promise.component();
+        boolean all =
+                required.body() instanceof Component.Atomic atomic
+                        && atomic.automata().size() == promise.automata().size();
+        boolean named = required.name().matches("\\w+") && required.parameters().isEmpty();
+        return all && named ? List.of(required.qualifiedName()) : List.of();
+    }
+
+    private static Component controller(
+            Component required, Automaton automaton, List<String> refines) {
         String name = required.name().replaceAll("\\W", "");
         return new Component(
                 required.packageName(),
@@ -167,7 +177,7 @@ public final class Contradictions {
                 required.ports(),
                 new Component.Atomic(List.of(automaton)),
                 List.of(),
-                List.of(),
+                refines,
                 required.span());
     }
 

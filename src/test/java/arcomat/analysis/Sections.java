@@ -58,7 +58,8 @@ record Sections(List<Section> all) {
         return all.stream().filter(section -> section.kind.equals(kind)).toList();
     }
 
-    Model model() {
+    /** The models as files. */
+    List<SourceFile> sources() {
         List<SourceFile> sources = new ArrayList<>();
         of("models").forEach(folder -> sources.addAll(ModelFiles.of(Path.of(folder.rest))));
         of("file")
@@ -66,8 +67,12 @@ record Sections(List<Section> all) {
                         f ->
                                 sources.add(
                                         new SourceFile(f.rest, String.join("\n", f.lines) + "\n")));
+        return sources;
+    }
+
+    Model model() {
         List<Unit> units = new ArrayList<>();
-        for (SourceFile source : sources) {
+        for (SourceFile source : sources()) {
             Parsed parsed = Parser.parse(source);
             units.add(
                     parsed.unit()

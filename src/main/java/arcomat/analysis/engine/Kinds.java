@@ -35,9 +35,10 @@ public final class Kinds {
         if (!total) {
             samples.add(null);
         }
-        values.stream().filter(value -> isIn(port.type(), value)).forEach(samples::add);
+        List<Value> possible = values.stream().filter(v -> isIn(port.type(), v)).toList();
+        samples.addAll(possible);
         if (!closed) {
-            Beside beside = new Beside(port.type(), values);
+            Beside beside = new Beside(port.type(), possible);
             samples.addAll(ordered ? beside.gaps() : beside.any());
         }
     }

@@ -24,6 +24,9 @@ final class Condition {
     /** A type of so few values that those left are easier to read than those left out. */
     private static final int EASILY_LISTED = 8;
 
+    /** So many numbers are listed rather than compared. */
+    private static final int FEW = 3;
+
     private final Port port;
     private final Look look;
     private final List<Value> present = new ArrayList<>();
@@ -79,15 +82,12 @@ final class Condition {
         if (wanted.size() == present.size()) {
             return Optional.of(new Present());
         }
-        List<Value> values = new ArrayList<>();
-        for (Value value : wanted) {
-            if (!isExact(value)) {
-                return listed().map(all -> new OneOf(constants(all)));
-            }
-            values.add(value);
+        if (isOrdered() && port.type() instanceof Type.IntegerType) {
+            return few(intervals()).map(few -> new OneOf(constants(few)));
         }
-        boolean range = isOrdered() && values.size() > 2;
-        return range ? Optional.empty() : Optional.of(new OneOf(constants(values)));
+        return wanted.stream().allMatch(this::isExact)
+                ? Optional.of(new OneOf(constants(wanted)))
+                : listed().map(all -> new OneOf(constants(all)));
     }
 
     /** Whether a sample stands for itself alone. */
@@ -119,7 +119,12 @@ final class Condition {
 
     private Expression comparison() {
         if (isOrdered()) {
-            return ranges();
+            Expression any = null;
+            for (Interval interval : intervals()) {
+                Expression inside = inside(interval);
+                any = any == null ? inside : binary(BinaryOperator.OR, any, inside);
+            }
+            return any;
         }
         Expression all = null;
         for (Value value : present) {
@@ -130,44 +135,81 @@ final class Condition {
         return all;
     }
 
-    private Expression ranges() {
-        Expression any = null;
+    /** Neighbouring samples, by their positions. */
+    private List<Interval> intervals() {
+        List<Interval> intervals = new ArrayList<>();
         int start = -1;
         for (int i = 0; i <= present.size(); i++) {
             boolean inside = i < present.size() && wanted.contains(present.get(i));
             if (inside && start < 0) {
                 start = i;
             } else if (!inside && start >= 0) {
-                Expression range = range(start, i - 1);
-                any = any == null ? range : binary(BinaryOperator.OR, any, range);
+                intervals.add(new Interval(start, i - 1));
                 start = -1;
             }
         }
-        return any;
+        return intervals;
     }
 
-    private Expression range(int first, int last) {
-        Value low = present.get(first);
-        Value high = present.get(last);
-        if (first == last && isExact(low)) {
+    private record Interval(int first, int last) {}
+
+    /** All whole numbers of some intervals, if they are few. */
+    private Optional<List<Value>> few(List<Interval> intervals) {
+        List<Value> values = new ArrayList<>();
+        for (Interval interval : intervals) {
+            long low = low(interval.first);
+            long high = high(interval.last);
+            if (high - low < 0 || high - low >= FEW - values.size()) {
+                return Optional.empty();
+            }
+            for (long number = low; number <= high; number++) {
+                values.add(new Value.IntegerValue(number));
+            }
+        }
+        return Optional.of(values);
+    }
+
+    /** The least whole number that a sample stands for. */
+    private long low(int sample) {
+        if (isExact(present.get(sample))) {
+            return number(sample);
+        }
+        return sample == 0 ? ((Type.IntegerType) port.type()).low() : number(sample - 1) + 1;
+    }
+
+    private long high(int sample) {
+        if (isExact(present.get(sample))) {
+            return number(sample);
+        }
+        boolean last = sample == present.size() - 1;
+        return last ? ((Type.IntegerType) port.type()).high() : number(sample + 1) - 1;
+    }
+
+    private long number(int sample) {
+        return ((Value.IntegerValue) present.get(sample)).value();
+    }
+
+    private Expression inside(Interval interval) {
+        Value low = present.get(interval.first);
+        Value high = present.get(interval.last);
+        if (interval.first == interval.last && isExact(low)) {
             return compare(BinaryOperator.EQUAL, low);
         }
-        Expression range = null;
-        if (first > 0) {
-            range =
+        Expression inside = null;
+        if (interval.first > 0) {
+            inside =
                     isExact(low)
                             ? compare(BinaryOperator.GREATER_OR_EQUAL, low)
-                            : compare(BinaryOperator.GREATER, present.get(first - 1));
+                            : compare(BinaryOperator.GREATER, present.get(interval.first - 1));
         }
-        if (last < present.size() - 1) {
-            range =
-                    and(
-                            range,
-                            isExact(high)
-                                    ? compare(BinaryOperator.LESS_OR_EQUAL, high)
-                                    : compare(BinaryOperator.LESS, present.get(last + 1)));
+        if (interval.last < present.size() - 1) {
+            Expression below =
+                    isExact(high)
+                            ? compare(BinaryOperator.LESS_OR_EQUAL, high)
+                            : compare(BinaryOperator.LESS, present.get(interval.last + 1));
+            inside = and(inside, below);
         }
-        return range;
+        return inside;
     }
 
     private Expression compare(BinaryOperator operator, Value value) {
@@ -190,8 +232,7 @@ final class Condition {
         return left == null ? right : binary(BinaryOperator.AND, left, right);
     }
 
-    private static Expression binary(
-            BinaryOperator operator, Expression left, Expression right) {
+    private static Expression binary(BinaryOperator operator, Expression left, Expression right) {
         return new Expression.Binary(operator, left, right, new Type.BooleanType(), left.span());
     }
 }

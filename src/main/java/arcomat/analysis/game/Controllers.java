@@ -143,7 +143,8 @@ public final class Controllers {
         for (int i = 0; i < cells.length; i++) {
             Machine.Reaction each = state.reactions().get(i);
             Machine.Reaction merged =
-                    new Machine.Reaction(each.sent(), each.sent() == null ? 0 : classes[each.next()]);
+                    new Machine.Reaction(
+                            each.sent(), each.sent() == null ? 0 : classes[each.next()]);
             cells[i] = Objects.requireNonNullElse(numbers.get(merged), contents.size());
             if (cells[i] == contents.size()) {
                 numbers.put(merged, cells[i]);
@@ -186,8 +187,7 @@ public final class Controllers {
                 }
             }
         }
-        return new Branch(
-                matches, Optional.ofNullable(guard), reaction.sent(), reaction.next());
+        return new Branch(matches, Optional.ofNullable(guard), reaction.sent(), reaction.next());
     }
 
     private List<Send> sends(Output output) {

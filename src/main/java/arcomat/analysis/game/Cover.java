@@ -2,6 +2,7 @@ package arcomat.analysis.game;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,8 +31,10 @@ final class Cover {
         }
     }
 
+    /** Up to so many ports every order of division is tried. */
+    private static final int FEW_PORTS = 3;
+
     private final int[] sizes;
-    private final List<Box> boxes = new ArrayList<>();
 
     private Cover(int[] sizes) {
         this.sizes = sizes;
@@ -42,50 +45,75 @@ final class Cover {
      * @param cells one content per combination; those of the last port change fastest
      */
     static List<Box> of(int[] sizes, int[] cells) {
-        Cover cover = new Cover(sizes);
-        cover.divide(cells, new int[sizes.length][], new boolean[sizes.length]);
-        return cover.boxes;
+        int[][] open = new int[sizes.length][];
+        return new Cover(sizes).divide(cells, open, new boolean[sizes.length]);
     }
 
     /**
      * @param groups what is fixed so far
      * @param done ports that the cells no longer have a place for
      */
-    private void divide(int[] cells, int[][] groups, boolean[] done) {
-        int best = -1;
-        Map<Content, List<Integer>> division = null;
+    private List<Box> divide(int[] cells, int[][] groups, boolean[] done) {
         boolean[] settled = done.clone();
-        int[] rest = cells;
+        int[] rest = leaveOut(cells, settled);
+        List<Integer> open = new ArrayList<>();
         for (int port = 0; port < sizes.length; port++) {
-            if (settled[port]) {
-                continue;
-            }
-            Map<Content, List<Integer>> parts = divide(rest, port, settled);
-            if (parts.size() == 1) {
-                rest = parts.keySet().iterator().next().cells;
-                settled[port] = true;
-                best = -1;
-                division = null;
-                port = -1;
-            } else if (division == null || parts.size() < division.size()) {
-                best = port;
-                division = parts;
+            if (!settled[port]) {
+                open.add(port);
             }
         }
-        if (best < 0) {
-            boxes.add(new Box(groups, rest[0]));
-            return;
+        if (open.isEmpty()) {
+            return List.of(new Box(groups, rest[0]));
         }
-        settled[best] = true;
-        for (Map.Entry<Content, List<Integer>> part : division.entrySet()) {
-            int[][] longer = groups.clone();
-            longer[best] = part.getValue().stream().mapToInt(Integer::intValue).toArray();
-            divide(part.getKey().cells, longer, settled);
+        if (open.size() > FEW_PORTS) {
+            int[] last = rest;
+            open.sort(Comparator.comparingInt(port -> parts(last, port, settled).size()));
+            open.subList(1, open.size()).clear();
         }
+        List<Box> best = null;
+        for (int port : open) {
+            List<Box> boxes = divideBy(port, rest, groups, settled);
+            best = best == null || boxes.size() < best.size() ? boxes : best;
+        }
+        return best;
+    }
+
+    /** Settles the ports that make no difference. */
+    private int[] leaveOut(int[] cells, boolean[] settled) {
+        int[] rest = cells;
+        boolean again = true;
+        while (again) {
+            again = false;
+            for (int port = 0; port < sizes.length; port++) {
+                if (!settled[port]) {
+                    Map<Content, List<Integer>> parts = parts(rest, port, settled);
+                    if (parts.size() == 1) {
+                        rest = parts.keySet().iterator().next().cells;
+                        settled[port] = true;
+                        again = true;
+                    }
+                }
+            }
+        }
+        return rest;
+    }
+
+    private List<Box> divideBy(int port, int[] cells, int[][] groups, boolean[] settled) {
+        boolean[] done = settled.clone();
+        done[port] = true;
+        List<Box> boxes = new ArrayList<>();
+        parts(cells, port, settled)
+                .forEach(
+                        (content, samples) -> {
+                            int[][] longer = groups.clone();
+                            longer[port] = samples.stream().mapToInt(Integer::intValue).toArray();
+                            boxes.addAll(divide(content.cells, longer, done));
+                        });
+        return boxes;
     }
 
     /** The samples of a port by what is in the table for them. */
-    private Map<Content, List<Integer>> divide(int[] cells, int port, boolean[] done) {
+    private Map<Content, List<Integer>> parts(int[] cells, int port, boolean[] done) {
         int inner = 1;
         for (int later = port + 1; later < sizes.length; later++) {
             inner *= done[later] ? 1 : sizes[later];

@@ -34,8 +34,5 @@ public record Machine(List<Port> inputs, List<Port> outputs, Output opening, Lis
      * @param reactions one per combination of samples; those of the last port change fastest
      */
     public record State(
-            String name,
-            List<Look> looks,
-            List<List<Value>> samples,
-            List<Reaction> reactions) {}
+            String name, List<Look> looks, List<List<Value>> samples, List<Reaction> reactions) {}
 }

@@ -106,7 +106,8 @@ public final class Synthesis {
         for (int i = 0; i < games.size(); i++) {
             names.addAll(games.get(i).rules().states(positions.get(i)));
         }
-        return String.join("_", names);
+        boolean free = positions.stream().allMatch(position -> position == Rules.FREE);
+        return free ? "free" : String.join("_", names);
     }
 
     private List<Look> looks(List<Integer> positions) {
