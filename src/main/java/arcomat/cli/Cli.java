@@ -33,6 +33,7 @@ public final class Cli {
         COMMANDS.put("verify", VerifyCommand::new);
         COMMANDS.put("mona", MonaCommand::new);
         COMMANDS.put("tests", TestsCommand::new);
+        COMMANDS.put("monitor", MonitorCommand::new);
         COMMANDS.put("run-brick", RunBrickCommand::new);
         COMMANDS.put("link", LinkCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);

@@ -5,9 +5,12 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.SimulationRequest;
 import arcomat.pipeline.SimulationResult;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.Printable;
 import arcomat.report.TraceCsv;
 import arcomat.report.TraceJson;
 import arcomat.report.TraceTable;
+import arcomat.report.WatchedText;
+import arcomat.simulate.Watched;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
@@ -29,6 +32,8 @@ import java.util.OptionalInt;
             "  arcomat simulate --main coffee.fig3.AvoidCrash --choose ask models/coffee",
             "  arcomat simulate --main coffee.fig6.AvoidCrash --record Run.mt models/coffee",
             "  arcomat simulate --main coffee.fig6.AvoidCrash --trace csv models/coffee > run.csv",
+            "  arcomat simulate --main coffee.fig5.AvoidCrash --monitor coffee.fig3.AvoidCrash"
+                    + " models/coffee",
             "  arcomat simulate --input RobotTest.mt#waits --engine compiled",
             "",
             "Without --input, letters are drawn with the seed: the same seed, the same run."
@@ -108,6 +113,15 @@ final class SimulateCommand extends Command {
             description = "Keep the run, with the choices made, as a stream test.")
     private String record;
 
+    @Option(
+            names = "--monitor",
+            paramLabel = "Q",
+            description = {
+                "Watch the run for the automata of this component, or component#automaton;",
+                "may be given several times."
+            })
+    private List<String> monitors = List.of();
+
     @Parameters(
             paramLabel = "PATH",
             arity = "0..*",
@@ -139,13 +153,25 @@ final class SimulateCommand extends Command {
         return report(result);
     }
 
-    /** A model that goes wrong fails the command, in whatever form the trace is written. */
+    /** What fails the command: a model that goes wrong, a requirement that is violated. */
     private int report(SimulationResult result) {
+        if (trace == TraceFormat.table) {
+            print(WatchedText.render(result.watched(), console.style()));
+        }
+        boolean violated = false;
+        for (Watched watched : result.watched()) {
+            violated |= watched.violation().isPresent();
+            if (trace != TraceFormat.table && watched.violation().isPresent()) {
+                String message = watched.violation().get().message();
+                console.err().println("violated: " + Printable.escape(message));
+            }
+        }
+
         Optional<String> failure = result.trace().orElseThrow().failure();
         if (failure.isPresent() && trace == TraceFormat.csv) {
             console.err().println("stopped: " + failure.get());
         }
-        return failure.isPresent() ? ExitStatus.FINDINGS : ExitStatus.FINE;
+        return failure.isPresent() || violated ? ExitStatus.FINDINGS : ExitStatus.FINE;
     }
 
     private SimulationRequest request() {
@@ -156,7 +182,8 @@ final class SimulateCommand extends Command {
                 SimulationRequest.Choosing.valueOf(choose.name().toUpperCase(Locale.ROOT)),
                 SimulationRequest.Engine.valueOf(engine.name().toUpperCase(Locale.ROOT)),
                 Optional.ofNullable(input),
-                Optional.ofNullable(record));
+                Optional.ofNullable(record),
+                monitors);
     }
 
     private Dialogue dialogue() {

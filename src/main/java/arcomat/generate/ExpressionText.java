@@ -236,6 +236,34 @@ final class ExpressionText {
         return port.type() instanceof Type.EnumType ? !port.total() : !members.flag(port).isEmpty();
     }
 
+    /** A message as an object, checked against the range of its port. */
+    String object(Expression value, Type wanted, String what) {
+        return object(inRange(value, wanted, what), wanted);
+    }
+
+    /** The message on a port as an object. */
+    String object(Port port) {
+        return object(named("port", port.type(), members.of(port)), port.type());
+    }
+
+    private String object(Text value, Type type) {
+        Map<String, String> filled = Map.of("type", reference(type));
+        return language.express("object", type, filled, List.of(value)).text();
+    }
+
+    /** The value of a variable as an object: enums stay numbers. */
+    String boxed(Expression value, Type wanted, String what) {
+        boolean number = wanted instanceof Type.EnumType;
+        Type kind = number ? Type.IntegerType.of(Type.Width.INT) : wanted;
+        return object(inRange(value, wanted, what), kind);
+    }
+
+    /** The value of a variable out of an object. */
+    String unboxed(String object, Type type) {
+        Map<String, String> filled = Map.of("type", reference(type));
+        return language.express("unboxed", type, filled, List.of(Text.primary(object))).text();
+    }
+
     /** A value checked against the range of what it is for. */
     Text inRange(Expression value, Type wanted, String what) {
         Text text = of(value);

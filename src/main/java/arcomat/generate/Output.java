@@ -25,6 +25,8 @@ final class Output {
                             "composite",
                             "enum",
                             "event",
+                            "monitor",
+                            "monitors",
                             "network",
                             "platform",
                             "program",

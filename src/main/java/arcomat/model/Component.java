@@ -103,6 +103,17 @@ public record Component(
         return packageName.isEmpty() ? name : packageName + "." + name;
     }
 
+    /** Those of its behaviour, or the requirements on a decomposed one. */
+    public List<Automaton> automata() {
+        return body instanceof Atomic atomic ? atomic.automata() : requirements;
+    }
+
+    /** The qualified name, with that of the automaton where it is one of several. */
+    public String title(Automaton automaton) {
+        boolean several = automata().size() > 1 && !automaton.name().isEmpty();
+        return qualifiedName() + (several ? "#" + automaton.name() : "");
+    }
+
     public boolean isComposite() {
         return body instanceof Composite;
     }

@@ -127,4 +127,13 @@ public final class Pipeline {
     public AnalysisResult verify(List<String> paths, AnalysisLimits limits) {
         return VerifyStep.run(paths, limits, names, progress);
     }
+
+    /**
+     * Writes classes that watch a component.
+     *
+     * @throws WrongUse where the request does not fit the models, or the folder cannot be written
+     */
+    public MonitorResult monitor(MonitorRequest request, List<String> paths) throws WrongUse {
+        return MonitorStep.run(request, paths, names, progress);
+    }
 }

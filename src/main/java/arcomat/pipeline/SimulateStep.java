@@ -13,6 +13,8 @@ import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
 import arcomat.simulate.Simulation;
 import arcomat.simulate.StreamTests;
+import arcomat.simulate.Watch;
+import arcomat.simulate.Watched;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
 
@@ -59,12 +61,16 @@ final class SimulateStep {
                         names,
                         progress);
         if (checked.hasErrors()) {
-            return new SimulationResult(checked.result(), Optional.empty());
+            return new SimulationResult(checked.result(), Optional.empty(), List.of());
         }
         Model model = checked.lower(progress);
         progress.step("simulating");
-        Trace trace = new SimulateStep(request, names, dialogue).run(checked, model, input);
-        return new SimulationResult(checked.result(), Optional.of(trace));
+        SimulateStep step = new SimulateStep(request, names, dialogue);
+        MainComponent main = step.main(checked, model, step.test(model, input));
+        List<Watch> watches = Watches.of(request.monitors(), main.component(), checked, model);
+        Trace trace = step.run(main, step.test(model, input));
+        return new SimulationResult(
+                checked.result(), Optional.of(trace), Watched.all(watches, trace));
     }
 
     /** The component that code is made of, before it is sure that there is exactly one. */
@@ -82,13 +88,11 @@ final class SimulateStep {
         return models.components().stream().filter(ComponentSymbol::isDeploy).toList();
     }
 
-    private Trace run(CheckedModels checked, Model model, Optional<TestReference> input)
-            throws WrongUse {
-        Optional<StreamTest> test = Optional.empty();
-        if (input.isPresent()) {
-            test = Optional.of(input.get().in(model, names));
-        }
-        MainComponent main = main(checked, model, test);
+    private Optional<StreamTest> test(Model model, Optional<TestReference> input) throws WrongUse {
+        return input.isPresent() ? Optional.of(input.get().in(model, names)) : Optional.empty();
+    }
+
+    private Trace run(MainComponent main, Optional<StreamTest> test) throws WrongUse {
         Network network;
         try {
             network = Network.of(main.component(), main.arguments());

@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -12,6 +13,7 @@ import java.util.OptionalInt;
  * @param seed of whatever is drawn: choices, and letters where there is no input
  * @param input {@code FILE.mt#test}, whose input streams are used
  * @param record a file that keeps the run as a stream test
+ * @param monitors what watches the run: components, or {@code component#automaton}
  */
 public record SimulationRequest(
         Optional<String> main,
@@ -20,7 +22,11 @@ public record SimulationRequest(
         Choosing choosing,
         Engine engine,
         Optional<String> input,
-        Optional<String> record) {
+        Optional<String> record,
+        List<String> monitors) {
+    public SimulationRequest {
+        monitors = List.copyOf(monitors);
+    }
 
     /** Who decides where a model leaves something open. */
     public enum Choosing {

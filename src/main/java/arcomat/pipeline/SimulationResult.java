@@ -1,7 +1,9 @@
 package arcomat.pipeline;
 
 import arcomat.model.Trace;
+import arcomat.simulate.Watched;
 
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -9,5 +11,10 @@ import java.util.Optional;
  *
  * @param check findings about the models
  * @param trace empty exactly if the findings did not let the model run
+ * @param watched what became of the requirements that the run was watched for
  */
-public record SimulationResult(CheckResult check, Optional<Trace> trace) {}
+public record SimulationResult(CheckResult check, Optional<Trace> trace, List<Watched> watched) {
+    public SimulationResult {
+        watched = List.copyOf(watched);
+    }
+}

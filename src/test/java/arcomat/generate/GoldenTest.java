@@ -40,7 +40,19 @@ class GoldenTest {
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));
         }
         tests.addAll(onBrick("lejos/fetcher", fetcher));
+        tests.addAll(monitor("monitor/fig6", coffee, "coffee.fig6.AvoidCrash"));
+        tests.addAll(monitor("monitor/timer", coffee, "coffee.parts.Timer"));
+        Path requirements = Path.of("src/test/resources/monitors/requirements.txt");
+        Model doors = Lowering.lower(Scenario.read(requirements).workspace());
+        tests.addAll(monitor("monitor/door", doors, "p.Door"));
         return tests;
+    }
+
+    private static List<DynamicTest> monitor(String folder, Model model, String name)
+            throws IOException {
+        Component watched = model.component(name).orElseThrow();
+        Target target = Target.shipped("jvm").orElseThrow();
+        return compare(folder, Monitors.generate(watched, watched.automata(), target));
     }
 
     /** The platform components come from the library's folder. */
@@ -58,7 +70,11 @@ class GoldenTest {
 
     private static List<DynamicTest> compare(String folder, Request request) throws IOException {
         String target = folder.substring(0, folder.indexOf('/'));
-        Generation generation = Generator.generate(request, Target.shipped(target).orElseThrow());
+        return compare(folder, Generator.generate(request, Target.shipped(target).orElseThrow()));
+    }
+
+    private static List<DynamicTest> compare(String folder, Generation generation)
+            throws IOException {
         assertThat(generation.findings()).isEmpty();
         TreeMap<String, String> files = new TreeMap<>();
         generation.files().forEach(f -> files.put(f.path(), f.text()));

@@ -14,7 +14,7 @@ import net.jqwik.api.Combinators;
 import java.util.List;
 
 /** Arbitrary automata with a Boolean and a motor input and one output of each. */
-final class RandomAutomata {
+public final class RandomAutomata {
     private static final String[] STATES = {"s0", "s1", "s2"};
 
     private RandomAutomata() {}
@@ -23,15 +23,15 @@ final class RandomAutomata {
     private record Line(String move, String input, String output) {}
 
     /** What differs between two automata of the same lines. */
-    interface Recipe {
+    public interface Recipe {
         Component with(Completion completion, boolean instant);
     }
 
-    static Arbitrary<Recipe> recipes() {
+    public static Arbitrary<Recipe> recipes() {
         return lines().list().ofMinSize(1).ofMaxSize(8).map(lines -> (c, i) -> build(lines, c, i));
     }
 
-    static Arbitrary<Component> components() {
+    public static Arbitrary<Component> components() {
         return Combinators.combine(
                         recipes(),
                         Arbitraries.of(Completion.CHAOS, Completion.OUTPUT, Completion.IGNORE),

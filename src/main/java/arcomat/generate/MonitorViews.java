@@ -1,0 +1,154 @@
+package arcomat.generate;
+
+import arcomat.generate.language.TypeName;
+import arcomat.generate.view.AssignmentView;
+import arcomat.generate.view.FieldView;
+import arcomat.generate.view.HeadView;
+import arcomat.generate.view.MonitorView;
+import arcomat.generate.view.MonitorView.SeenView;
+import arcomat.generate.view.StateNameView;
+import arcomat.generate.view.TypeView;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Variable;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/** The view of a class that watches a component for one requirement. */
+final class MonitorViews {
+    /** The runtime's operations that look out for what may go wrong. */
+    private static final String CHECK = "arcomat.rt.Check";
+
+    /** More names would not fit into one constructor. */
+    private static final int MOST_STATE_NAMES = 2000;
+
+    private final Component watched;
+    private final Automaton automaton;
+    private final FileContext context;
+    private final MonitorSteps steps;
+    private final List<FieldView> constants = new ArrayList<>();
+    private final List<AssignmentView> constructed = new ArrayList<>();
+
+    /**
+     * @param watched the component of the model
+     * @param context of the class to be written
+     */
+    MonitorViews(Component watched, Automaton automaton, FileContext context) {
+        this.watched = watched;
+        this.automaton = automaton;
+        this.context = context;
+        this.steps = new MonitorSteps(watched, automaton, owned(watched, automaton), context);
+    }
+
+    /** A sole automaton of an atomic component owns all outputs, others those that they write. */
+    private static Set<String> owned(Component component, Automaton automaton) {
+        if (!component.isComposite() && component.automata().size() == 1) {
+            return component.outputs().stream().map(Port::name).collect(Collectors.toSet());
+        }
+        Set<String> written = new TreeSet<>();
+        automaton.initials().forEach(i -> i.sends().forEach(s -> written.add(s.port().name())));
+        automaton.transitions().forEach(t -> t.sends().forEach(s -> written.add(s.port().name())));
+        return written;
+    }
+
+    MonitorView view() {
+        HeadView head = Heads.of(context, false);
+        watched.constants().forEach(this::declare);
+        List<FieldView> variables = automaton.variables().stream().map(this::variable).toList();
+        ExpressionText text = context.expressions();
+        List<SeenView> outputs = watched.outputs().stream().map(this::seen).toList();
+        String requirement =
+                watched.title(automaton) + " (line " + Places.line(automaton.span()) + ")";
+        List<MonitorView.GoView> initials = steps.initials();
+        List<MonitorView.SectionView> sections = steps.sections();
+        List<String> imports = imports(head); // known only after everything is written
+        return new MonitorView(
+                head,
+                imports,
+                watched.title(automaton),
+                text.literal(requirement),
+                constants,
+                constructed,
+                steps.named() ? states() : List.of(),
+                automaton.states().size() <= MOST_STATE_NAMES
+                        ? automaton.states().stream().map(text::literal).toList()
+                        : List.of(),
+                outputs,
+                variables,
+                initials,
+                sections,
+                steps.completion(),
+                context.members().state(),
+                steps.values());
+    }
+
+    private void declare(Variable constant) {
+        FieldView field = variable(constant);
+        boolean literal = constant.initial() instanceof arcomat.model.Expression.Constant;
+        String name = context.expressions().target(constant);
+        constants.add(
+                new FieldView(field.type(), field.name(), literal ? field.initial() : "", ""));
+        if (!literal) {
+            constructed.add(new AssignmentView(name, field.initial()));
+        }
+    }
+
+    private FieldView variable(Variable variable) {
+        ExpressionText text = context.expressions();
+        text.at(arcomat.semantics.Fault.place(watched, variable));
+        return new FieldView(
+                text.type(variable.type()),
+                context.members().of(variable),
+                text.inRange(variable.initial(), variable.type(), variable.name()).text(),
+                "");
+    }
+
+    private List<StateNameView> states() {
+        List<StateNameView> names = new ArrayList<>();
+        for (String state : automaton.states()) {
+            names.add(
+                    new StateNameView(context.members().state(names.size()), names.size(), state));
+        }
+        return names;
+    }
+
+    private SeenView seen(Port port) {
+        ExpressionText text = context.expressions();
+        return new SeenView(
+                text.literal(port.name()),
+                port.delay() > 0,
+                text.mayBeAbsent(port) ? text.presence(port, true).text() : "",
+                text.object(port));
+    }
+
+    /** Codes of enums, and the enums themselves where they are sent. */
+    private List<String> imports(HeadView head) {
+        Set<String> sent = new TreeSet<>();
+        for (Port port : watched.outputs()) {
+            if (port.type() instanceof Type.EnumType) {
+                sent.add(context.names().of(port.type()).qualified());
+            }
+        }
+        Set<String> imports = new TreeSet<>();
+        if (context.expressions().checks()) {
+            imports.add(CHECK);
+        }
+        for (TypeView type : head.mentions()) {
+            TypeName name = new TypeName(type.packageName(), type.name());
+            boolean foreign = !type.neighbour() && !type.packageName().isEmpty();
+            if (type.kind().equals("enum")) {
+                imports.add(name.qualified() + "Code");
+            }
+            if (foreign && (!type.kind().equals("enum") || sent.contains(name.qualified()))) {
+                imports.add(name.qualified());
+            }
+        }
+        return List.copyOf(imports);
+    }
+}

@@ -1,0 +1,173 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Language;
+import arcomat.generate.language.Names;
+import arcomat.generate.language.TemplateEngine;
+import arcomat.generate.language.TemplateFailure;
+import arcomat.generate.language.Words;
+import arcomat.generate.view.AssignmentView;
+import arcomat.generate.view.ClassView;
+import arcomat.generate.view.EnumView;
+import arcomat.generate.view.HeadView;
+import arcomat.generate.view.MonitorView;
+import arcomat.generate.view.MonitorsView;
+import arcomat.generate.view.MonitorsView.WatcherView;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Writes classes that watch the ports of a component while it runs: one for each requirement, and
+ * where there are several, one that asks them all. Each is a component of its own to the rest of
+ * the generator: with the ports of the one that is watched, and a single automaton.
+ */
+public final class Monitors {
+    private static final String MEMBERS = "reserved.members";
+
+    private final Component watched;
+    private final List<Automaton> automata;
+    private final List<Component> classes = new ArrayList<>();
+
+    private Monitors(Component watched, List<Automaton> automata) {
+        this.watched = watched;
+        this.automata = automata;
+        for (Automaton automaton : automata) {
+            boolean sole = watched.automata().size() == 1;
+            String name = sole ? "" : Words.capitalised(nameOf(automaton));
+            classes.add(component(name, List.of(automaton), automaton.span()));
+        }
+    }
+
+    /** The name of the class that asks them all, as the layout of the generated files knows it. */
+    public static String name(Component watched, List<Automaton> automata) {
+        Monitors monitors = new Monitors(watched, automata);
+        return automata.size() == 1
+                ? monitors.classes.get(0).qualifiedName()
+                : watched.qualifiedName() + "Monitor";
+    }
+
+    /**
+     * Generates monitors of a time-synchronous component.
+     *
+     * @param automata some of the component
+     * @param target that has templates for monitors
+     * @return files, or findings that say why there are none, see {@link Generator#generate}
+     */
+    public static Generation generate(Component watched, List<Automaton> automata, Target target) {
+        TargetFindings findings = new TargetFindings(target);
+        try {
+            return new Monitors(watched, automata).generate(target, findings);
+        } catch (Language.MissingEntry e) {
+            return failed(findings.missing(e.getMessage()));
+        } catch (TemplateFailure e) {
+            return failed(findings.template(e));
+        }
+    }
+
+    private static Generation failed(Diagnostic finding) {
+        return new Generation(List.of(), List.of(finding), Layout.NONE);
+    }
+
+    private Generation generate(Target target, TargetFindings findings) throws TemplateFailure {
+        List<Component> all = new ArrayList<>(classes);
+        Component whole = component("", List.of(), watched.span());
+        if (classes.size() > 1) {
+            all.add(whole);
+        }
+        Names names = new Names(new Language(entries(target)));
+        Program program = new Program(names, Choosing.FIRST, all);
+        Output output = new Output(target, new TemplateEngine(target.allFiles()), names, findings);
+        MessageTypes types = new MessageTypes(program);
+        for (EnumView view : types.enums()) {
+            output.write("enum", view.folder(), view.prefix(), view.name(), view);
+        }
+        for (ClassView view : types.classes()) {
+            output.write("class", view.folder(), view.prefix(), view.name(), view);
+        }
+        for (int i = 0; i < classes.size(); i++) {
+            FileContext context = program.context(classes.get(i));
+            MonitorView view = new MonitorViews(watched, automata.get(i), context).view();
+            write("monitor", view.head(), view, output);
+        }
+        if (classes.size() > 1) {
+            MonitorsView view = view(program.context(whole), program);
+            write("monitors", view.head(), view, output);
+        }
+        return new Generation(
+                findings.all().isEmpty() ? output.files() : List.of(),
+                findings.all(),
+                Layouts.of(program, types, List.of()));
+    }
+
+    /** What monitors inherit is reserved, too. */
+    private static Map<String, String> entries(Target target) {
+        Map<String, String> entries = new HashMap<>(target.entries());
+        entries.merge(MEMBERS, entries.getOrDefault("reserved.monitor", ""), (a, b) -> a + " " + b);
+        return entries;
+    }
+
+    private static void write(String subject, HeadView head, Record view, Output output)
+            throws TemplateFailure {
+        output.write(subject, head.folder(), head.prefix(), head.name(), view);
+    }
+
+    private String nameOf(Automaton automaton) {
+        return automaton.name().isEmpty()
+                ? "Automaton" + (watched.automata().indexOf(automaton) + 1)
+                : automaton.name();
+    }
+
+    private Component component(String infix, List<Automaton> some, Span span) {
+        return new Component(
+                watched.packageName(),
+                watched.name() + infix + "Monitor",
+                watched.layer(),
+                false,
+                false,
+                watched.profile(),
+                watched.queueCapacity(),
+                watched.cycle(),
+                watched.parameters(),
+                watched.constants(),
+                watched.ports(),
+                new Component.Atomic(some),
+                List.of(),
+                List.of(),
+                span);
+    }
+
+    private MonitorsView view(FileContext context, Program program) {
+        List<WatcherView> watchers = new ArrayList<>();
+        for (int i = 0; i < classes.size(); i++) {
+            Component each = classes.get(i);
+            String field = context.members().claim(Words.uncapitalised(nameOf(automata.get(i))));
+            watchers.add(
+                    new WatcherView(
+                            field,
+                            context.references().to(program.names().of(each)),
+                            watched.title(automata.get(i))
+                                    + ", line "
+                                    + Places.line(automata.get(i).span()),
+                            copies(field, context.members(), program.members(each))));
+        }
+        return new MonitorsView(Heads.of(context, false), watched.qualifiedName(), watchers);
+    }
+
+    private List<AssignmentView> copies(String field, Members from, Members to) {
+        List<AssignmentView> copies = new ArrayList<>();
+        for (Port port : watched.ports()) {
+            copies.add(new AssignmentView(field + "." + to.of(port), from.of(port)));
+            if (!from.flag(port).isEmpty()) {
+                copies.add(new AssignmentView(field + "." + to.flag(port), from.flag(port)));
+            }
+        }
+        return copies;
+    }
+}

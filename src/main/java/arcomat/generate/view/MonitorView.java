@@ -1,0 +1,76 @@
+package arcomat.generate.view;
+
+import java.util.List;
+
+/**
+ * A class that watches the ports of a component for one requirement.
+ *
+ * @param imports qualified names
+ * @param title the component, with the automaton where it is one of several
+ * @param requirement a literal that names the automaton and its line
+ * @param constants with a literal as value, or none where the constructor computes it
+ * @param constructed what the constructor computes
+ * @param states empty where there are too many for named constants
+ * @param stateNames literals; empty where there are too many
+ * @param variables with their first values
+ * @param initials alternatives
+ * @param sections whose transitions are together all transitions
+ * @param completion what happens where no transition is enabled; none where that is forbidden
+ * @param state parameter with the code of the state
+ * @param values parameter with the values of the variables
+ */
+public record MonitorView(
+        HeadView head,
+        List<String> imports,
+        String title,
+        String requirement,
+        List<FieldView> constants,
+        List<AssignmentView> constructed,
+        List<StateNameView> states,
+        List<String> stateNames,
+        List<SeenView> outputs,
+        List<FieldView> variables,
+        List<GoView> initials,
+        List<SectionView> sections,
+        List<GoView> completion,
+        String state,
+        String values) {
+
+    /**
+     * What an output shows.
+     *
+     * @param literal its name
+     * @param present condition that there is a message; empty where there always is one
+     * @param message the message as an object
+     */
+    public record SeenView(String literal, boolean delayed, String present, String message) {}
+
+    /**
+     * A way to begin or to go on.
+     *
+     * @param comment line and text in the model
+     * @param condition empty where it holds always
+     * @param cause a literal that names it in messages
+     * @param target constant or code of the next state
+     * @param values of the variables afterwards
+     * @param promises what is to be seen, per output
+     */
+    public record GoView(
+            String comment,
+            String condition,
+            String cause,
+            String target,
+            String values,
+            List<String> promises) {}
+
+    /**
+     * Some states with some of their transitions, few enough for a method.
+     *
+     * @param method empty where one section holds all
+     * @param variables those that are read, with their value out of the set of values
+     */
+    public record SectionView(String method, List<FieldView> variables, List<StateView> states) {}
+
+    /** A state with transitions out of it. */
+    public record StateView(String label, String name, List<GoView> transitions) {}
+}

@@ -1,0 +1,22 @@
+package arcomat.generate.view;
+
+import java.util.List;
+
+/**
+ * A class that watches the ports of a component for several requirements.
+ *
+ * @param title the component
+ */
+public record MonitorsView(HeadView head, String title, List<WatcherView> watchers) {
+
+    /**
+     * The monitor of one requirement.
+     *
+     * @param name of the field
+     * @param type its class
+     * @param comment what the requirement is and where it is written
+     * @param copies the messages on the ports
+     */
+    public record WatcherView(
+            String name, String type, String comment, List<AssignmentView> copies) {}
+}

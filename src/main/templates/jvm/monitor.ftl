@@ -1,0 +1,128 @@
+<#import "parts.ftl" as parts>
+<#macro call way indent>
+${indent}go(
+${indent}        ${way.cause},
+${indent}        ${way.target},
+${indent}        ${way.values}<#list way.promises as promise>,
+${indent}        ${promise}</#list>);
+</#macro>
+<#macro go way indent>
+<#if way.comment != "">
+${indent}// ${way.comment}
+</#if>
+<#if way.condition != "">
+${indent}if (${way.condition}) {
+<@call way indent + "    "/>
+${indent}}
+<#else>
+<@call way indent/>
+</#if>
+</#macro>
+<#macro cases section>
+<#list section.variables as variable>
+        ${variable.type} ${variable.name} = ${variable.initial};
+</#list>
+        switch (${state}) {
+<#list section.states as some>
+            case ${some.label}:<#if !states?has_content> // ${some.name}</#if>
+<#list some.transitions as transition>
+<@go transition "                "/>
+</#list>
+                break;
+
+</#list>
+            default:
+                break;
+        }
+</#macro>
+<@parts.header head/>
+<#list imports as type>
+import ${type};
+</#list>
+<#if imports?has_content>
+
+</#if>
+/**
+ * Watches what component ${title} receives and sends.
+ *
+ * <p>Set the ports to what a slice shows, then call {@link #slice}; {@link #violation} says what
+ * was not allowed.
+ */
+public final class ${head.name} extends arcomat.rt.Monitor {
+<#list states as name>
+    private static final int ${name.constant} = ${name.code};
+</#list>
+<#if states?has_content>
+
+</#if>
+<@parts.ports head/>
+<#list head.parameters as parameter>
+    private final ${parameter.type} ${parameter.name};
+</#list>
+<#list constants as constant>
+<#if constant.initial != "">
+    private static final ${constant.type} ${constant.name} = ${constant.initial};
+<#else>
+    private final ${constant.type} ${constant.name};
+</#if>
+</#list>
+<#if head.parameters?has_content || constants?has_content>
+
+</#if>
+    public ${head.name}(<@parts.parameters head/>) {
+        super(
+                ${requirement},
+                new String[] {<#list stateNames as name>${name}<#sep>, </#list>},
+                new String[] {<#list outputs as output>${output.literal}<#sep>, </#list>},
+                new boolean[] {<#list outputs as output>${output.delayed?c}<#sep>, </#list>});
+<#list head.parameters as parameter>
+        this.${parameter.name} = ${parameter.name};
+</#list>
+<#list constructed as assignment>
+        ${assignment.target} = ${assignment.value};
+</#list>
+<#list variables as variable>
+        ${variable.type} ${variable.name} = ${variable.initial};
+</#list>
+<#list initials as initial>
+<@go initial "        "/>
+</#list>
+    }
+
+    @Override
+    protected Object[] seen() {
+        return new Object[] {
+<#list outputs as output>
+            <#if output.present != "">${output.present} ? ${output.message} : SILENCE<#else>${output.message}</#if><#sep>,</#sep>
+</#list>
+        };
+    }
+
+    @Override
+    protected void react(int ${state}, Object[] ${values}) {
+<#if sections?size == 1>
+<@cases sections?first/>
+<#else>
+<#list sections as section>
+        ${section.method}(${state}, ${values});
+</#list>
+</#if>
+    }
+<#if sections?size != 1>
+<#list sections as section>
+
+    private void ${section.method}(int ${state}, Object[] ${values}) {
+<@cases section/>
+    }
+</#list>
+</#if>
+
+    @Override
+    protected void complete(int ${state}, Object[] ${values}) {
+<#list completion as way>
+<@go way "        "/>
+<#else>
+        // Forbidden: there is no way to go on.
+</#list>
+    }
+}
