@@ -56,10 +56,17 @@ final class Exploration {
     record Beginning(Node node, Letter sent) {}
 
     /**
+     * @param input what the automata read; empty where only a latched port changes
      * @param taken the transitions that take part
      * @param sent what is left open is sent as code would send it
      */
-    record Step(Node from, Letter letter, List<Goal> taken, Letter sent, Node to) {}
+    record Step(
+            Node from,
+            Letter letter,
+            Optional<Input> input,
+            List<Goal> taken,
+            Letter sent,
+            Node to) {}
 
     private final Promise promise;
     private final Behaviour behaviour;
@@ -117,6 +124,11 @@ final class Exploration {
         return nodes.computeIfAbsent(key, Node::new);
     }
 
+    /** What the component would be without a transition. */
+    Absence without(Goal goal) {
+        return new Absence(this, behaviour, goal);
+    }
+
     /** The transitions that are asked for, in text order. */
     List<Goal> goals() {
         return goals;
@@ -141,7 +153,8 @@ final class Exploration {
         return Optional.ofNullable(stopped).or(stimuli::sampled);
     }
 
-    private List<Step> steps(Node node) {
+    /** The steps out of a configuration, one of each kind. */
+    List<Step> steps(Node node) {
         if (node.steps == null) {
             node.steps = List.copyOf(compute(node));
         }
@@ -157,7 +170,13 @@ final class Exploration {
             for (Effect effect : effects(node, stimulus)) {
                 steps.putIfAbsent(
                         effect,
-                        new Step(node, stimulus.letter(), effect.taken, effect.sent, effect.to));
+                        new Step(
+                                node,
+                                stimulus.letter(),
+                                stimulus.input(),
+                                effect.taken,
+                                effect.sent,
+                                effect.to));
             }
         }
         return steps.values();

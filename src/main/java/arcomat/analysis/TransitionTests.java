@@ -19,10 +19,11 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * Stream tests that together take every transition of an atomic component that can be taken. A test
- * is extended for as long as going on is not longer than beginning anew, so that tests are few and
- * words short. What a test expects is one of the runs that the model allows; what that run leaves
- * open is expected as it is sent by code: nothing, or the first value where there is a message.
+ * Stream tests that together take every transition of an atomic component that can be taken, and go
+ * on after it until its absence would show, where that is possible. A test is extended for as long
+ * as going on is not longer than beginning anew, so that tests are few and words short. What a test
+ * expects is one of the runs that the model allows; what that run leaves open is expected as it is
+ * sent by code: nothing, or the first value where there is a message.
  */
 public final class TransitionTests {
 
@@ -118,8 +119,7 @@ public final class TransitionTests {
         Node start = anew.get(0).from();
         List<Step> next = anew;
         while (!next.isEmpty()) {
-            word.addAll(next);
-            next.forEach(step -> cover(step, covers));
+            take(next, word, covers);
             anew = fromTheBeginning();
             Node end = word.get(word.size() - 1).to();
             next = exploration.path(List.of(end), open, anew.size());
@@ -127,8 +127,20 @@ public final class TransitionTests {
         return new Test(streams(nameOf(covers.get(0)), beginning(start), word), covers);
     }
 
-    private void cover(Step step, List<Goal> covers) {
-        step.taken().stream().filter(open::remove).forEach(covers::add);
+    /** And goes on until it would be noticed if what is new had been missing. */
+    private void take(List<Step> steps, List<Step> word, List<Goal> covers) {
+        List<Goal> fresh = new ArrayList<>();
+        for (Step step : steps) {
+            word.add(step);
+            step.taken().stream().filter(open::remove).forEach(fresh::add);
+        }
+        covers.addAll(fresh);
+        for (Goal goal : fresh) {
+            List<Step> more = exploration.without(goal).noticed(word);
+            if (!more.isEmpty()) {
+                take(more, word, covers);
+            }
+        }
     }
 
     /** A shortest word to a transition that is still open; empty where none is. */
