@@ -30,6 +30,10 @@ public final class Refinement {
         if (interfaces.isPresent()) {
             return interfaces.get();
         }
+        Optional<Verdict> byParts = PartByPart.check(left, right, budget);
+        if (byParts.isPresent()) {
+            return byParts.get();
+        }
         List<Verdict> verdicts = new ArrayList<>();
         for (Promise each : right.each()) {
             verdicts.add(compare(left, each, budget));
@@ -118,13 +122,6 @@ public final class Refinement {
 
     private static Verdict holds(
             Promise right, Side theirs, Inclusion.Result result, Explored explored) {
-        return new Verdict(
-                Answer.HOLDS,
-                "",
-                result.simulation(),
-                List.of(),
-                List.of(),
-                Vacuity.notes(right, theirs, result),
-                explored);
+        return Verdict.holds(result.simulation(), Vacuity.notes(right, theirs, result), explored);
     }
 }

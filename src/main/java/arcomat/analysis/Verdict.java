@@ -52,6 +52,10 @@ public record Verdict(
     /** A sentence about a place in a model. */
     public record Sentence(String text, Optional<Span> place) {}
 
+    static Verdict holds(Optional<Boolean> simulation, List<String> notes, Explored explored) {
+        return new Verdict(Answer.HOLDS, "", simulation, List.of(), List.of(), notes, explored);
+    }
+
     static Verdict fails(String reason, List<Sentence> explanation) {
         return new Verdict(
                 Answer.FAILS,

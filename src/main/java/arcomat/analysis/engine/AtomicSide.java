@@ -16,6 +16,7 @@ import arcomat.semantics.Sent;
 import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -31,9 +32,10 @@ public final class AtomicSide implements Side {
 
     private final Map<List<Configuration>, Integer> numbers = new HashMap<>();
     private final List<List<Configuration>> configurations = new ArrayList<>();
+    private final BitSet chaotic = new BitSet();
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final List<Focus> focus = new ArrayList<>();
-    private final List<Map<Long, Steps>> steps = new ArrayList<>();
+    private final List<KnownSteps> steps = new ArrayList<>();
 
     /**
      * @param observed names of the output ports that are compared; the others are projected away
@@ -97,13 +99,11 @@ public final class AtomicSide implements Side {
 
     @Override
     public Steps steps(int configuration, long kind, Value[] letter) {
-        Map<Long, Steps> known = steps.get(configuration);
-        Steps found = known.get(kind);
-        if (found == null) {
-            found = compute(configurations.get(configuration), letter);
-            known.put(kind, found);
-        }
-        return found;
+        KnownSteps known = steps.get(configuration);
+        Steps found = known.find(kind);
+        return found != null
+                ? found
+                : known.add(kind, compute(configurations.get(configuration), letter));
     }
 
     private Steps compute(List<Configuration> before, Value[] letter) {
@@ -146,16 +146,16 @@ public final class AtomicSide implements Side {
             known = configurations.size();
             numbers.put(configuration, known);
             configurations.add(configuration);
+            chaotic.set(known, configuration.stream().allMatch(c -> c == Configuration.CHAOS));
             focus.add(null);
-            steps.add(new HashMap<>(4));
+            steps.add(new KnownSteps());
         }
         return known;
     }
 
     @Override
     public boolean isChaos(int configuration) {
-        return configurations.get(configuration).stream()
-                .allMatch(each -> each == Configuration.CHAOS);
+        return chaotic.get(configuration);
     }
 
     /** One configuration per automaton. */
@@ -171,7 +171,7 @@ public final class AtomicSide implements Side {
     @Override
     public Set<Trace.Cause> used() {
         Set<Trace.Cause> causes = new LinkedHashSet<>();
-        steps.forEach(each -> each.values().forEach(some -> some.collectUsed(causes)));
+        steps.forEach(each -> each.collectUsed(causes));
         return causes;
     }
 

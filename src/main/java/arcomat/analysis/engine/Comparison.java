@@ -93,7 +93,7 @@ public final class Comparison {
     private Moment opening(Steps mine, int node) {
         Steps theirs = pairing.right.openings();
         for (int step = 0; step < mine.size(); step++) {
-            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                 if (mine.next()[step] == inclusion.left(node)
                         && sent.messages() == inclusion.cost(node)
                         && inclusion.successor(theirs, sent.allowed()) == inclusion.set(node)) {
@@ -117,7 +117,7 @@ public final class Comparison {
                 if (mine.next()[step] != inclusion.left(after)) {
                     continue;
                 }
-                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                     if (sent.allowed().length > 0
                             && alphabet.messages(letter) + sent.messages() == gain
                             && inclusion.successor(theirs, sent.allowed())

@@ -38,7 +38,7 @@ public final class CompositeSide implements Side {
     private final List<Whole> wholes = new ArrayList<>();
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final List<Focus> focus = new ArrayList<>();
-    private final List<Map<Long, Steps>> steps = new ArrayList<>();
+    private final List<KnownSteps> steps = new ArrayList<>();
 
     /**
      * @param component a composite, time-synchronous
@@ -116,13 +116,9 @@ public final class CompositeSide implements Side {
 
     @Override
     public Steps steps(int configuration, long kind, Value[] letter) {
-        Map<Long, Steps> known = steps.get(configuration);
-        Steps found = known.get(kind);
-        if (found == null) {
-            found = compute(wholes.get(configuration), letter);
-            known.put(kind, found);
-        }
-        return found;
+        KnownSteps known = steps.get(configuration);
+        Steps found = known.find(kind);
+        return found != null ? found : known.add(kind, compute(wholes.get(configuration), letter));
     }
 
     private Steps compute(Whole before, Value[] letter) {
@@ -197,7 +193,7 @@ public final class CompositeSide implements Side {
             numbers.put(whole, known);
             wholes.add(whole);
             focus.add(null);
-            steps.add(new HashMap<>(4));
+            steps.add(new KnownSteps());
         }
         return known;
     }
@@ -229,7 +225,7 @@ public final class CompositeSide implements Side {
     @Override
     public Set<Trace.Cause> used() {
         Set<Trace.Cause> causes = new LinkedHashSet<>();
-        steps.forEach(each -> each.values().forEach(some -> some.collectUsed(causes)));
+        steps.forEach(each -> each.collectUsed(causes));
         return causes;
     }
 

@@ -85,12 +85,9 @@ public final class Inclusion {
         int first = 0;
         while (first < lefts.size()) {
             int end = lefts.size();
-            for (int node : byCost(first, end)) {
-                String exhausted = budget.exhausted(lefts.size());
-                if (exhausted != null) {
-                    return result(Optional.of(exhausted));
-                }
-                expand(node, end);
+            Optional<String> exhausted = expandLevel(first, end);
+            if (exhausted.isPresent()) {
+                return result(exhausted);
             }
             if (best != null) {
                 return result(Optional.empty());
@@ -100,18 +97,34 @@ public final class Inclusion {
         return result(Optional.empty());
     }
 
-    private int[] byCost(int first, int end) {
-        boolean equal = true;
-        for (int node = first + 1; node < end && equal; node++) {
-            equal = costs.get(node) == costs.get(first);
+    /** Pairs that took fewer messages first; in most levels all took the same. */
+    private Optional<String> expandLevel(int first, int end) {
+        int[] byCost = isEven(first, end) ? null : byCost(first, end);
+        for (int i = first; i < end; i++) {
+            String exhausted = budget.exhausted(lefts.size());
+            if (exhausted != null) {
+                return Optional.of(exhausted);
+            }
+            expand(byCost == null ? i : byCost[i - first], end);
         }
-        IntStream level = IntStream.range(first, end);
-        return equal
-                ? level.toArray()
-                : level.boxed()
-                        .sorted(Comparator.comparingInt(costs::get))
-                        .mapToInt(Integer::intValue)
-                        .toArray();
+        return Optional.empty();
+    }
+
+    private boolean isEven(int first, int end) {
+        for (int node = first + 1; node < end; node++) {
+            if (costs.get(node) != costs.get(first)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private int[] byCost(int first, int end) {
+        return IntStream.range(first, end)
+                .boxed()
+                .sorted(Comparator.comparingInt(costs::get))
+                .mapToInt(Integer::intValue)
+                .toArray();
     }
 
     private Result result(Optional<String> stopped) {
@@ -129,7 +142,7 @@ public final class Inclusion {
         Steps mine = pairing.left.openings();
         Steps theirs = pairing.right.openings();
         for (int step = 0; step < mine.size(); step++) {
-            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                 if (sent.allowed().length == 0) {
                     fail(new Failure(NO_PARENT, null, 0, mine, step, sent, sent.messages()));
                 } else {
@@ -150,14 +163,14 @@ public final class Inclusion {
         int left = lefts.get(node);
         int set = sets.get(node);
         Alphabet alphabet = pairing.alphabet(left, set);
-        for (int letter = 0; letter < alphabet.size(); letter++) {
-            Steps mine =
-                    pairing.left.steps(left, alphabet.kind(0, letter), alphabet.letter(letter));
+        Steps[] own = pairing.leftSteps(left, alphabet);
+        for (int letter = 0; letter < own.length; letter++) {
+            Steps mine = own[letter];
             Steps theirs = answers(set, alphabet, letter);
             int cost = costs.get(node) + alphabet.messages(letter);
             for (int step = 0; step < mine.size(); step++) {
                 mine.use(step);
-                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                     int total = cost + sent.messages();
                     if (sent.allowed().length == 0) {
                         fail(new Failure(node, alphabet, letter, mine, step, sent, total));
@@ -184,10 +197,7 @@ public final class Inclusion {
     }
 
     Steps answers(int set, int member, Alphabet alphabet, int letter) {
-        return pairing.right.steps(
-                member,
-                alphabet.kind(pairing.focusIndex(set, member), letter),
-                pairing.rightLetter(alphabet.letter(letter)));
+        return pairing.rightSteps(set, member, alphabet)[letter];
     }
 
     /** The set after some of the steps; -1 where it holds chaos, which allows everything. */
@@ -222,8 +232,9 @@ public final class Inclusion {
             return;
         }
         long key = (long) left << 32 | set;
-        int known = nodes.getOrDefault(key, -1);
-        if (known >= 0) {
+        int slot = nodes.indexOf(key);
+        if (nodes.indexExists(slot)) {
+            int known = nodes.indexGet(slot);
             if (known >= levelEnd && cost < costs.get(known)) {
                 costs.set(known, cost);
                 parents.set(known, parent);
@@ -233,7 +244,7 @@ public final class Inclusion {
         if (pairing.sets.members(set).length > 1 && isCovered(left, set)) {
             return;
         }
-        nodes.put(key, lefts.size());
+        nodes.indexInsert(slot, key, lefts.size());
         lefts.add(left);
         sets.add(set);
         parents.add(parent);

@@ -46,6 +46,9 @@ final class Pairing {
                 right.inputs().stream().mapToInt(port -> names.indexOf(port.name())).toArray();
     }
 
+    private final Rows leftRows = new Rows();
+    private final Rows rightRows = new Rows();
+
     /** The messages of a letter of the left side that the right side knows. */
     Value[] rightLetter(Value[] letter) {
         Value[] own = new Value[rightPositions.length];
@@ -102,8 +105,42 @@ final class Pairing {
         return 1 + foci.get(focusList(set)).indexOf(right.focus(member));
     }
 
+    /** The steps of the left side with each letter of an alphabet that is made for it. */
+    Steps[] leftSteps(int configuration, Alphabet alphabet) {
+        Steps[] known = leftRows.find(configuration, alphabet);
+        if (known == null) {
+            known = new Steps[alphabet.size()];
+            for (int letter = 0; letter < known.length; letter++) {
+                known[letter] =
+                        left.steps(
+                                configuration, alphabet.kind(0, letter), alphabet.letter(letter));
+            }
+            leftRows.add(configuration, alphabet, known);
+        }
+        return known;
+    }
+
+    /** The steps of a member of a set with each letter of an alphabet that is made for the set. */
+    Steps[] rightSteps(int set, int member, Alphabet alphabet) {
+        Steps[] known = rightRows.find(member, alphabet);
+        if (known == null) {
+            known = new Steps[alphabet.size()];
+            int focus = focusIndex(set, member);
+            for (int letter = 0; letter < known.length; letter++) {
+                known[letter] =
+                        right.steps(
+                                member,
+                                alphabet.kind(focus, letter),
+                                rightLetter(alphabet.letter(letter)));
+            }
+            rightRows.add(member, alphabet, known);
+        }
+        return known;
+    }
+
     /** How what the left side sends is answered by steps of the right side. */
-    List<Split.Case> cases(int sent, int[] others) {
+    List<Split.Case> cases(int sent, Steps theirs) {
+        int[] others = theirs.outputs();
         int answers = number(others);
         long key = (long) sent << 32 | answers;
         List<Split.Case> known = cases.get(key);

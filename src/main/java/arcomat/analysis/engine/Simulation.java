@@ -5,8 +5,6 @@ import arcomat.analysis.Budget;
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 
 /**
@@ -17,6 +15,7 @@ import java.util.Optional;
  */
 final class Simulation {
     private static final int MOST_PAIRS = 5_000_000;
+    private static final int NONE = -1;
 
     private final Pairing pairing;
     private final Budget budget;
@@ -25,8 +24,11 @@ final class Simulation {
     private final IntArrayList rights = new IntArrayList();
     private final java.util.BitSet refuted = new java.util.BitSet();
 
-    /** Per pair, the demands that it may answer. */
-    private final List<IntArrayList> answers = new ArrayList<>();
+    /** Per pair a chain of the demands that it may answer: demand and next link. */
+    private final IntArrayList firstLink = new IntArrayList();
+
+    private final IntArrayList linkDemand = new IntArrayList();
+    private final IntArrayList nextLink = new IntArrayList();
 
     private final IntArrayList demandOwner = new IntArrayList();
     private final IntArrayList demandAnswers = new IntArrayList();
@@ -52,7 +54,7 @@ final class Simulation {
         Steps mine = pairing.left.openings();
         Steps theirs = pairing.right.openings();
         for (int step = 0; step < mine.size(); step++) {
-            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                 boolean answered = false;
                 for (int answer : sent.allowed()) {
                     int next = theirs.next()[answer];
@@ -88,7 +90,7 @@ final class Simulation {
             numbers.put(key, known);
             lefts.add(left);
             rights.add(right);
-            answers.add(new IntArrayList(2));
+            firstLink.add(NONE);
         }
         return known;
     }
@@ -98,16 +100,13 @@ final class Simulation {
         int right = rights.get(pair);
         int set = pairing.sets.singleton(right);
         Alphabet alphabet = pairing.alphabet(left, set);
+        Steps[] own = pairing.leftSteps(left, alphabet);
+        Steps[] other = pairing.rightSteps(set, right, alphabet);
         for (int letter = 0; letter < alphabet.size(); letter++) {
-            Steps mine =
-                    pairing.left.steps(left, alphabet.kind(0, letter), alphabet.letter(letter));
-            Steps theirs =
-                    pairing.right.steps(
-                            right,
-                            alphabet.kind(1, letter),
-                            pairing.rightLetter(alphabet.letter(letter)));
+            Steps mine = own[letter];
+            Steps theirs = other[letter];
             for (int step = 0; step < mine.size(); step++) {
-                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs.outputs())) {
+                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                     if (!demand(pair, mine.next()[step], theirs, sent.allowed())) {
                         return;
                     }
@@ -126,25 +125,27 @@ final class Simulation {
             }
         }
         int demand = demandOwner.size();
-        int alive = 0;
-        IntArrayList given = new IntArrayList(allowed.length);
+        int firstOfDemand = linkDemand.size();
         for (int answer : allowed) {
             int pair = pair(left, theirs.next()[answer]);
-            if (!refuted.get(pair) && !given.contains(pair)) {
-                given.add(pair);
-                alive++;
+            if (!refuted.get(pair) && !isLinked(pair, firstOfDemand)) {
+                linkDemand.add(demand);
+                nextLink.add(firstLink.get(pair));
+                firstLink.set(pair, linkDemand.size() - 1);
             }
         }
-        if (alive == 0) {
+        if (linkDemand.size() == firstOfDemand) {
             fall(owner);
             return false;
         }
         demandOwner.add(owner);
-        demandAnswers.add(alive);
-        for (int i = 0; i < given.size(); i++) {
-            answers.get(given.get(i)).add(demand);
-        }
+        demandAnswers.add(linkDemand.size() - firstOfDemand);
         return true;
+    }
+
+    /** Whether a pair answers the demand whose links start there. */
+    private boolean isLinked(int pair, int firstOfDemand) {
+        return firstLink.get(pair) >= firstOfDemand;
     }
 
     private void fall(int pair) {
@@ -156,13 +157,14 @@ final class Simulation {
 
     private void refute() {
         while (!fallen.isEmpty()) {
-            IntArrayList demands = answers.get(fallen.removeLast());
-            for (int i = 0; i < demands.size(); i++) {
-                int demand = demands.get(i);
+            int link = firstLink.get(fallen.removeLast());
+            while (link != NONE) {
+                int demand = linkDemand.get(link);
                 demandAnswers.set(demand, demandAnswers.get(demand) - 1);
                 if (demandAnswers.get(demand) == 0) {
                     fall(demandOwner.get(demand));
                 }
+                link = nextLink.get(link);
             }
         }
     }

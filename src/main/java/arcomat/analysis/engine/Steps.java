@@ -3,6 +3,7 @@ package arcomat.analysis.engine;
 import arcomat.model.Trace;
 import arcomat.semantics.Output;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
 
@@ -26,6 +27,14 @@ public record Steps(
 
     public int size() {
         return outputs.length;
+    }
+
+    /** Whether both do the same for the same reasons. */
+    boolean isSame(Steps other) {
+        return Arrays.equals(outputs, other.outputs)
+                && Arrays.equals(next, other.next)
+                && causes.equals(other.causes)
+                && whole.equals(other.whole);
     }
 
     /** Notes that a search needs a step. */

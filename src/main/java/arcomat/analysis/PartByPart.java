@@ -1,0 +1,147 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.Verdict.Explored;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Network;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Compares two compositions with the same wiring part by part: refining each part refines the whole
+ * (the theorem of compositional refinement; time-synchronous only). The other way round it says
+ * nothing.
+ */
+final class PartByPart {
+    private record Comparison(
+            Component left,
+            List<Value> leftArguments,
+            Component right,
+            List<Value> rightArguments) {}
+
+    private final Budget budget;
+    private final Network left;
+    private final Network right;
+    private final Map<Comparison, Verdict> compared = new HashMap<>();
+
+    private PartByPart(Promise left, Promise right, Budget budget) {
+        this.budget = budget;
+        this.left = Network.of(left.component(), left.arguments());
+        this.right = Network.of(right.component(), right.arguments());
+    }
+
+    /** The verdict if each part refines its namesake; else empty. */
+    static Optional<Verdict> check(Promise left, Promise right, Budget budget) {
+        if (!left.isComposition()
+                || !right.isComposition()
+                || left.component().profile() == Component.Profile.EVENT_DRIVEN) {
+            return Optional.empty();
+        }
+        PartByPart parts = new PartByPart(left, right, budget);
+        return parts.isSameWiring() && parts.allHold()
+                ? Optional.of(parts.verdict())
+                : Optional.empty();
+    }
+
+    private boolean isSameWiring() {
+        Map<String, Network.Instance> mine = instances(left);
+        Map<Integer, String> mySenders = senders(left);
+        Map<Integer, String> theirSenders = senders(right);
+        if (!mine.keySet().equals(instances(right).keySet())) {
+            return false;
+        }
+        for (Network.Instance theirs : right.instances()) {
+            Network.Instance own = mine.get(theirs.path());
+            List<Port> inputs = theirs.component().inputs();
+            for (int i = 0; i < inputs.size(); i++) {
+                int position = position(own.component().inputs(), inputs.get(i).name());
+                String sender = theirSenders.get(theirs.inputSignals().get(i));
+                if (position < 0
+                        || !same(sender, mySenders.get(own.inputSignals().get(position)))) {
+                    return false;
+                }
+            }
+        }
+        Map<String, Integer> outputs = new HashMap<>();
+        left.outputs().forEach(output -> outputs.put(output.name(), output.signal()));
+        return right.outputs().stream()
+                .allMatch(
+                        output ->
+                                same(
+                                        theirSenders.get(output.signal()),
+                                        mySenders.get(outputs.get(output.name()))));
+    }
+
+    private static boolean same(String one, String other) {
+        return one == null ? other == null : one.equals(other);
+    }
+
+    private static int position(List<Port> ports, String name) {
+        return ports.stream().map(Port::name).toList().indexOf(name);
+    }
+
+    private static Map<String, Network.Instance> instances(Network network) {
+        Map<String, Network.Instance> instances = new HashMap<>();
+        network.instances().forEach(instance -> instances.put(instance.path(), instance));
+        return instances;
+    }
+
+    /** Who sends a signal: a port by its path. */
+    private static Map<Integer, String> senders(Network network) {
+        Map<Integer, String> senders = new HashMap<>();
+        network.inputs().forEach(input -> senders.put(input.signal(), input.name()));
+        for (Network.Instance instance : network.instances()) {
+            List<Port> outputs = instance.component().outputs();
+            for (int i = 0; i < outputs.size(); i++) {
+                senders.put(
+                        instance.outputSignals().get(i),
+                        instance.path() + "/" + outputs.get(i).name());
+            }
+        }
+        return senders;
+    }
+
+    private boolean allHold() {
+        Map<String, Network.Instance> mine = instances(left);
+        for (Network.Instance theirs : right.instances()) {
+            Network.Instance own = mine.get(theirs.path());
+            Comparison comparison =
+                    new Comparison(
+                            own.component(),
+                            own.arguments(),
+                            theirs.component(),
+                            theirs.arguments());
+            Verdict verdict = compared.computeIfAbsent(comparison, this::compare);
+            if (verdict.answer() != Answer.HOLDS) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Verdict compare(Comparison parts) {
+        return Refinement.check(
+                Promise.of(parts.left, parts.leftArguments),
+                Promise.of(parts.right, parts.rightArguments),
+                budget);
+    }
+
+    private Verdict verdict() {
+        long pairs = compared.values().stream().mapToLong(v -> v.explored().pairs()).sum();
+        int mine = compared.values().stream().mapToInt(v -> v.explored().left()).sum();
+        int theirs = compared.values().stream().mapToInt(v -> v.explored().right()).sum();
+        boolean simulation = compared.values().stream().allMatch(v -> v.simulation().orElse(false));
+        String note =
+                "shown part by part: %d parts, %d different"
+                        .formatted(right.instances().size(), compared.size());
+        return Verdict.holds(
+                simulation ? Optional.of(true) : Optional.empty(),
+                List.of(note),
+                new Explored(pairs, mine, theirs));
+    }
+}
