@@ -4,7 +4,7 @@
 <#function cube it>
   <#return it.literals?map(each -> literal(each))?join(" & ")>
 </#function>
-<#function choice it>
+<#function condition it>
   <#if it.cubes?size == 0>
     <#return it.negated?string("true", "false")>
   </#if>
@@ -13,11 +13,11 @@
   </#if>
   <#return it.negated?string("~", "") + "(" + it.cubes?map(each -> cube(each))?join(" | ") + ")">
 </#function>
-<#function conjunction choices>
-  <#if choices?size == 0>
+<#function conjunction conditions>
+  <#if conditions?size == 0>
     <#return "true">
   </#if>
-  <#return choices?map(each -> choice(each))?join(" & ")>
+  <#return conditions?map(each -> condition(each))?join(" & ")>
 </#function>
 <#macro steps those none>
 <#list those as step>
@@ -78,6 +78,10 @@ pred ${machine.name} =
 
 # ${right.title}
 pred ${right.name} =
+<#if right.picks?has_content>
+  # Which of several steps is taken. States follow from that, and so are cheaply hidden.
+  ex2 ${right.picks?join(", ")}:
+</#if>
   ex2 ${right.bits?join(", ")}:
 <@automaton right/>
 </#list>

@@ -14,8 +14,8 @@ import java.util.OptionalInt;
 final class MonaProgram {
     private static final int MEGABYTES = 2048;
 
-    /** Debian's MONA 1.4-18 has a buffer that longer texts overflow. */
-    private static final int MOST_CHARACTERS = 320_000;
+    /** Debian's MONA 1.4-18 has a buffer that long formulas overflow, most from 320,000 on. */
+    private static final int MANY_CHARACTERS = 200_000;
 
     /** The exit status that a shell reports for a program that has aborted. */
     private static final int ABORTED = 134;
@@ -120,10 +120,10 @@ final class MonaProgram {
             return new MonaAnswer.None(
                     "MONA ran out of memory, of which it gets " + MEGABYTES + " MB");
         }
-        if (status == ABORTED && characters > MOST_CHARACTERS) {
+        if (status == ABORTED && characters > MANY_CHARACTERS) {
             return new MonaAnswer.None(
-                    "MONA aborted; the formula has %,d characters, and MONA 1.4-18 can read only some %,d"
-                            .formatted(characters, MOST_CHARACTERS));
+                    "MONA aborted on a formula of %,d characters; MONA 1.4-18 does so on long ones"
+                            .formatted(characters));
         }
         if (status != 0) {
             String said =

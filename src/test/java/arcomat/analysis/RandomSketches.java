@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** Arbitrary automata of a chosen size. All states can be reached unless gaps are in the way. */
+/** Arbitrary automata of a chosen size at most: not all states need to be within reach. */
 final class RandomSketches {
     private RandomSketches() {}
 

@@ -8,7 +8,7 @@ import arcomat.report.Style;
 
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -24,15 +24,24 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The README and the page about platform components tell the truth: their models are written to
- * files, their commands are run in the order of the page, and the output has to be what the page
- * shows. A line {@code ...} stands for any lines.
+ * The README and the pages about platform components and analyses tell the truth: their models are
+ * written to files, their commands are run in the order of the page, and the output has to be what
+ * the page shows. A line {@code ...} stands for any lines.
  */
 class ReadmeTest {
     @TempDir Path directory;
 
+    private static Stream<Path> pages() throws IOException {
+        try (Stream<Path> analyses = Files.list(Path.of("docs/analysis"))) {
+            List<Path> pages = new ArrayList<>(analyses.sorted().toList());
+            pages.add(Path.of("docs/platform.md"));
+            pages.add(Path.of("README.md"));
+            return pages.stream();
+        }
+    }
+
     @ParameterizedTest
-    @ValueSource(strings = {"README.md", "docs/platform.md"})
+    @MethodSource("pages")
     void showsWhatTheToolSays(Path page) throws IOException {
         copy(Path.of("models"), directory.resolve("models"));
         for (Fence fence : Fence.of(page)) {
@@ -45,7 +54,7 @@ class ReadmeTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"README.md", "docs/platform.md"})
+    @MethodSource("pages")
     void namesOnlyFilesThatExist(Path page) throws IOException {
         var links = Pattern.compile("]\\(([^)#:]+)[^)]*\\)").matcher(Files.readString(page));
         while (links.find()) {

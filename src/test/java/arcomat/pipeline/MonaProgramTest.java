@@ -91,8 +91,8 @@ class MonaProgramTest {
     void abortsOnALongText() throws IOException, WrongUse {
         assertThat(noAnswer(" ".repeat(400_000), 10, "kill -ABRT $$"))
                 .isEqualTo(
-                        "MONA aborted; the formula has 400,000 characters, and MONA 1.4-18 can read"
-                                + " only some 320,000");
+                        "MONA aborted on a formula of 400,000 characters; MONA 1.4-18 does so on"
+                                + " long ones");
     }
 
     @Test

@@ -33,19 +33,19 @@ record Bits(List<String> names) {
     }
 
     /** The number at a position is one of these; what is said of other numbers does not matter. */
-    Choice isIn(Collection<Integer> numbers, Collection<Integer> possible, String position) {
+    Condition isIn(Collection<Integer> numbers, Collection<Integer> possible, String position) {
         Set<Integer> others = new HashSet<>(possible);
         others.removeAll(numbers);
         List<Cube> positive = cover(new HashSet<>(numbers), position);
         List<Cube> negative = cover(others, position);
         return negative.size() < positive.size()
-                ? new Choice(true, negative)
-                : new Choice(false, positive);
+                ? new Condition(true, negative)
+                : new Condition(false, positive);
     }
 
     /** The number at a position is not greater than this one. */
-    List<Choice> isAtMost(int most, String position) {
-        List<Choice> bounds = new ArrayList<>();
+    List<Condition> isAtMost(int most, String position) {
+        List<Condition> bounds = new ArrayList<>();
         List<Literal> ones = new ArrayList<>();
         for (int bit = names.size() - 1; bit >= 0; bit--) {
             Literal one = new Literal(names.get(bit), position, true);
@@ -54,7 +54,7 @@ record Bits(List<String> names) {
             } else {
                 List<Literal> greater = new ArrayList<>(ones);
                 greater.add(one);
-                bounds.add(new Choice(true, List.of(new Cube(greater))));
+                bounds.add(Condition.not(new Cube(greater)));
             }
         }
         return bounds;
@@ -106,15 +106,19 @@ record Bits(List<String> names) {
     /**
      * One of these; or, negated, none of them.
      *
-     * @param cubes without one, the choice is false, and negated true
+     * @param cubes without one, the condition is false, and negated true
      */
-    public record Choice(boolean negated, List<Cube> cubes) {
-        public Choice {
+    public record Condition(boolean negated, List<Cube> cubes) {
+        public Condition {
             cubes = List.copyOf(cubes);
         }
 
-        static Choice of(Cube cube) {
-            return new Choice(false, List.of(cube));
+        static Condition of(Cube cube) {
+            return new Condition(false, List.of(cube));
+        }
+
+        static Condition not(Cube cube) {
+            return new Condition(true, List.of(cube));
         }
 
         /** Whether it asks nothing. */

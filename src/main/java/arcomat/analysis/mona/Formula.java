@@ -1,6 +1,6 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.mona.Bits.Choice;
+import arcomat.analysis.mona.Bits.Condition;
 import arcomat.analysis.mona.Bits.Cube;
 
 import java.util.List;
@@ -17,7 +17,7 @@ public record Formula(
         String left,
         String right,
         List<TrackText> tracks,
-        List<Choice> valid,
+        List<Condition> valid,
         boolean fails,
         MachineText machine,
         List<MachineText> rights) {
@@ -39,15 +39,18 @@ public record Formula(
      *
      * @param name of the predicate
      * @param bits names of those of its state, the lowest first
+     * @param picks names of those that say which of several steps is taken, if there are several
      */
     public record MachineText(
             String name,
             String title,
             List<String> bits,
+            List<String> picks,
             List<StepText> openings,
             List<StateText> states) {
         public MachineText {
             bits = List.copyOf(bits);
+            picks = List.copyOf(picks);
             openings = List.copyOf(openings);
             states = List.copyOf(states);
         }
@@ -66,7 +69,7 @@ public record Formula(
      * @param origin the transition as it is written, or the completion; one line
      * @param conditions all of them hold; none where anything may happen
      */
-    public record StepText(String origin, List<Choice> conditions) {
+    public record StepText(String origin, List<Condition> conditions) {
         public StepText {
             conditions = List.copyOf(conditions);
         }

@@ -98,7 +98,7 @@ public final class Replay {
     }
 
     private boolean isError(int slice) {
-        String row = rows.get(FormulaWriter.FAILS);
+        String row = rows.get(MachineWriter.FAILS);
         return row != null && row.charAt(slice) == '1';
     }
 

@@ -2,7 +2,7 @@ package arcomat.analysis.mona;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.mona.Bits.Choice;
+import arcomat.analysis.mona.Bits.Condition;
 import arcomat.analysis.mona.Bits.Cube;
 import arcomat.analysis.mona.Bits.Literal;
 
@@ -30,16 +30,18 @@ class BitsTest {
                         .collect(Collectors.toSet());
         Set<Integer> numbers =
                 chosen.stream().filter(possible::contains).collect(Collectors.toSet());
-        Choice choice = bits.isIn(numbers, possible, "t");
+        Condition condition = bits.isIn(numbers, possible, "t");
         for (int number : possible) {
-            assertThat(holds(choice, number)).as("%d", number).isEqualTo(numbers.contains(number));
+            assertThat(holds(condition, number))
+                    .as("%d", number)
+                    .isEqualTo(numbers.contains(number));
         }
     }
 
     @Property(tries = 200)
     void ofBounds(@ForAll @IntRange(min = 0, max = 70) int most) {
         Bits bits = Bits.named("b", most + 1);
-        List<Choice> bounds = bits.isAtMost(most, "t");
+        List<Condition> bounds = bits.isAtMost(most, "t");
         for (int number = 0; number < 1 << bits.names().size(); number++) {
             int each = number;
             assertThat(bounds.stream().allMatch(bound -> holds(bound, each)))
@@ -56,8 +58,9 @@ class BitsTest {
         assertThat(bits.isIn(low, all, "t").cubes()).hasSizeLessThan(13);
     }
 
-    private static boolean holds(Choice choice, int number) {
-        return choice.cubes().stream().anyMatch(cube -> holds(cube, number)) != choice.negated();
+    private static boolean holds(Condition condition, int number) {
+        return condition.cubes().stream().anyMatch(cube -> holds(cube, number))
+                != condition.negated();
     }
 
     private static boolean holds(Cube cube, int number) {

@@ -1,0 +1,187 @@
+package arcomat.analysis.mona;
+
+import arcomat.analysis.mona.Bits.Condition;
+import arcomat.analysis.mona.Bits.Cube;
+import arcomat.analysis.mona.Bits.Literal;
+import arcomat.analysis.mona.Formula.MachineText;
+import arcomat.analysis.mona.Formula.StateText;
+import arcomat.analysis.mona.Formula.StepText;
+import arcomat.analysis.mona.Machine.State;
+import arcomat.analysis.mona.Machine.Step;
+import arcomat.model.Trace;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/** Says with bits at positions what one machine does. */
+final class MachineWriter {
+    /**
+     * The positions at which a run ends with an error; no port's bit has a name without a digit.
+     */
+    static final String FAILS = "fails";
+
+    static final String NOW = "t";
+    private static final String NEXT = "t+1";
+    private static final String START = "0";
+
+    private final Question question;
+    private final Machine machine;
+    private final String name;
+    private final boolean right;
+    private final Bits states;
+    private final List<Step> openings;
+    private final List<List<Step>> steps = new ArrayList<>();
+    private final int picks;
+
+    /**
+     * @param name of the predicate
+     * @param right whether it is on the right side, where states are hidden and chaos allows errors
+     */
+    MachineWriter(Question question, Machine machine, String name, boolean right) {
+        this.question = question;
+        this.machine = machine;
+        this.name = name;
+        this.right = right;
+        this.states = Question.stateBits(name, machine);
+        this.openings = different(machine.openings());
+        machine.states().forEach(state -> steps.add(different(transitionsFirst(state))));
+        this.picks =
+                Stream.concat(Stream.of(openings), steps.stream())
+                        .flatMap(each -> Alternatives.number(each).stream())
+                        .max(Comparator.naturalOrder())
+                        .map(most -> most + 1)
+                        .orElse(1);
+    }
+
+    private static List<Step> transitionsFirst(State state) {
+        return state.steps().stream()
+                .sorted(Comparator.comparing(MachineWriter::isCompletion))
+                .toList();
+    }
+
+    private static boolean isCompletion(Step step) {
+        return step.causes().stream().anyMatch(Trace.Completed.class::isInstance);
+    }
+
+    /** Steps that read, send and reach the same are one. */
+    private static List<Step> different(List<Step> steps) {
+        Map<List<Object>, Step> different = new LinkedHashMap<>();
+        for (Step step : steps) {
+            different.putIfAbsent(
+                    Arrays.asList(step.inputs(), step.error(), step.sent(), step.next()), step);
+        }
+        return List.copyOf(different.values());
+    }
+
+    MachineText machine(String title) {
+        List<Integer> numbers = Alternatives.number(openings);
+        List<StepText> begin = new ArrayList<>();
+        for (int i = 0; i < openings.size(); i++) {
+            begin.add(opening(openings.get(i), numbers.get(i)));
+        }
+        List<StateText> all = new ArrayList<>();
+        for (int number = 0; number < steps.size(); number++) {
+            all.add(state(number));
+        }
+        List<String> hidden = isPicked() ? picked().names() : List.of();
+        return new MachineText(name, title, states.names(), hidden, begin, all);
+    }
+
+    private boolean isPicked() {
+        return right && picks > 1;
+    }
+
+    private Bits picked() {
+        return Bits.named(name + "Pick", picks);
+    }
+
+    private StepText opening(Step opening, int number) {
+        List<Condition> conditions = new ArrayList<>(sent(opening.sent(), START, ""));
+        conditions.addAll(failing(START, false));
+        conditions.addAll(reached(opening, number, START));
+        return new StepText("", conditions);
+    }
+
+    private StateText state(int number) {
+        State state = machine.states().get(number);
+        List<Integer> numbers = Alternatives.number(steps.get(number));
+        List<StepText> texts = new ArrayList<>();
+        for (int i = 0; i < numbers.size(); i++) {
+            boolean anything = right && state.chaos();
+            texts.add(step(steps.get(number).get(i), numbers.get(i), anything));
+        }
+        return new StateText(state.name(), states.is(number, NOW), texts);
+    }
+
+    private StepText step(Step step, int number, boolean anything) {
+        List<Condition> conditions = new ArrayList<>();
+        for (int i = 0; i < step.inputs().size(); i++) {
+            Track track = machine.inputs().get(i);
+            conditions.add(track.bits().isIn(step.inputs().get(i), track.codes(), NOW));
+        }
+        if (!step.error()) {
+            conditions.addAll(sent(step.sent(), NEXT, NOW));
+        }
+        if (!anything) {
+            conditions.addAll(failing(NEXT, step.error()));
+        }
+        conditions.addAll(reached(step, number, NEXT));
+        conditions.removeIf(Condition::isTrue);
+        return new StepText(origin(step), conditions);
+    }
+
+    /** The next state, and which of several possible steps leads there. */
+    private List<Condition> reached(Step step, int number, String position) {
+        Condition next = Condition.of(states.is(step.next(), position));
+        return isPicked()
+                ? List.of(Condition.of(picked().is(number, position)), next)
+                : List.of(next);
+    }
+
+    /**
+     * @param delayed where the reaction of a port with delay 1 is seen
+     * @param instant where that of a port with delay 0 is; empty at the start, when there is none
+     */
+    private List<Condition> sent(Output output, String delayed, String instant) {
+        List<Condition> conditions = new ArrayList<>();
+        for (int i = 0; i < question.observed().size(); i++) {
+            Track track = question.observed().get(i);
+            String position = track.port().delay() == 1 ? delayed : instant;
+            Sent sent = output.ports().get(i);
+            if (position.isEmpty() || sent instanceof Sent.Anything) {
+                continue;
+            }
+            Cube code = track.bits().is(track.codeOf(sent), position);
+            conditions.add(
+                    sent instanceof Sent.AnyMessage ? Condition.not(code) : Condition.of(code));
+        }
+        return conditions;
+    }
+
+    private List<Condition> failing(String position, boolean fails) {
+        return question.fails()
+                ? List.of(Condition.of(new Cube(List.of(new Literal(FAILS, position, fails)))))
+                : List.of();
+    }
+
+    private static String origin(Step step) {
+        List<String> causes = step.causes().stream().flatMap(MachineWriter::cause).toList();
+        return causes.isEmpty() && step.error() ? "a model error" : String.join("; ", causes);
+    }
+
+    private static Stream<String> cause(Trace.Cause cause) {
+        if (cause instanceof Trace.Completed completed) {
+            String name = completed.completion().name().toLowerCase(java.util.Locale.ROOT);
+            return Stream.of("otherwise: " + name);
+        }
+        String text = ((Trace.Taken) cause).transition().span().text();
+        return Stream.of(text.replaceAll("\\s+", " ").strip()).filter(line -> !line.isEmpty());
+    }
+}
