@@ -10,6 +10,7 @@ import arcomat.analysis.engine.Inclusion;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.Side;
 import arcomat.analysis.engine.TooManyMessages;
+import arcomat.model.Component;
 import arcomat.model.Port;
 
 import java.util.ArrayList;
@@ -29,6 +30,11 @@ public final class Refinement {
         Optional<Verdict> interfaces = Interfaces.compare(left, right);
         if (interfaces.isPresent()) {
             return interfaces.get();
+        }
+        if (left.component().profile() == Component.Profile.EVENT_DRIVEN
+                && (left.isComposition() || right.isComposition())) {
+            return Verdict.unknown(
+                    "compositions of components that handle events are not compared");
         }
         Optional<Verdict> byParts = PartByPart.check(left, right, budget);
         if (byParts.isPresent()) {

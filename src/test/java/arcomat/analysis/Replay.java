@@ -2,6 +2,7 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.semantics.Behaviour;
@@ -15,6 +16,7 @@ import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -65,6 +67,13 @@ public final class Replay {
 
     private static Set<List<Configuration>> after(
             Behaviour behaviour, Set<List<Configuration>> before, Moment moment) {
+        if (isUnseenEvent(behaviour.component(), moment.input())) {
+            Output silence =
+                    new Output(
+                            Collections.nCopies(
+                                    behaviour.component().outputs().size(), Sent.SILENCE));
+            return allows(behaviour.component().outputs(), silence, moment) ? before : Set.of();
+        }
         Set<List<Configuration>> next = new LinkedHashSet<>();
         Input input = input(behaviour, moment.input());
         for (List<Configuration> each : before) {
@@ -116,5 +125,13 @@ public final class Replay {
             }
         }
         return true;
+    }
+
+    /** Whoever does not have the port of an event stands still. */
+    private static boolean isUnseenEvent(Component component, Letter event) {
+        return component.profile() == Component.Profile.EVENT_DRIVEN
+                && component.inputs().stream()
+                        .filter(port -> !port.latched())
+                        .noneMatch(port -> event.message(port.name()).isPresent());
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -46,6 +47,11 @@ public final class AtomicSide implements Side {
         this.outputs = outputs;
         List<String> names = behaviour.component().outputs().stream().map(Port::name).toList();
         this.observed = observed.stream().mapToInt(names::indexOf).toArray();
+    }
+
+    @Override
+    public Component.Profile profile() {
+        return behaviour.component().profile();
     }
 
     @Override

@@ -72,6 +72,11 @@ public final class CompositeSide implements Side {
     }
 
     @Override
+    public Component.Profile profile() {
+        return network.component().profile();
+    }
+
+    @Override
     public List<Port> inputs() {
         return inputs;
     }

@@ -9,13 +9,15 @@ import arcomat.semantics.Attention.Look;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
- * One letter of each kind that a single configuration tells apart: few messages first, then in the
- * order in which ports and values are declared.
+ * One letter of each kind that somebody tells apart: few messages first, then in the order in which
+ * ports and values are declared.
  */
 public final class Letters {
+    /** More letters than that are not tried at once. */
+    private static final int MOST = 1_000_000;
+
     private Letters() {}
 
     /**
@@ -24,17 +26,26 @@ public final class Letters {
      * @throws TooManyMessages where all messages of a port matter that has too many
      */
     public static List<Value[]> of(Component component, Attention attention) {
-        return component.profile() == Component.Profile.EVENT_DRIVEN
-                ? events(component.inputs(), attention.looks())
-                : slices(component.inputs(), attention);
+        return of(component.profile(), component.inputs(), attention.looks());
+    }
+
+    static List<Value[]> of(Component.Profile profile, List<Port> inputs, List<Look> looks) {
+        List<Value[]> letters =
+                profile == Component.Profile.EVENT_DRIVEN
+                        ? events(inputs, looks)
+                        : slices(inputs, looks);
+        letters.sort(Comparator.comparingInt(Letters::messages));
+        return letters;
     }
 
     /** Each port may carry a message. */
-    private static List<Value[]> slices(List<Port> inputs, Attention attention) {
-        int[] positions = IntStream.range(0, inputs.size()).toArray();
-        Focus focus = new Focus(0, attention, inputs);
-        Alphabet alphabet = new Alphabet(inputs, List.of(focus), List.of(positions));
-        return IntStream.range(0, alphabet.size()).mapToObj(alphabet::letter).toList();
+    private static List<Value[]> slices(List<Port> inputs, List<Look> looks) {
+        List<Value[]> letters = new ArrayList<>();
+        letters.add(new Value[inputs.size()]);
+        for (int port = 0; port < inputs.size(); port++) {
+            letters = with(port, inputs.get(port).total(), letters, inputs, looks);
+        }
+        return letters;
     }
 
     /** One port has an event, and latched ports may have got a message before. */
@@ -51,14 +62,13 @@ public final class Letters {
                 letters = with(port, false, letters, inputs, looks);
             }
         }
-        letters.sort(Comparator.comparingInt(Letters::messages));
         return letters;
     }
 
     private static List<Value[]> with(
             int port, boolean present, List<Value[]> letters, List<Port> inputs, List<Look> looks) {
         List<Value> samples = Kinds.of(inputs.get(port), present, looks.get(port)).samples();
-        if ((long) letters.size() * samples.size() > Alphabet.MOST) {
+        if ((long) letters.size() * samples.size() > MOST) {
             throw new TooManyMessages(inputs.get(port));
         }
         List<Value[]> longer = new ArrayList<>(letters.size() * samples.size());

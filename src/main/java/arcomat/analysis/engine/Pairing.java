@@ -1,11 +1,15 @@
 package arcomat.analysis.engine;
 
+import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
+import arcomat.semantics.Output;
+import arcomat.semantics.Sent;
 
 import com.carrotsearch.hppc.LongObjectHashMap;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +26,7 @@ final class Pairing {
 
     private static final int SINGLE = 1 << 30;
 
+    private final List<Port> observed;
     private final Split split;
     private final int[] leftPositions;
     private final int[] rightPositions;
@@ -39,7 +44,8 @@ final class Pairing {
         this.left = left;
         this.right = right;
         this.outputs = outputs;
-        this.split = new Split(observed, outputs);
+        this.observed = observed;
+        this.split = new Split(observed, outputs, left.profile() == Component.Profile.EVENT_DRIVEN);
         List<String> names = left.inputs().stream().map(Port::name).toList();
         leftPositions = java.util.stream.IntStream.range(0, names.size()).toArray();
         rightPositions =
@@ -69,7 +75,7 @@ final class Pairing {
             all.addAll(foci.get(list));
             List<int[]> positions = new ArrayList<>(List.of(leftPositions));
             foci.get(list).forEach(each -> positions.add(rightPositions));
-            known = new Alphabet(left.inputs(), all, positions);
+            known = new Alphabet(left.profile(), left.inputs(), all, positions);
             alphabets.put(key, known);
         }
         return known;
@@ -127,15 +133,35 @@ final class Pairing {
             known = new Steps[alphabet.size()];
             int focus = focusIndex(set, member);
             for (int letter = 0; letter < known.length; letter++) {
+                Value[] own = rightLetter(alphabet.letter(letter));
                 known[letter] =
-                        right.steps(
-                                member,
-                                alphabet.kind(focus, letter),
-                                rightLetter(alphabet.letter(letter)));
+                        isUnseenEvent(own)
+                                ? standing(member)
+                                : right.steps(member, alphabet.kind(focus, letter), own);
             }
             rightRows.add(member, alphabet, known);
         }
         return known;
+    }
+
+    /** An event on a port that the right side does not have: it stands still and sends nothing. */
+    private boolean isUnseenEvent(Value[] letter) {
+        if (left.profile() != Component.Profile.EVENT_DRIVEN) {
+            return false;
+        }
+        for (int i = 0; i < letter.length; i++) {
+            if (letter[i] != null && !right.inputs().get(i).latched()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Steps standing(int configuration) {
+        Output silence = new Output(Collections.nCopies(observed.size(), Sent.SILENCE));
+        StepCollector collector = new StepCollector();
+        collector.add(outputs.number(silence), configuration, List.of(), silence);
+        return collector.steps();
     }
 
     /** How what the left side sends is answered by steps of the right side. */

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -12,6 +13,9 @@ import java.util.Set;
  * remembered. Not for several threads.
  */
 public interface Side {
+    /** Whether a letter is a slice or an event. */
+    Component.Profile profile();
+
     /** The ports that a letter for {@link #steps} has messages for, by position. */
     List<Port> inputs();
 

@@ -1,11 +1,13 @@
 package arcomat.analysis.engine;
 
+import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -27,11 +29,14 @@ public final class Split {
 
     private final List<Port> ports;
     private final Outputs outputs;
+    private final boolean events;
 
     /**
      * @param ports the observed output ports
+     * @param events whether a port may send several messages at once
      */
-    Split(List<Port> ports, Outputs outputs) {
+    Split(List<Port> ports, Outputs outputs, boolean events) {
+        this.events = events;
         this.ports = ports;
         this.outputs = outputs;
     }
@@ -81,10 +86,22 @@ public final class Split {
                 mentioned.addAll(messages.values());
             }
         }
-        for (Value value : new Beside(ports.get(port).type(), sorted(mentioned)).any()) {
-            options.add(new Sent.Messages(List.of(value)));
+        List<Value> fresh = new Beside(ports.get(port).type(), sorted(mentioned)).any();
+        fresh.forEach(value -> options.add(new Sent.Messages(List.of(value))));
+        if (events && sent instanceof Sent.Anything) {
+            options.add(longer(port, options));
         }
         return options;
+    }
+
+    /** Event-driven, a port may send more messages than any that are mentioned. */
+    private Sent longer(int port, Set<Sent> options) {
+        int longest = 0;
+        for (Sent option : options) {
+            longest = Math.max(longest, ((Sent.Messages) option).values().size());
+        }
+        Value value = FirstValue.of(ports.get(port).type());
+        return new Sent.Messages(Collections.nCopies(longest + 1, value));
     }
 
     private static List<Value> sorted(List<Value> values) {

@@ -2,6 +2,7 @@ package arcomat.analysis.game;
 
 import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.Focus;
+import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
@@ -91,6 +92,7 @@ public final class Rules {
                 key,
                 each ->
                         new Alphabet(
+                                Component.Profile.TIME_SYNCHRONOUS,
                                 inputs,
                                 foci,
                                 java.util.Collections.nCopies(foci.size(), identity)));
