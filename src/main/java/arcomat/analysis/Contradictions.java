@@ -7,7 +7,6 @@ import arcomat.analysis.engine.TooManyMessages;
 import arcomat.analysis.game.Choices;
 import arcomat.analysis.game.Controllers;
 import arcomat.analysis.game.Cores;
-import arcomat.analysis.game.Game;
 import arcomat.analysis.game.Groups;
 import arcomat.analysis.game.Requirement;
 import arcomat.analysis.game.Synthesis;
@@ -65,9 +64,6 @@ public final class Contradictions {
                     List.of("nothing is required: there is no automaton"),
                     0);
         }
-        if (promise.component().profile() == Component.Profile.EVENT_DRIVEN) {
-            return unknown("it handles events, and only slices are searched", 0);
-        }
         try {
             Consistency found = new Contradictions(promise, all, budget).search();
             return found.answer() == Answer.HOLDS ? Leniency.noted(promise, found, budget) : found;
@@ -87,12 +83,14 @@ public final class Contradictions {
         boolean mayErr =
                 promise.automata().stream()
                         .anyMatch(a -> a.completion() == Automaton.Completion.ERROR);
-        Consistency found =
-                search(new Cores(requirements, mayErr ? together : apart, choices, budget));
+        Consistency found = search(cores(mayErr ? together : apart));
         boolean erred = requirements.stream().anyMatch(Requirement::errs);
-        return erred && !mayErr
-                ? search(new Cores(requirements, together, choices, budget))
-                : found;
+        return erred && !mayErr ? search(cores(together)) : found;
+    }
+
+    private Cores cores(Groups groups) {
+        Component.Profile profile = promise.component().profile();
+        return new Cores(requirements, groups, choices, profile, budget);
     }
 
     /** Per requirement the outputs that it does not leave open for good. */
@@ -132,20 +130,19 @@ public final class Contradictions {
         if (cores.stopped().isPresent()) {
             return unknown(cores.stopped().get(), cores.explored());
         }
-        Optional<Component> controller = controller(cores);
-        if (controller.isEmpty()) {
+        boolean events = promise.component().profile() == Component.Profile.EVENT_DRIVEN;
+        Optional<Component> controller = events ? Optional.empty() : controller(cores);
+        if (events) {
+            notes.add("a controller is not written down where events are handled");
+        } else if (controller.isEmpty()) {
             notes.add("a controller has too many states or inputs to be written down");
         }
         return new Consistency(Answer.HOLDS, "", List.of(), controller, notes, cores.explored());
     }
 
     private Optional<Component> controller(Cores cores) {
-        List<Game> games = cores.won();
-        if (cores.stopped().isPresent()) {
-            return Optional.empty();
-        }
         Component required = promise.component();
-        return Synthesis.of(games, budget)
+        return Synthesis.of(cores.won(), budget)
                 .map(machine -> Controllers.of(machine, required.span()))
                 .map(automaton -> controller(required, automaton, kept()));
     }

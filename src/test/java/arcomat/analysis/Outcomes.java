@@ -19,6 +19,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.IntStream;
 
@@ -33,7 +34,7 @@ final class Outcomes {
     }
 
     private final List<StepRelation> relations = new ArrayList<>();
-    private final List<Output> outputs;
+    private List<Output> outputs;
     private final List<Value[]> inputs;
     private final Component component;
 
@@ -43,16 +44,45 @@ final class Outcomes {
             relations.addAll(
                     Behaviour.of(component, each.automata(), each.arguments()).relations());
         }
-        outputs =
-                letters(component.outputs()).stream()
-                        .map(
-                                letter ->
-                                        new Output(
-                                                java.util.Arrays.stream(letter)
-                                                        .map(Outcomes::sent)
-                                                        .toList()))
+        outputs = new ArrayList<>(List.of(new Output(List.of())));
+        for (Port port : component.outputs()) {
+            List<Output> longer = new ArrayList<>();
+            for (Output output : outputs) {
+                for (Sent sent : sent(port)) {
+                    List<Sent> ports = new ArrayList<>(output.ports());
+                    ports.add(sent);
+                    longer.add(new Output(ports));
+                }
+            }
+            outputs = longer;
+        }
+        inputs =
+                letters(component.inputs()).stream()
+                        .filter(letter -> !isEventDriven() || events(letter) == 1)
                         .toList();
-        inputs = letters(component.inputs());
+    }
+
+    private boolean isEventDriven() {
+        return component.profile() == Component.Profile.EVENT_DRIVEN;
+    }
+
+    private static long events(Value[] letter) {
+        return java.util.Arrays.stream(letter).filter(Objects::nonNull).count();
+    }
+
+    /** In answer to an event, up to two messages. */
+    private List<Sent> sent(Port port) {
+        List<Sent> sent = new ArrayList<>();
+        List<Value> values = values(port);
+        for (Value one : values) {
+            sent.add(sent(one));
+            for (Value two : isEventDriven() && one != null ? values : List.<Value>of()) {
+                if (two != null) {
+                    sent.add(new Sent.Messages(List.of(one, two)));
+                }
+            }
+        }
+        return sent;
     }
 
     private static Sent sent(Value message) {

@@ -13,6 +13,7 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -72,6 +73,24 @@ public final class Choices {
             numbers.put(new Key(cubes), number);
         }
         return number;
+    }
+
+    /** Whether whatever one list allows is also allowed by another. */
+    boolean isWeaker(int list, int other) {
+        return Arrays.stream(lists.get(other))
+                .allMatch(
+                        inner ->
+                                Arrays.stream(lists.get(list))
+                                        .anyMatch(outer -> contains(outer, inner)));
+    }
+
+    private boolean contains(int outer, int inner) {
+        return outer == inner
+                || outputs.isLetter(outer)
+                        && outputs.isLetter(inner)
+                        && outputs.cube(outer)
+                                .meet(outputs.cube(inner))
+                                .equals(Optional.of(outputs.cube(inner)));
     }
 
     /**

@@ -1,42 +1,55 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
+import arcomat.model.Component;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
-import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * Minimal contradicting subsets of some requirements. Most contradictions are between two, and a
- * pair is a small game, so pairs are played first; then each group as a whole; and triples where
- * that is too large. A contradicting group is made minimal by QuickXplain (Junker 2004); all
- * minimal subsets are found with a hitting set tree (Reiter 1987).
+ * pair is a small game, so pairs are played first; then each group as a whole; and where that is
+ * too large, those few that may contradict each other. What needs no game because all that is ever
+ * asked for can be answered together is not played at all.
  */
 public final class Cores {
-    /** A game of more positions is put off. */
-    private static final long SMALL = 20_000;
+    /** A game of more moves is put off. */
+    private static final long SMALL = 100_000;
+
+    private static final long LARGE = 5_000_000;
+    private static final long ALL = Long.MAX_VALUE;
+
+    private static final int MOST_SUSPECTS = 1_000;
 
     private final List<Requirement> requirements;
     private final Groups groups;
     private final Choices choices;
+    private final Component.Profile profile;
+    private final Projections projections;
     private final Budget budget;
     private final Map<BitSet, Game.Winner> known = new HashMap<>();
+    private final Map<BitSet, Long> tried = new HashMap<>();
     private final Map<BitSet, Game> won = new HashMap<>();
+    private final Map<BitSet, Game> lost = new HashMap<>();
     private String stopped;
     private long explored;
 
-    public Cores(List<Requirement> requirements, Groups groups, Choices choices, Budget budget) {
+    public Cores(
+            List<Requirement> requirements,
+            Groups groups,
+            Choices choices,
+            Component.Profile profile,
+            Budget budget) {
+        this.profile = profile;
         this.requirements = requirements;
         this.groups = groups;
         this.choices = choices;
+        this.projections = new Projections(requirements, choices, profile);
         this.budget = budget;
     }
 
@@ -63,39 +76,12 @@ public final class Cores {
 
     /** All minimal contradicting subsets that were found, small ones first. */
     public List<BitSet> every() {
-        List<BitSet> cores = new ArrayList<>();
-        Set<BitSet> seen = new HashSet<>();
-        Deque<BitSet> open = new ArrayDeque<>(List.of(new BitSet()));
-        while (!open.isEmpty() && stopped == null) {
-            BitSet removed = open.removeFirst();
-            Optional<BitSet> core =
-                    cores.stream().filter(each -> !each.intersects(removed)).findFirst();
-            if (core.isEmpty()) {
-                BitSet rest = all();
-                rest.andNot(removed);
-                core = in(rest);
-                core.ifPresent(cores::add);
-            }
-            core.ifPresent(
-                    each ->
-                            each.stream()
-                                    .mapToObj(member -> with(removed, member))
-                                    .filter(seen::add)
-                                    .forEach(open::addLast));
-        }
-        cores.sort(Comparator.comparingInt(BitSet::cardinality).thenComparing(BitSet::toString));
-        return cores;
-    }
-
-    private static BitSet with(BitSet set, int member) {
-        BitSet larger = (BitSet) set.clone();
-        larger.set(member);
-        return larger;
+        return MinimalSets.all(all(), this::in, () -> stopped != null);
     }
 
     private Optional<BitSet> in(BitSet candidates) {
         for (BitSet group : groups.of(candidates)) {
-            Optional<BitSet> pair = contradictingPair(group);
+            Optional<BitSet> pair = contradicting(pairs(group), SMALL);
             if (pair.isPresent()) {
                 return pair;
             }
@@ -109,19 +95,7 @@ public final class Cores {
         return Optional.empty();
     }
 
-    private Optional<BitSet> inGroup(BitSet group) {
-        Game.Winner winner = play(group, SMALL);
-        if (winner == Game.Winner.UNKNOWN) {
-            Optional<BitSet> triple = contradictingTriple(group);
-            if (triple.isPresent()) {
-                return triple;
-            }
-            winner = play(group, budget.states());
-        }
-        return winner == Game.Winner.ENVIRONMENT ? Optional.of(minimal(group)) : Optional.empty();
-    }
-
-    private Optional<BitSet> contradictingPair(BitSet group) {
+    private Stream<BitSet> pairs(BitSet group) {
         return group.stream()
                 .boxed()
                 .flatMap(
@@ -129,61 +103,52 @@ public final class Cores {
                                 group.stream()
                                         .filter(other -> one < other)
                                         .filter(other -> groups.areNeighbours(one, other))
-                                        .mapToObj(other -> with(with(new BitSet(), one), other)))
-                .filter(pair -> play(pair, SMALL) == Game.Winner.ENVIRONMENT)
-                .findFirst();
+                                        .mapToObj(other -> pair(one, other)));
     }
 
-    private Optional<BitSet> contradictingTriple(BitSet group) {
-        List<Integer> members = group.stream().boxed().toList();
-        for (int one : members) {
-            for (int two : members) {
-                for (int three : members) {
-                    BitSet triple = with(with(with(new BitSet(), one), two), three);
-                    if (one < two
-                            && two < three
-                            && groups.of(triple).size() == 1
-                            && play(triple, SMALL) == Game.Winner.ENVIRONMENT) {
-                        return Optional.of(triple);
-                    }
+    private static BitSet pair(int one, int other) {
+        BitSet pair = new BitSet();
+        pair.set(one);
+        pair.set(other);
+        return pair;
+    }
+
+    private Optional<BitSet> inGroup(BitSet group) {
+        Game.Winner winner = play(group, SMALL);
+        if (winner == Game.Winner.UNKNOWN) {
+            List<BitSet> suspects = suspects(group);
+            for (long moves : new long[] {SMALL, LARGE}) {
+                Optional<BitSet> found = contradicting(suspects.stream(), moves);
+                if (found.isPresent()) {
+                    return found.map(set -> MinimalSets.of(set, this::contradicts));
                 }
             }
+            winner = play(group, ALL);
         }
-        return Optional.empty();
+        return winner == Game.Winner.ENVIRONMENT
+                ? Optional.of(MinimalSets.of(group, this::contradicts))
+                : Optional.empty();
     }
 
-    private BitSet minimal(BitSet contradicting) {
-        return explain(new BitSet(), false, contradicting);
+    /** Small sets that may contradict each other, as far as each of them alone can tell. */
+    private List<BitSet> suspects(BitSet group) {
+        long[] looks = {0};
+        return MinimalSets.all(
+                group,
+                rest ->
+                        projections.mayContradict(rest)
+                                ? Optional.of(MinimalSets.of(rest, projections::mayContradict))
+                                : Optional.empty(),
+                () -> looks[0]++ > MOST_SUSPECTS);
     }
 
-    /** Which of the candidates are needed besides the background to make a contradiction. */
-    private BitSet explain(BitSet background, boolean grown, BitSet candidates) {
-        if (grown && contradicts(background)) {
-            return new BitSet();
-        }
-        if (candidates.cardinality() == 1) {
-            return candidates;
-        }
-        int[] members = candidates.stream().toArray();
-        BitSet first = new BitSet();
-        BitSet second = new BitSet();
-        for (int i = 0; i < members.length; i++) {
-            (i < members.length / 2 ? first : second).set(members[i]);
-        }
-        BitSet needed = explain(union(background, first), true, second);
-        BitSet others = explain(union(background, needed), !needed.isEmpty(), first);
-        return union(needed, others);
-    }
-
-    private static BitSet union(BitSet one, BitSet other) {
-        BitSet union = (BitSet) one.clone();
-        union.or(other);
-        return union;
+    private Optional<BitSet> contradicting(Stream<BitSet> sets, long moves) {
+        return sets.filter(set -> play(set, moves) == Game.Winner.ENVIRONMENT).findFirst();
     }
 
     private boolean contradicts(BitSet subset) {
         for (BitSet group : groups.of(subset)) {
-            if (play(group, budget.states()) == Game.Winner.ENVIRONMENT) {
+            if (play(group, ALL) == Game.Winner.ENVIRONMENT) {
                 return true;
             }
         }
@@ -196,7 +161,7 @@ public final class Cores {
             BitSet rest = (BitSet) core.clone();
             rest.clear(member);
             for (BitSet group : groups.of(rest)) {
-                if (play(group, budget.states()) != Game.Winner.SYSTEM) {
+                if (play(group, ALL) != Game.Winner.SYSTEM) {
                     return false;
                 }
             }
@@ -210,13 +175,22 @@ public final class Cores {
             return Game.Winner.SYSTEM;
         }
         Game.Winner winner = known.get(group);
-        if (winner == null || winner == Game.Winner.UNKNOWN && most == budget.states()) {
+        if (winner == null && !projections.mayContradict(group)) {
+            winner = Game.Winner.SYSTEM;
+            known.put(group, winner);
+        }
+        if (winner == null
+                || winner == Game.Winner.UNKNOWN && most > tried.getOrDefault(group, 0L)) {
+            tried.put(group, most);
             Game game = game(group, most);
             winner = game.play();
             explored += game.explored();
             known.put(group, winner);
-            if (winner == Game.Winner.UNKNOWN && most == budget.states()) {
+            if (winner == Game.Winner.UNKNOWN && most == ALL) {
                 stopped = game.stopped().orElseThrow();
+            }
+            if (winner == Game.Winner.ENVIRONMENT && most == SMALL) {
+                lost.put(group, game);
             }
             if (winner == Game.Winner.SYSTEM && groups.of(all()).contains(group)) {
                 won.put(group, game);
@@ -225,29 +199,28 @@ public final class Cores {
         return winner;
     }
 
-    private Game game(BitSet group, long most) {
+    private Game game(BitSet group, long moves) {
         List<Requirement> members = group.stream().mapToObj(requirements::get).toList();
-        Budget own = new Budget(budget.timeIsUp(), Math.min(most, budget.states()));
-        return new Game(new Rules(members, choices), own);
+        return new Game(new Rules(members, choices, profile), budget, moves);
     }
 
     /** The game of a contradicting subset, to be told. */
     public Game lost(BitSet core) {
-        Game game = game(core, budget.states());
-        game.play();
+        Game game = lost.get(core);
+        if (game == null) {
+            game = game(core, ALL);
+            game.play();
+        }
         return game;
     }
 
-    /** The games of all groups, each won by the system, unless some were stopped. */
+    /** The games of all groups, which the system wins; those that need no search are not played. */
     public List<Game> won() {
         List<Game> games = new ArrayList<>();
         for (BitSet group : groups.of(all())) {
             Game game = won.get(group);
             if (game == null) {
-                game = game(group, budget.states());
-                if (game.play() != Game.Winner.SYSTEM) {
-                    stopped = game.stopped().orElseThrow();
-                }
+                game = game(group, ALL);
             }
             games.add(game);
         }

@@ -25,10 +25,17 @@ public final class Game {
     }
 
     /** Inputs of a position that the system has to answer. */
-    private record Demand(int position, int letter, int[] answers) {}
+    record Demand(int position, int letter, int[] answers) {}
+
+    /** More inputs are not tried in one position. */
+    private static final int MOST_LETTERS = 200_000;
+
+    private static final int MOVES_BETWEEN_LOOKS = 10_000;
 
     private final Rules rules;
     private final Budget budget;
+    private final long mostMoves;
+    private long moves;
     private final BitSet lost = new BitSet();
     private final List<Demand> demands = new ArrayList<>();
     private final IntArrayList alive = new IntArrayList();
@@ -36,13 +43,18 @@ public final class Game {
     /** Per position the demands that it answers. */
     private final List<IntArrayList> answered = new ArrayList<>();
 
+    private final IntArrayList levels = new IntArrayList();
     private final IntArrayList fallen = new IntArrayList();
     private int explored = Rules.FREE + 1;
     private String stopped;
 
-    public Game(Rules rules, Budget budget) {
+    /**
+     * @param mostMoves after so many inputs in all positions the search is stopped
+     */
+    public Game(Rules rules, Budget budget, long mostMoves) {
         this.rules = rules;
         this.budget = budget;
+        this.mostMoves = mostMoves;
     }
 
     Rules rules() {
@@ -51,17 +63,21 @@ public final class Game {
 
     /** Explores until the winner is known. */
     public Winner play() {
-        return explore(true);
+        return explore(true, Integer.MAX_VALUE);
     }
 
-    /** Explores all positions, also where the winner is known. */
-    Winner playOn() {
-        return explore(false);
+    /**
+     * Explores further where the winner is known.
+     *
+     * @param inputs leaves out positions that are only reached with as many inputs
+     */
+    void playOn(int inputs) {
+        explore(false, inputs);
     }
 
-    private Winner explore(boolean untilKnown) {
-        while (!(untilKnown && isLost()) && explored < rules.size()) {
-            stopped = budget.exhausted(explored);
+    private Winner explore(boolean untilKnown, int inputs) {
+        while (!(untilKnown && isLost()) && explored < rules.size() && level(explored) < inputs) {
+            stopped = exhausted();
             if (stopped != null) {
                 return isLost() ? Winner.ENVIRONMENT : Winner.UNKNOWN;
             }
@@ -69,6 +85,29 @@ public final class Game {
             carryBack();
         }
         return isLost() ? Winner.ENVIRONMENT : Winner.SYSTEM;
+    }
+
+    /** Why not to go on; counts the inputs of the next position. */
+    private String exhausted() {
+        long letters = rules.letters(explored);
+        boolean late = moves / MOVES_BETWEEN_LOOKS < (moves + letters) / MOVES_BETWEEN_LOOKS;
+        moves += letters;
+        if (late && budget.timeIsUp().getAsBoolean()) {
+            return "the time is up";
+        }
+        if (letters > MOST_LETTERS || moves > mostMoves) {
+            return "more than %d inputs to try at once"
+                    .formatted(Math.min(MOST_LETTERS, mostMoves));
+        }
+        return budget.exhausted(explored);
+    }
+
+    /** With how many inputs a position is first reached. */
+    private int level(int position) {
+        while (levels.size() <= position) {
+            levels.add(0);
+        }
+        return levels.get(position);
     }
 
     /** Why the search was stopped. */
@@ -102,8 +141,9 @@ public final class Game {
     }
 
     private void expand(int position) {
+        int next = level(position) + 1;
         Alphabet alphabet = rules.alphabet(position);
-        for (int letter = 0; letter < alphabet.size(); letter++) {
+        for (int letter : rules.different(alphabet, position)) {
             List<Rules.Option> options = rules.options(position, alphabet.letter(letter));
             IntArrayList answers = new IntArrayList(options.size());
             boolean settled = false;
@@ -116,6 +156,9 @@ public final class Game {
             if (!settled) {
                 demand(position, letter, answers.toArray());
             }
+        }
+        while (levels.size() < rules.size()) {
+            levels.add(next);
         }
     }
 
@@ -162,37 +205,8 @@ public final class Game {
         }
     }
 
-    /**
-     * For each lost position the letter with which the environment wins soonest, whatever the
-     * system does; -1 elsewhere. Positions are ranked by the number of inputs that it takes.
-     */
-    int[] winningLetters() {
-        int[] letters = new int[rules.size()];
-        java.util.Arrays.fill(letters, -1);
-        BitSet ranked = new BitSet();
-        boolean more = true;
-        while (more) {
-            BitSet next = new BitSet();
-            for (Demand demand : demands) {
-                if (!ranked.get(demand.position())
-                        && !next.get(demand.position())
-                        && allIn(ranked, demand.answers())) {
-                    next.set(demand.position());
-                    letters[demand.position()] = demand.letter();
-                }
-            }
-            ranked.or(next);
-            more = !next.isEmpty();
-        }
-        return letters;
-    }
-
-    private static boolean allIn(BitSet ranked, int[] positions) {
-        for (int position : positions) {
-            if (!ranked.get(position)) {
-                return false;
-            }
-        }
-        return true;
+    /** How soon the environment wins where it does. */
+    Ranks ranks() {
+        return new Ranks(demands, rules.size());
     }
 }

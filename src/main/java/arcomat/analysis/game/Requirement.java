@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Focus;
 import arcomat.analysis.engine.Outputs;
@@ -7,6 +8,7 @@ import arcomat.analysis.engine.Sets;
 import arcomat.analysis.engine.Side;
 import arcomat.analysis.engine.Steps;
 import arcomat.model.Automaton;
+import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
@@ -41,6 +43,7 @@ public final class Requirement {
     private final List<Focus> focusOfSet = new ArrayList<>();
     private final List<LongObjectHashMap<Reply>> replies = new ArrayList<>();
     private final Map<Attention, Focus> foci = new HashMap<>();
+    private final Map<List<Object>, Integer> contents = new HashMap<>();
     private Reply opening;
     private boolean errs;
 
@@ -105,6 +108,11 @@ public final class Requirement {
         return known;
     }
 
+    /** The letters that it tells apart. */
+    Alphabet alphabet(Component.Profile profile, int set) {
+        return new Alphabet(profile, side.inputs(), List.of(focus(set)), List.of(positions));
+    }
+
     private Attention attention(int set) {
         Look[] looks = new Look[positions.length];
         java.util.Arrays.fill(looks, new Attention.Unseen());
@@ -157,7 +165,16 @@ public final class Requirement {
         }
         int[][] lists = next.stream().map(IntArrayList::toArray).toArray(int[][]::new);
         int[] all = cubes.toArray();
-        return new Reply(parts, all, choices.number(all), lists);
+        int list = choices.number(all);
+        List<Object> content = new ArrayList<>(List.of(list));
+        next.forEach(content::add);
+        int number = contents.computeIfAbsent(content, each -> contents.size());
+        return new Reply(number, parts, all, list, lists);
+    }
+
+    /** The set of one configuration. */
+    int alone(int configuration) {
+        return side.isChaos(configuration) ? CHAOS : sets.singleton(configuration);
     }
 
     /**
@@ -167,8 +184,7 @@ public final class Requirement {
      */
     int successor(Reply reply, int[] allowed) {
         if (allowed.length == 1 && reply.next()[allowed[0]].length == 1) {
-            int next = reply.next()[allowed[0]][0];
-            return side.isChaos(next) ? CHAOS : sets.singleton(next);
+            return alone(reply.next()[allowed[0]][0]);
         }
         IntArrayList members = new IntArrayList(allowed.length);
         for (int cube : allowed) {

@@ -2,6 +2,7 @@ package arcomat.analysis.game;
 
 import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.Focus;
+import arcomat.analysis.engine.Kinds;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -12,8 +13,10 @@ import arcomat.semantics.Output;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
@@ -25,6 +28,9 @@ public final class Rules {
     /** The position in which no requirement asks for anything any more. */
     static final int FREE = 0;
 
+    /** Larger alphabets are not kept. */
+    private static final int WORTH_MAKING_AGAIN = 10_000;
+
     /**
      * A move of the system.
      *
@@ -34,15 +40,19 @@ public final class Rules {
 
     private final List<Requirement> requirements;
     private final Choices choices;
+    private final Component.Profile profile;
     private final List<Port> inputs;
     private final int[] identity;
+    private List<Option> openings;
     private final Positions positions = new Positions();
     private final Map<List<Integer>, Alphabet> alphabets = new HashMap<>();
 
     /**
      * @param requirements at least one, all of the same component
+     * @param profile of the component
      */
-    public Rules(List<Requirement> requirements, Choices choices) {
+    public Rules(List<Requirement> requirements, Choices choices, Component.Profile profile) {
+        this.profile = profile;
         this.requirements = List.copyOf(requirements);
         this.choices = choices;
         this.inputs = requirements.get(0).side().inputs();
@@ -73,6 +83,24 @@ public final class Rules {
         return positions.sets(position);
     }
 
+    /** How many letters matter in a position. */
+    long letters(int position) {
+        List<Look> looks = attention(position).looks();
+        boolean events = profile == Component.Profile.EVENT_DRIVEN;
+        long together = 1;
+        long alone = 0;
+        for (int port = 0; port < looks.size() && together < Integer.MAX_VALUE; port++) {
+            Port input = inputs.get(port);
+            int samples = Kinds.of(input, input.total(), looks.get(port)).samples().size();
+            if (events && !input.latched()) {
+                alone += samples;
+            } else {
+                together *= samples;
+            }
+        }
+        return events ? together * alone : together;
+    }
+
     /** The letters that matter in some positions. */
     Alphabet alphabet(int... some) {
         List<Focus> foci = new ArrayList<>();
@@ -88,14 +116,15 @@ public final class Rules {
                 }
             }
         }
-        return alphabets.computeIfAbsent(
-                key,
-                each ->
-                        new Alphabet(
-                                Component.Profile.TIME_SYNCHRONOUS,
-                                inputs,
-                                foci,
-                                java.util.Collections.nCopies(foci.size(), identity)));
+        Alphabet known = alphabets.get(key);
+        if (known == null) {
+            List<int[]> places = java.util.Collections.nCopies(foci.size(), identity);
+            known = new Alphabet(profile, inputs, foci, places);
+            if (known.size() < WORTH_MAKING_AGAIN) {
+                alphabets.put(key, known);
+            }
+        }
+        return known;
     }
 
     /** The states of the requirements in a position, as far as there are names for them. */
@@ -106,6 +135,25 @@ public final class Rules {
             requirements.get(i).state(sets[i]).ifPresent(names::add);
         }
         return names;
+    }
+
+    /** Of letters with the same consequences the first one, by its place in the alphabet. */
+    int[] different(Alphabet alphabet, int... some) {
+        Set<List<Integer>> met = new HashSet<>();
+        int[] different = new int[alphabet.size()];
+        int count = 0;
+        for (int letter = 0; letter < alphabet.size(); letter++) {
+            List<Integer> consequences = new ArrayList<>(some.length * requirements.size());
+            for (int position : some) {
+                for (Reply reply : replies(position, alphabet.letter(letter))) {
+                    consequences.add(reply == null ? -1 : reply.number());
+                }
+            }
+            if (met.add(consequences)) {
+                different[count++] = letter;
+            }
+        }
+        return Arrays.copyOf(different, count);
     }
 
     /** What matters in a position. */
@@ -124,6 +172,13 @@ public final class Rules {
 
     /** The system's first moves. */
     List<Option> openings() {
+        if (openings == null) {
+            openings = opening();
+        }
+        return openings;
+    }
+
+    private List<Option> opening() {
         Reply[] replies = new Reply[requirements.size()];
         for (int i = 0; i < replies.length; i++) {
             replies[i] = requirements.get(i).opening();

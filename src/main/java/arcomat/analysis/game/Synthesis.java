@@ -22,6 +22,7 @@ import java.util.Optional;
  * Games about different outputs are played at once, each on its own.
  */
 public final class Synthesis {
+    private static final int MOST_STATES = 10_000;
     private static final long MOST_LETTERS = 100_000;
 
     private final List<Game> games;
@@ -39,7 +40,7 @@ public final class Synthesis {
     }
 
     /**
-     * @param games at least one, each won by the system and explored
+     * @param games at least one, each won by the system, and explored unless no position is lost
      * @return empty where the machine is too large
      */
     public static Optional<Machine> of(List<Game> games, Budget budget) {
@@ -52,8 +53,8 @@ public final class Synthesis {
         number(openings);
         List<Machine.State> all = new ArrayList<>();
         for (int i = 0; i < states.size(); i++) {
-            Optional<Machine.State> state =
-                    budget.exhausted(i) == null ? state(states.get(i)) : Optional.empty();
+            boolean tooMany = i == MOST_STATES || budget.exhausted(i) != null;
+            Optional<Machine.State> state = tooMany ? Optional.empty() : state(states.get(i));
             if (state.isEmpty()) {
                 return Optional.empty();
             }

@@ -33,11 +33,11 @@ public final class Telling {
     private final Game game;
     private final Rules rules;
     private final List<Value[]> word;
-    private final int[] strategy;
+    private final Ranks strategy;
     private final Map<Place, Integer> numbers = new LinkedHashMap<>();
     private final List<Place> places = new ArrayList<>();
 
-    private Telling(Game game, List<Value[]> word, int[] strategy) {
+    private Telling(Game game, List<Value[]> word, Ranks strategy) {
         this.game = game;
         this.rules = game.rules();
         this.word = word;
@@ -46,12 +46,20 @@ public final class Telling {
 
     /** Tells a game that the environment wins. */
     public static Won of(Game game, Budget budget) {
-        game.playOn();
-        Words.Found found = new Words(game, budget).search();
+        int[] openings =
+                game.rules().openings().stream().mapToInt(Rules.Option::position).toArray();
+        int shortest = game.ranks().of(openings);
+        game.playOn(shortest);
+        Ranks ranks = game.ranks();
+        Words.Found found = new Words(game, ranks, shortest, budget).search();
+        if (found.word().isEmpty()) {
+            game.playOn(Ranks.NEVER);
+            found = new Words(game, ranks, Ranks.NEVER, budget).search();
+        }
         Telling telling =
                 found.word().isPresent()
                         ? new Telling(game, found.word().get(), null)
-                        : new Telling(game, null, game.winningLetters());
+                        : new Telling(game, null, ranks);
         return new Won(telling.turns(), found.word().map(telling::letters));
     }
 
@@ -95,7 +103,7 @@ public final class Telling {
     private Value[] input(Place place) {
         return word != null
                 ? word.get(place.letters)
-                : rules.alphabet(place.position).letter(strategy[place.position]);
+                : rules.alphabet(place.position).letter(strategy.letter(place.position));
     }
 
     private List<Turn.Demand> demands(Place place, Value[] input) {

@@ -33,10 +33,18 @@ final class Words {
     private final Game game;
     private final Rules rules;
     private final Budget budget;
+    private final Ranks ranks;
+    private final int longest;
     private Node best;
 
-    Words(Game game, Budget budget) {
+    /**
+     * @param ranks of the positions that have been explored
+     * @param longest longer words are not looked for
+     */
+    Words(Game game, Ranks ranks, int longest, Budget budget) {
         this.game = game;
+        this.ranks = ranks;
+        this.longest = longest;
         this.rules = game.rules();
         this.budget = budget;
     }
@@ -53,16 +61,16 @@ final class Words {
         if (root.positions.length == 0) {
             return new Found(Optional.of(List.of()), true);
         }
-        List<Node> level = isHopeless(root.positions) ? List.of() : List.of(root);
+        List<Node> level = isHopeless(root.positions, 0) ? List.of() : List.of(root);
         Map<List<Integer>, Node> seen = new HashMap<>();
-        while (!level.isEmpty()) {
+        for (int length = 1; !level.isEmpty(); length++) {
             List<Node> next = new ArrayList<>();
             Map<List<Integer>, Integer> atLevel = new HashMap<>();
             for (Node node : level) {
                 if (seen.size() > MOST_SETS || budget.exhausted(seen.size()) != null) {
                     return new Found(Optional.empty(), false);
                 }
-                expand(node, seen, next, atLevel);
+                expand(node, length, seen, next, atLevel);
             }
             if (best != null) {
                 return new Found(Optional.of(word(best)), true);
@@ -75,11 +83,12 @@ final class Words {
 
     private void expand(
             Node node,
+            int length,
             Map<List<Integer>, Node> seen,
             List<Node> next,
             Map<List<Integer>, Integer> atLevel) {
         Alphabet alphabet = rules.alphabet(node.positions);
-        for (int i = 0; i < alphabet.size(); i++) {
+        for (int i : rules.different(alphabet, node.positions)) {
             Value[] letter = alphabet.letter(i);
             int messages = node.messages + alphabet.messages(i);
             TreeSet<Integer> after = new TreeSet<>();
@@ -92,7 +101,7 @@ final class Words {
             Node child = new Node(node, letter, set, messages);
             if (set.length == 0) {
                 best = best == null || messages < best.messages ? child : best;
-            } else if (!isHopeless(set)) {
+            } else if (!isHopeless(set, length)) {
                 add(child, seen, next, atLevel);
             }
         }
@@ -118,9 +127,10 @@ final class Words {
         return options.stream().mapToInt(Rules.Option::position).sorted().distinct().toArray();
     }
 
-    /** Where the system wins from one of the positions, no word fits all. */
-    private boolean isHopeless(int[] positions) {
-        return IntStream.of(positions).anyMatch(game::isWon);
+    /** Where the system wins from one of the positions, or lasts too long, no word fits all. */
+    private boolean isHopeless(int[] positions, int length) {
+        return IntStream.of(positions).anyMatch(game::isWon)
+                || longest != Ranks.NEVER && ranks.of(positions) > longest - length;
     }
 
     private static List<Value[]> word(Node last) {
