@@ -3,19 +3,16 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.Verdict.Sentence;
-import arcomat.analysis.engine.AtomicSide;
+import arcomat.analysis.engine.Certificate;
 import arcomat.analysis.engine.Comparison;
-import arcomat.analysis.engine.CompositeSide;
 import arcomat.analysis.engine.Inclusion;
-import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.Side;
 import arcomat.analysis.engine.TooManyMessages;
 import arcomat.model.Component;
-import arcomat.model.Port;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 
 /**
  * Whether one component keeps what another one promises: every trace of the first, restricted to
@@ -27,28 +24,36 @@ public final class Refinement {
 
     /** A conjunction on the right is kept if each of its automata is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
-        Optional<Verdict> interfaces = Interfaces.compare(left, right);
-        if (interfaces.isPresent()) {
-            return interfaces.get();
-        }
-        if (left.component().profile() == Component.Profile.EVENT_DRIVEN
-                && (left.isComposition() || right.isComposition())) {
-            return Verdict.unknown(
-                    "compositions of components that handle events are not compared");
-        }
-        Optional<Verdict> byParts = PartByPart.check(left, right, budget);
-        if (byParts.isPresent()) {
-            return byParts.get();
-        }
-        List<Verdict> verdicts = new ArrayList<>();
-        for (Promise each : right.each()) {
-            verdicts.add(compare(left, each, budget));
-        }
-        return all(verdicts);
+        return comparable(left, right)
+                .or(() -> PartByPart.check(left, right, budget))
+                .orElseGet(
+                        () ->
+                                all(
+                                        right.each().stream()
+                                                .map(e -> compare(left, e, budget))
+                                                .toList()));
+    }
+
+    /** The verdict where there is nothing to explore. */
+    static Optional<Verdict> comparable(Promise left, Promise right) {
+        return Interfaces.compare(left, right)
+                .or(
+                        () ->
+                                handlesEvents(left)
+                                                && (left.isComposition() || right.isComposition())
+                                        ? Optional.of(
+                                                Verdict.unknown(
+                                                        "compositions of components that handle"
+                                                                + " events are not compared"))
+                                        : Optional.empty());
+    }
+
+    private static boolean handlesEvents(Promise promise) {
+        return promise.component().profile() == Component.Profile.EVENT_DRIVEN;
     }
 
     /** Fails as briefly as possible; holds only if all do. */
-    private static Verdict all(List<Verdict> verdicts) {
+    static Verdict all(List<Verdict> verdicts) {
         if (verdicts.size() == 1) {
             return verdicts.get(0);
         }
@@ -74,36 +79,35 @@ public final class Refinement {
         };
     }
 
-    private static Verdict compare(Promise left, Promise right, Budget budget) {
-        Outputs outputs = new Outputs();
-        List<Port> observed = right.component().outputs();
-        List<String> names = observed.stream().map(Port::name).toList();
-        Side mine = null;
-        Side theirs = null;
+    /** A side of a comparison with a promise that has one automaton, or is a composition. */
+    static Verdict compare(Promise left, Promise right, Budget budget) {
+        return compare(left, right, budget, certificate -> {});
+    }
+
+    /**
+     * @param proof told why it holds, where it does
+     */
+    static Verdict compare(
+            Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
+        Sides sides = Sides.of(left, right);
         try {
-            mine = side(left, names, outputs);
-            theirs = side(right, names, outputs);
-            Comparison comparison = new Comparison(mine, theirs, observed, outputs, budget);
+            Comparison comparison =
+                    new Comparison(
+                            sides.left(), sides.right(), sides.observed(), sides.outputs(), budget);
             Inclusion.Result result = comparison.run();
-            Explored explored = new Explored(result.pairs(), mine.size(), theirs.size());
+            Explored explored = sides.explored(result.pairs());
             if (result.stopped().isPresent()) {
                 return Verdict.unknown(result.stopped().get(), explored);
             }
-            return result.failure().isPresent()
-                    ? failure(left, right, comparison, result, explored)
-                    : holds(right, theirs, result, explored);
+            if (result.failure().isPresent()) {
+                return failure(left, right, comparison, result, explored);
+            }
+            proof.accept(comparison::certificate);
+            List<String> notes = Vacuity.notes(right, sides.right(), result);
+            return Verdict.holds(result.simulation(), notes, explored);
         } catch (TooManyMessages problem) {
-            return Verdict.unknown(
-                    problem.getMessage(),
-                    new Explored(
-                            0, mine == null ? 0 : mine.size(), theirs == null ? 0 : theirs.size()));
+            return Verdict.unknown(problem.getMessage(), sides.explored(0));
         }
-    }
-
-    private static Side side(Promise promise, List<String> observed, Outputs outputs) {
-        return promise.isComposition()
-                ? new CompositeSide(promise.component(), promise.arguments(), observed, outputs)
-                : new AtomicSide(promise.behaviour(), observed, outputs);
     }
 
     private static Verdict failure(
@@ -124,10 +128,5 @@ public final class Refinement {
                 explanation,
                 List.of(),
                 explored);
-    }
-
-    private static Verdict holds(
-            Promise right, Side theirs, Inclusion.Result result, Explored explored) {
-        return Verdict.holds(result.simulation(), Vacuity.notes(right, theirs, result), explored);
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.analysis;
 
+import arcomat.analysis.engine.Certificate;
 import arcomat.source.Span;
 
 import java.util.List;
@@ -54,6 +55,15 @@ public record Verdict(
 
     static Verdict holds(Optional<Boolean> simulation, List<String> notes, Explored explored) {
         return new Verdict(Answer.HOLDS, "", simulation, List.of(), List.of(), notes, explored);
+    }
+
+    /** Holds by certificates that have been verified. */
+    public static Verdict proved(List<Certificate> certificates) {
+        long pairs = certificates.stream().mapToLong(c -> c.entries().size()).sum();
+        return holds(
+                Optional.empty(),
+                List.of("verified: a certificate with %d pairs".formatted(pairs)),
+                Explored.NOTHING);
     }
 
     static Verdict fails(String reason, List<Sentence> explanation) {

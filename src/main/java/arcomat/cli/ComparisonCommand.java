@@ -53,7 +53,24 @@ abstract class ComparisonCommand extends AnalysisCommand {
             throw new WrongUse("--completion '" + completion + "' is no pair such as chaos,output");
         }
         return new RefinesRequest(
-                left, right, completion(sides, 0), completion(sides, 1), mona, limits());
+                left,
+                right,
+                completion(sides, 0),
+                completion(sides, 1),
+                mona,
+                certificate(),
+                doubted(),
+                limits());
+    }
+
+    /** Where to write a proof. */
+    Optional<String> certificate() {
+        return Optional.empty();
+    }
+
+    /** A proof that is to be verified. */
+    Optional<String> doubted() {
+        return Optional.empty();
     }
 
     private static Optional<Completion> completion(String[] sides, int side) throws WrongUse {

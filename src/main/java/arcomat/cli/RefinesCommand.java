@@ -45,6 +45,18 @@ final class RefinesCommand extends ComparisonCommand {
             description = "The program for '--engine mona'; default: mona, where programs are.")
     private String mona;
 
+    @Option(
+            names = "--certificate",
+            paramLabel = "FILE",
+            description = "Where it holds, write down why, pair by pair.")
+    private String certificate;
+
+    @Option(
+            names = "--verify-certificate",
+            paramLabel = "FILE",
+            description = "Search nothing: verify such a file.")
+    private String doubted;
+
     RefinesCommand(Console console) {
         super(console);
     }
@@ -69,5 +81,15 @@ final class RefinesCommand extends ComparisonCommand {
 
     private Optional<String> asked() {
         return engine == Engine.mona ? Optional.of(mona) : Optional.empty();
+    }
+
+    @Override
+    Optional<String> certificate() {
+        return Optional.ofNullable(certificate);
+    }
+
+    @Override
+    Optional<String> doubted() {
+        return Optional.ofNullable(doubted);
     }
 }

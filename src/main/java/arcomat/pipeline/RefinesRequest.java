@@ -10,6 +10,8 @@ import java.util.Optional;
  * @param left as written: a component, or {@code component#automaton}
  * @param leftCompletion in place of that of its automata
  * @param mona name or path of the program MONA, where it is to be asked instead of the engine
+ * @param certificate file to write the proof to, where there is one
+ * @param doubted file with a proof that is to be verified; nothing is searched then
  */
 public record RefinesRequest(
         String left,
@@ -17,4 +19,6 @@ public record RefinesRequest(
         Optional<Completion> leftCompletion,
         Optional<Completion> rightCompletion,
         Optional<String> mona,
+        Optional<String> certificate,
+        Optional<String> doubted,
         AnalysisLimits limits) {}

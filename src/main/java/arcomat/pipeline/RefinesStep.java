@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Certification;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Refinement;
 import arcomat.analysis.Verdict;
@@ -25,12 +26,25 @@ final class RefinesStep {
         Promise left = promise(request.left(), request.leftCompletion(), checked, model);
         Promise right = promise(request.right(), request.rightCompletion(), checked, model);
         progress.step("comparing");
-        Verdict verdict =
-                request.mona().isPresent()
-                        ? MonaStep.verdict(left, right, request, names)
-                        : Refinement.check(left, right, request.limits().budget());
+        Verdict verdict = verdict(left, right, request, names);
         return new AnalysisResult(
                 checked.result(), List.of(new Answered(left.title(), right.title(), verdict)));
+    }
+
+    private static Verdict verdict(
+            Promise left, Promise right, RefinesRequest request, PathNames names) throws WrongUse {
+        if (request.mona().isPresent()) {
+            return MonaStep.verdict(left, right, request, names);
+        }
+        if (request.doubted().isPresent()) {
+            return CertificateFile.verify(request.doubted().get(), left, right, names);
+        }
+        if (request.certificate().isPresent()) {
+            Certification certification = Certification.of(left, right, request.limits().budget());
+            CertificateFile.write(request.certificate().get(), left, right, certification, names);
+            return certification.verdict();
+        }
+        return Refinement.check(left, right, request.limits().budget());
     }
 
     static Promise promise(

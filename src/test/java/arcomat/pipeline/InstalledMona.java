@@ -35,6 +35,8 @@ public final class InstalledMona {
                             Optional.empty(),
                             Optional.empty(),
                             Optional.of("mona"),
+                            Optional.empty(),
+                            Optional.empty(),
                             LIMITS),
                     NAMES);
         } catch (WrongUse e) {

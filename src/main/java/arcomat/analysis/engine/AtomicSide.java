@@ -170,6 +170,11 @@ public final class AtomicSide implements Side {
     }
 
     @Override
+    public String name(int configuration) {
+        return configurations.get(configuration).toString();
+    }
+
+    @Override
     public String describe(int configuration) {
         return Descriptions.of(behaviour, configurations.get(configuration));
     }

@@ -39,6 +39,11 @@ public final class Comparison {
         return inclusion.search();
     }
 
+    /** Why it holds, where it does. */
+    public Certificate certificate() {
+        return inclusion.certificate();
+    }
+
     /**
      * The step that the right side forbids.
      *

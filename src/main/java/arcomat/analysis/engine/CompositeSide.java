@@ -210,6 +210,12 @@ public final class CompositeSide implements Side {
     }
 
     @Override
+    public String name(int configuration) {
+        Whole whole = wholes.get(configuration);
+        return whole.parts() + " " + whole.registers();
+    }
+
+    @Override
     public String describe(int configuration) {
         Whole whole = wholes.get(configuration);
         if (isError(whole.parts())) {

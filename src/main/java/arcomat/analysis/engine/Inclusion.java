@@ -270,6 +270,25 @@ public final class Inclusion {
         return false;
     }
 
+    /** The pairs that show the inclusion, of a search that ended without failure. */
+    Certificate certificate() {
+        List<Certificate.Entry> entries = new ArrayList<>();
+        for (int node = 0; node < lefts.size(); node++) {
+            List<String> right = new ArrayList<>();
+            for (int member : pairing.sets.members(sets.get(node))) {
+                right.add(pairing.right.name(member));
+            }
+            entries.add(new Certificate.Entry(pairing.left.name(lefts.get(node)), right));
+        }
+        simulation.forEachPair(
+                (left, right) ->
+                        entries.add(
+                                new Certificate.Entry(
+                                        pairing.left.name(left),
+                                        List.of(pairing.right.name(right)))));
+        return new Certificate(entries.stream().distinct().toList());
+    }
+
     /** The pairs from a beginning to a node. */
     List<Integer> path(int node) {
         List<Integer> path = new ArrayList<>();

@@ -39,6 +39,9 @@ public interface Side {
     /** The configuration in words: the names of its states, values of its variables. */
     String describe(int configuration);
 
+    /** An unambiguous name of a configuration, the same in every run. */
+    String name(int configuration);
+
     /** What made the steps that a search has needed. */
     Set<Trace.Cause> used();
 

@@ -35,6 +35,9 @@ final class Simulation {
     private final IntArrayList fallen = new IntArrayList();
     private boolean exhausted;
 
+    /** As many pairs have been explored to the end. */
+    private int closed;
+
     Simulation(Pairing pairing, Budget budget) {
         this.pairing = pairing;
         this.budget = budget;
@@ -47,6 +50,20 @@ final class Simulation {
         }
         int pair = explore(left, right);
         return !exhausted && !refuted.get(pair);
+    }
+
+    /** All pairs that are known to be related. */
+    void forEachPair(PairVisitor visitor) {
+        for (int pair = 0; pair < closed; pair++) {
+            if (!refuted.get(pair)) {
+                visitor.visit(lefts.get(pair), rights.get(pair));
+            }
+        }
+    }
+
+    /** Told of configurations of both sides. */
+    interface PairVisitor {
+        void visit(int left, int right);
     }
 
     /** For the whole: whether each beginning of the left has one of the right that simulates it. */
@@ -79,6 +96,7 @@ final class Simulation {
             demand(open);
         }
         refute();
+        closed = lefts.size();
         return pair;
     }
 

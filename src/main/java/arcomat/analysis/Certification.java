@@ -1,0 +1,63 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.engine.Certificate;
+import arcomat.analysis.engine.CertificateCheck;
+import arcomat.analysis.engine.TooManyMessages;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A verdict with its reasons: where a refinement holds, a certificate for each automaton of the
+ * right side, by its title. It can be verified later, by whoever doubts the search.
+ */
+public record Certification(Verdict verdict, List<Certificate> certificates) {
+
+    /** As {@link Refinement#check}, but without the short cut part by part. */
+    public static Certification of(Promise left, Promise right, Budget budget) {
+        List<Certificate> found = new ArrayList<>();
+        Optional<Verdict> known = Refinement.comparable(left, right);
+        if (known.isPresent()) {
+            return new Certification(known.get(), List.of());
+        }
+        List<Verdict> verdicts = new ArrayList<>();
+        for (Promise each : right.each()) {
+            verdicts.add(Refinement.compare(left, each, budget, proof -> found.add(proof.get())));
+        }
+        Verdict verdict = Refinement.all(verdicts);
+        return new Certification(verdict, verdict.answer() == Answer.HOLDS ? found : List.of());
+    }
+
+    /**
+     * What is wrong with certificates for a refinement; empty where they prove it.
+     *
+     * @throws TooManyMessages where the refinement could not be decided either
+     */
+    public static Optional<String> problem(
+            Promise left, Promise right, List<Certificate> certificates) {
+        List<Promise> promises = right.each();
+        if (certificates.size() != promises.size()) {
+            return Optional.of(
+                    "it is about %d automata, and there are %d"
+                            .formatted(certificates.size(), promises.size()));
+        }
+        for (int i = 0; i < promises.size(); i++) {
+            Promise each = promises.get(i);
+            Sides sides = Sides.of(left, each);
+            CertificateCheck check =
+                    new CertificateCheck(
+                            sides.left(),
+                            sides.right(),
+                            sides.observed(),
+                            sides.outputs(),
+                            certificates.get(i));
+            Optional<String> problem = check.problem();
+            if (problem.isPresent()) {
+                return problem;
+            }
+        }
+        return Optional.empty();
+    }
+}

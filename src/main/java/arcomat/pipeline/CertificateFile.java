@@ -1,0 +1,59 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Certification;
+import arcomat.analysis.Promise;
+import arcomat.analysis.Verdict;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.engine.Certificate;
+import arcomat.analysis.engine.TooManyMessages;
+import arcomat.report.CertificateText;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/** The proof of a refinement as a file, for whoever doubts the tool. */
+final class CertificateFile {
+    private CertificateFile() {}
+
+    /** Nothing is written where the refinement does not hold. */
+    static void write(
+            String file, Promise left, Promise right, Certification proof, PathNames names)
+            throws WrongUse {
+        if (proof.verdict().answer() != Answer.HOLDS) {
+            return;
+        }
+        try {
+            AtomicFile.write(
+                    names.resolve(file),
+                    CertificateText.render(left.title(), right.title(), proof.certificates()));
+        } catch (IOException e) {
+            throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
+        }
+    }
+
+    /** Holds, or unknown where the file proves nothing. */
+    static Verdict verify(String file, Promise left, Promise right, PathNames names)
+            throws WrongUse {
+        List<Certificate> certificates = read(file, names.resolve(file));
+        try {
+            Optional<String> problem = Certification.problem(left, right, certificates);
+            return problem.isPresent()
+                    ? Verdict.unknown("'" + file + "' is no proof: " + problem.get())
+                    : Verdict.proved(certificates);
+        } catch (TooManyMessages problem) {
+            return Verdict.unknown(problem.getMessage());
+        }
+    }
+
+    private static List<Certificate> read(String file, Path path) throws WrongUse {
+        try {
+            return CertificateText.parse(Files.readString(path))
+                    .orElseThrow(() -> new WrongUse("'" + file + "' is no file of certificates"));
+        } catch (IOException e) {
+            throw new WrongUse("cannot read '" + file + "': " + Failures.reason(e));
+        }
+    }
+}

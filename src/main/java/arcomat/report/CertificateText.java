@@ -1,0 +1,92 @@
+package arcomat.report;
+
+import arcomat.analysis.engine.Certificate;
+import arcomat.analysis.engine.Certificate.Entry;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Certificates as a file. Below a line {@code certificate} of its own stands for each pair the
+ * configuration of the left side, and below it, indented, each configuration of the right side.
+ */
+public final class CertificateText {
+    private static final String FIRST = "arcomat certificates 1";
+    private static final String BEGINNING = "certificate";
+    private static final String INDENT = "    ";
+
+    private CertificateText() {}
+
+    /**
+     * @param left for the reader
+     * @param right for the reader
+     */
+    public static String render(String left, String right, List<Certificate> certificates) {
+        StringBuilder out = new StringBuilder(FIRST + "\n");
+        out.append("# ").append(line(left)).append(" refines ").append(line(right)).append('\n');
+        for (Certificate certificate : certificates) {
+            out.append(BEGINNING).append('\n');
+            for (Entry entry : certificate.entries()) {
+                out.append("  ").append(line(entry.left())).append('\n');
+                entry.right().forEach(r -> out.append(INDENT).append(line(r)).append('\n'));
+            }
+        }
+        return out.toString();
+    }
+
+    /** Names on one line. */
+    private static String line(String name) {
+        return name.replace("\\", "\\\\").replace("\n", "\\n").replace("\r", "\\r");
+    }
+
+    private static String name(String line) {
+        StringBuilder name = new StringBuilder();
+        for (int i = 0; i < line.length(); i++) {
+            char c = line.charAt(i);
+            if (c == '\\' && i + 1 < line.length()) {
+                char next = line.charAt(++i);
+                name.append(next == 'n' ? '\n' : next == 'r' ? '\r' : next);
+            } else {
+                name.append(c);
+            }
+        }
+        return name.toString();
+    }
+
+    /** Empty for a text that is no file of certificates. */
+    public static Optional<List<Certificate>> parse(String text) {
+        List<String> lines = List.of(text.split("\n"));
+        if (!lines.get(0).equals(FIRST)) {
+            return Optional.empty();
+        }
+        List<List<Entry>> certificates = new ArrayList<>();
+        for (String line : lines.subList(1, lines.size())) {
+            if (line.equals(BEGINNING)) {
+                certificates.add(new ArrayList<>());
+            } else if (!line.startsWith("#") && !add(line, certificates)) {
+                return Optional.empty();
+            }
+        }
+        return Optional.of(certificates.stream().map(Certificate::new).toList());
+    }
+
+    private static boolean add(String line, List<List<Entry>> certificates) {
+        if (certificates.isEmpty() || !line.startsWith("  ")) {
+            return false;
+        }
+        List<Entry> entries = certificates.get(certificates.size() - 1);
+        if (!line.startsWith(INDENT)) {
+            entries.add(new Entry(name(line.substring(2)), List.of()));
+            return true;
+        }
+        if (entries.isEmpty()) {
+            return false;
+        }
+        Entry last = entries.remove(entries.size() - 1);
+        List<String> right = new ArrayList<>(last.right());
+        right.add(name(line.substring(INDENT.length())));
+        entries.add(new Entry(last.left(), right));
+        return true;
+    }
+}
