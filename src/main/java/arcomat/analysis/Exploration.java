@@ -40,6 +40,12 @@ import java.util.Set;
  * promised any more are not entered.
  */
 final class Exploration {
+    /** So many letters are tried where not all are. */
+    private static final long MOST_SAMPLES = 200_000;
+
+    /** So many letters that are tried cost as much as a configuration. */
+    private static final int LETTERS_OF_A_STATE = 64;
+
     private record Key(List<Configuration> configurations, List<Value> latched) {}
 
     /** A configuration of each automaton and the latched values. */
@@ -79,6 +85,7 @@ final class Exploration {
     private final Map<Key, Node> nodes = new LinkedHashMap<>();
     private final List<Beginning> beginnings = new ArrayList<>();
     private String stopped;
+    private long tried;
 
     Exploration(Promise promise, Budget budget) {
         this.promise = promise;
@@ -106,7 +113,7 @@ final class Exploration {
         }
         Set<Node> seen = new HashSet<>(waiting);
         while (!waiting.isEmpty() && !reached.containsAll(goals)) {
-            stopped = budget.exhausted(nodes.size());
+            stopped = exhausted(budget);
             if (stopped != null) {
                 return;
             }
@@ -118,6 +125,16 @@ final class Exploration {
             }
         }
         reached.retainAll(goals);
+    }
+
+    /** Where not all letters are tried, there is no end to it: some have to be enough. */
+    private String exhausted(Budget budget) {
+        if (stimuli.sampled().isPresent() && tried > MOST_SAMPLES) {
+            return stimuli.sampled().get();
+        }
+        return budget.timeIsUp().getAsBoolean()
+                ? "the time is up"
+                : budget.exhausted(nodes.size() + tried / LETTERS_OF_A_STATE);
     }
 
     private Node node(Key key) {
@@ -167,6 +184,7 @@ final class Exploration {
         note(node);
         Map<Effect, Step> steps = new LinkedHashMap<>();
         for (Stimulus stimulus : stimuli.of(node.key.configurations, node.key.latched)) {
+            tried++;
             for (Effect effect : effects(node, stimulus)) {
                 steps.putIfAbsent(
                         effect,

@@ -1,15 +1,13 @@
 package arcomat.analysis;
 
-import arcomat.analysis.engine.Alphabet;
+import arcomat.analysis.engine.Letters;
 import arcomat.analysis.engine.TooManyMessages;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.model.Expression;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
@@ -17,7 +15,6 @@ import arcomat.semantics.Attention.Whole;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
-import arcomat.semantics.Rewriting;
 import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
@@ -31,8 +28,8 @@ import java.util.Set;
 
 /**
  * What an atomic component can be given in a configuration, one of each kind that its transitions
- * tell apart. Where every value of a port matters and there are too many, those are tried that the
- * model mentions, and some beside them.
+ * tell apart. Where these are too many, each transition is given what it alone tells apart; where
+ * every value of a port matters, those are tried that the model mentions, and some beside them.
  */
 final class Stimuli {
 
@@ -44,52 +41,26 @@ final class Stimuli {
      */
     record Stimulus(Letter letter, Optional<Input> input, List<Value> latched) {}
 
+    /** So many letters are tried in one configuration, or for one transition. */
+    private static final int MOST_LETTERS = 4096;
+
     /** So many values of each of several ports can be combined. */
-    private static final int FEW = 64;
+    private static final int FEW = 16;
 
     private final Behaviour behaviour;
     private final List<Port> ports;
     private final boolean timed;
-    private final Set<Value> mentioned = new LinkedHashSet<>();
+    private final Mentions mentions;
     private String sampled;
 
     Stimuli(Behaviour behaviour, List<Value> arguments) {
         this.behaviour = behaviour;
         this.ports = behaviour.component().inputs();
         this.timed = behaviour.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
-        mentioned.addAll(arguments);
-        behaviour.component().constants().forEach(constant -> mention(constant.initial()));
-        behaviour.relations().forEach(relation -> mention(relation.automaton()));
+        this.mentions = Mentions.of(behaviour.component(), arguments);
     }
 
-    private void mention(Automaton automaton) {
-        for (Automaton.Transition transition : automaton.transitions()) {
-            transition.guard().ifPresent(this::mention);
-            for (Automaton.Match match : transition.matches()) {
-                if (match.pattern() instanceof Automaton.OneOf oneOf) {
-                    oneOf.values().forEach(this::mention);
-                }
-            }
-            for (Automaton.Send send : transition.sends()) {
-                if (send.emission() instanceof Automaton.Messages messages) {
-                    messages.values().forEach(this::mention);
-                }
-            }
-            transition.assignments().forEach(assignment -> mention(assignment.value()));
-        }
-    }
-
-    private void mention(Expression expression) {
-        Rewriting.visit(
-                expression,
-                e -> {
-                    if (e instanceof Expression.Constant constant) {
-                        mentioned.add(constant.value());
-                    }
-                });
-    }
-
-    /** Which port has not been tried with all its values, where there is one. */
+    /** What has not been tried, where that is something. */
     Optional<String> sampled() {
         return Optional.ofNullable(sampled);
     }
@@ -99,12 +70,11 @@ final class Stimuli {
      */
     List<Stimulus> of(List<Configuration> configurations, List<Value> latched) {
         Look[] looks = looks(configurations);
-        return timed ? letters(looks, latched) : events(looks, latched);
+        return timed ? letters(looks, configurations, latched) : events(looks, latched);
     }
 
     private Look[] looks(List<Configuration> configurations) {
-        Look[] looks = new Look[ports.size()];
-        Arrays.fill(looks, new Unseen());
+        Look[] looks = unseen();
         for (int i = 0; i < configurations.size(); i++) {
             StepRelation relation = behaviour.relations().get(i);
             List<Look> own = relation.attention(configurations.get(i)).looks();
@@ -115,30 +85,75 @@ final class Stimuli {
         return looks;
     }
 
-    private List<Stimulus> letters(Look[] looks, List<Value> latched) {
-        List<Stimulus> stimuli = new ArrayList<>();
-        for (Value[] messages : alphabet(looks)) {
-            Map<String, Value> letter = new LinkedHashMap<>();
-            for (int i = 0; i < messages.length; i++) {
-                if (messages[i] != null) {
-                    letter.put(ports.get(i).name(), messages[i]);
-                }
+    private Look[] unseen() {
+        Look[] looks = new Look[ports.size()];
+        Arrays.fill(looks, new Unseen());
+        return looks;
+    }
+
+    private List<Stimulus> letters(
+            Look[] looks, List<Configuration> configurations, List<Value> latched) {
+        Set<List<Value>> letters = new LinkedHashSet<>();
+        try {
+            add(looks, letters);
+        } catch (TooManyMessages problem) {
+            for (Mentions transition : transitions(configurations)) {
+                addSome(only(transition, looks), letters);
             }
-            Optional<Input> input = Optional.of(Input.of(messages));
-            stimuli.add(new Stimulus(Letter.of(letter), input, latched));
+        }
+        List<Stimulus> stimuli = new ArrayList<>();
+        for (List<Value> letter : letters) {
+            Value[] messages = letter.toArray(new Value[0]);
+            stimuli.add(new Stimulus(letter(messages), Optional.of(Input.of(messages)), latched));
         }
         return stimuli;
+    }
+
+    private Letter letter(Value[] messages) {
+        Map<String, Value> letter = new LinkedHashMap<>();
+        for (int i = 0; i < messages.length; i++) {
+            if (messages[i] != null) {
+                letter.put(ports.get(i).name(), messages[i]);
+            }
+        }
+        return Letter.of(letter);
+    }
+
+    /** What the transitions out of a configuration look at, each by itself. */
+    private List<Mentions> transitions(List<Configuration> configurations) {
+        List<Mentions> mentioned = new ArrayList<>();
+        for (int i = 0; i < configurations.size(); i++) {
+            Automaton automaton = behaviour.relations().get(i).automaton();
+            for (Automaton.Transition transition : automaton.transitions()) {
+                if (transition.source() == configurations.get(i).state()) {
+                    mentioned.add(Mentions.of(transition));
+                }
+            }
+        }
+        if (configurations.size() > 1) {
+            sampled = "only some combinations of messages were tried";
+        }
+        return mentioned;
+    }
+
+    private Look[] only(Mentions transition, Look[] looks) {
+        Look[] own = unseen();
+        for (int i = 0; i < own.length; i++) {
+            own[i] = transition.port(ports.get(i).name()) ? looks[i] : own[i];
+        }
+        return own;
     }
 
     private List<Stimulus> events(Look[] looks, List<Value> latched) {
         List<Stimulus> stimuli = new ArrayList<>();
         for (int port = 0; port < looks.length; port++) {
-            Look[] alone = new Look[looks.length];
-            Arrays.fill(alone, new Unseen());
+            Look[] alone = unseen();
             alone[port] = looks[port];
-            for (Value[] messages : alphabet(alone)) {
-                if (messages[port] != null) {
-                    stimuli.add(event(port, messages[port], latched));
+            Set<List<Value>> letters = new LinkedHashSet<>();
+            addSome(alone, letters);
+            for (List<Value> messages : letters) {
+                if (messages.get(port) != null) {
+                    stimuli.add(event(port, messages.get(port), latched));
                 }
             }
         }
@@ -154,27 +169,35 @@ final class Stimuli {
                 : new Stimulus(letter, Optional.of(Input.of(messages)), latched);
     }
 
-    private List<Value[]> alphabet(Look[] looks) {
-        Alphabet alphabet;
-        try {
-            alphabet = Alphabet.of(ports, new Attention(List.of(looks)));
-        } catch (TooManyMessages problem) {
-            alphabet = Alphabet.of(ports, new Attention(sampled(looks)));
+    /**
+     * @throws TooManyMessages where there are too many to try
+     */
+    private void add(Look[] looks, Set<List<Value>> letters) {
+        for (Value[] letter : Letters.atMost(MOST_LETTERS, ports, List.of(looks))) {
+            letters.add(Arrays.asList(letter));
         }
-        List<Value[]> letters = new ArrayList<>(alphabet.size());
-        for (int i = 0; i < alphabet.size(); i++) {
-            letters.add(alphabet.letter(i));
-        }
-        return letters;
     }
 
-    private List<Look> sampled(Look[] looks) {
-        List<Look> some = new ArrayList<>();
-        for (int i = 0; i < looks.length; i++) {
-            boolean all = !(looks[i] instanceof Whole) || isSmall(ports.get(i).type());
-            some.add(all ? looks[i] : sample(ports.get(i)));
+    private void addSome(Look[] looks, Set<List<Value>> letters) {
+        try {
+            add(looks, letters);
+        } catch (TooManyMessages tooMany) {
+            try {
+                add(fewer(looks), letters);
+            } catch (TooManyMessages still) {
+                sampled = still.getMessage();
+            }
         }
-        return some;
+    }
+
+    private Look[] fewer(Look[] looks) {
+        Look[] fewer = looks.clone();
+        for (int i = 0; i < looks.length; i++) {
+            if (looks[i] instanceof Whole && !isSmall(ports.get(i).type())) {
+                fewer[i] = sample(ports.get(i));
+            }
+        }
+        return fewer;
     }
 
     private static boolean isSmall(Type type) {
@@ -191,21 +214,7 @@ final class Stimuli {
                 "only some values of port '%s' were tried, %s has too many"
                         .formatted(port.name(), type.name());
         boolean number = type instanceof Type.IntegerType || type instanceof Type.RealType;
-        return new Compared(mentioned.stream().filter(v -> isOf(v, type)).toList(), number);
-    }
-
-    private static boolean isOf(Value value, Type type) {
-        if (type instanceof Type.IntegerType range) {
-            return value instanceof Value.IntegerValue number
-                    && range.low() <= number.value()
-                    && number.value() <= range.high();
-        }
-        if (type instanceof Type.RealType) {
-            return value instanceof Value.RealValue;
-        }
-        if (type instanceof Type.CharacterType) {
-            return value instanceof Value.CharacterValue;
-        }
-        return type instanceof Type.StringType && value instanceof Value.StringValue;
+        List<Value> some = mentions.of(type).stream().limit(FEW).toList();
+        return new Compared(some, number);
     }
 }

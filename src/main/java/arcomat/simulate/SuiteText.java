@@ -3,6 +3,7 @@ package arcomat.simulate;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.StreamTest;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Network;
 
@@ -91,34 +92,61 @@ public final class SuiteText {
         text.append(line).append('\n');
     }
 
-    private static String list(List<Value> arguments) {
-        return arguments.isEmpty()
-                ? ""
-                : arguments.stream()
-                        .map(Value::toString)
-                        .collect(Collectors.joining(", ", "(", ")"));
+    private String list(List<Value> arguments) {
+        List<String> written = new ArrayList<>();
+        for (int i = 0; i < arguments.size(); i++) {
+            written.add(text(arguments.get(i), component.parameters().get(i).type()));
+        }
+        return written.isEmpty() ? "" : "(" + String.join(", ", written) + ")";
+    }
+
+    /** A message as a suite has to write it: a literal of its type, a class by its full name. */
+    private static String text(Value value, Type type) {
+        if (value instanceof Value.ObjectValue object) {
+            List<String> attributes = new ArrayList<>();
+            for (int i = 0; i < object.attributes().size(); i++) {
+                Type attribute = object.type().attributes().get(i).type();
+                attributes.add(text(object.attributes().get(i), attribute));
+            }
+            return object.type().name() + "(" + String.join(", ", attributes) + ")";
+        }
+        if (value instanceof Value.IntegerValue number && number.value() != (int) number.value()) {
+            return number + "L";
+        }
+        return value instanceof Value.RealValue real
+                        && type instanceof Type.RealType kind
+                        && kind.single()
+                ? (float) real.value() + "f"
+                : value.toString();
     }
 
     private void slices(Entry entry) {
         line("    input {");
         for (Network.External input : network.inputs()) {
             stream(
-                    input.name(),
+                    input,
                     entry.inputs().stream().map(letter -> letter.messages(input.name())).toList());
         }
         line("    }");
         line("    expect {");
-        entry.expected().forEach(this::stream);
+        for (Network.External output : network.outputs()) {
+            if (entry.expected().containsKey(output.name())) {
+                stream(output, entry.expected().get(output.name()));
+            }
+        }
         line("    }");
     }
 
-    private void stream(String port, List<List<Value>> messages) {
+    private void stream(Network.External external, List<List<Value>> messages) {
         List<String> slices = new ArrayList<>();
         for (List<Value> slice : messages) {
-            slices.add(
-                    slice.stream().map(value -> value + ", ").collect(Collectors.joining()) + "Tk");
+            String sent =
+                    slice.stream()
+                            .map(value -> text(value, external.port().type()) + ", ")
+                            .collect(Collectors.joining());
+            slices.add(sent + "Tk");
         }
-        line("      " + port + ": <" + runLengths(slices) + ">;");
+        line("      " + external.name() + ": <" + runLengths(slices) + ">;");
     }
 
     /** {@code a, Tk} three times is {@code 3*(a, Tk)}. */
@@ -140,23 +168,22 @@ public final class SuiteText {
     private void events(Entry entry) {
         line("    events {");
         for (Letter event : entry.inputs()) {
-            event.messages()
-                    .forEach(
-                            (port, values) ->
-                                    values.forEach(v -> line("      " + port + ": " + v + ";")));
+            for (Network.External input : network.inputs()) {
+                for (Value value : event.messages(input.name())) {
+                    line("      " + input.name() + ": " + text(value, input.port().type()) + ";");
+                }
+            }
         }
         line("    }");
         line("    expect {");
-        entry.expected()
-                .forEach(
-                        (port, stream) -> {
-                            List<String> messages =
-                                    stream.stream()
-                                            .flatMap(List::stream)
-                                            .map(Value::toString)
-                                            .toList();
-                            line("      " + port + ": <" + runLengths(messages) + ">;");
-                        });
+        for (Network.External output : network.outputs()) {
+            List<String> messages =
+                    entry.expected().getOrDefault(output.name(), List.of()).stream()
+                            .flatMap(List::stream)
+                            .map(value -> text(value, output.port().type()))
+                            .toList();
+            line("      " + output.name() + ": <" + runLengths(messages) + ">;");
+        }
         line("    }");
     }
 }

@@ -8,7 +8,6 @@ import arcomat.semantics.Attention.Look;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
 /**
  * One letter of each kind that some foci together tell apart: few messages first, then in the order
@@ -44,18 +43,6 @@ public final class Alphabet {
                 kinds[f][i] = foci.get(f).kind(letters.get(i), positions.get(f));
             }
         }
-    }
-
-    /**
-     * The letters of a slice that one attention tells apart.
-     *
-     * @throws TooManyMessages where all values of a port matter and there are too many to try
-     */
-    public static Alphabet of(List<Port> inputs, Attention attention) {
-        int[] positions = IntStream.range(0, inputs.size()).toArray();
-        Focus focus = new Focus(0, attention, inputs);
-        return new Alphabet(
-                Component.Profile.TIME_SYNCHRONOUS, inputs, List.of(focus), List.of(positions));
     }
 
     public int size() {

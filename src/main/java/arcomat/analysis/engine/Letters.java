@@ -29,21 +29,34 @@ public final class Letters {
         return of(component.profile(), component.inputs(), attention.looks());
     }
 
+    /**
+     * Letters of a slice, at most so many.
+     *
+     * @param looks one per input port
+     * @throws TooManyMessages where there are more, or all messages of a port matter that has too
+     *     many
+     */
+    public static List<Value[]> atMost(int most, List<Port> inputs, List<Look> looks) {
+        List<Value[]> letters = slices(inputs, looks, most);
+        letters.sort(Comparator.comparingInt(Letters::messages));
+        return letters;
+    }
+
     static List<Value[]> of(Component.Profile profile, List<Port> inputs, List<Look> looks) {
         List<Value[]> letters =
                 profile == Component.Profile.EVENT_DRIVEN
                         ? events(inputs, looks)
-                        : slices(inputs, looks);
+                        : slices(inputs, looks, MOST);
         letters.sort(Comparator.comparingInt(Letters::messages));
         return letters;
     }
 
     /** Each port may carry a message. */
-    private static List<Value[]> slices(List<Port> inputs, List<Look> looks) {
+    private static List<Value[]> slices(List<Port> inputs, List<Look> looks, int most) {
         List<Value[]> letters = new ArrayList<>();
         letters.add(new Value[inputs.size()]);
         for (int port = 0; port < inputs.size(); port++) {
-            letters = with(port, inputs.get(port).total(), letters, inputs, looks);
+            letters = with(port, inputs.get(port).total(), letters, inputs, looks, most);
         }
         return letters;
     }
@@ -54,21 +67,26 @@ public final class Letters {
         for (int port = 0; port < inputs.size(); port++) {
             if (!inputs.get(port).latched()) {
                 Value[] silence = new Value[inputs.size()];
-                letters.addAll(with(port, true, List.<Value[]>of(silence), inputs, looks));
+                letters.addAll(with(port, true, List.<Value[]>of(silence), inputs, looks, MOST));
             }
         }
         for (int port = 0; port < inputs.size(); port++) {
             if (inputs.get(port).latched()) {
-                letters = with(port, false, letters, inputs, looks);
+                letters = with(port, false, letters, inputs, looks, MOST);
             }
         }
         return letters;
     }
 
     private static List<Value[]> with(
-            int port, boolean present, List<Value[]> letters, List<Port> inputs, List<Look> looks) {
+            int port,
+            boolean present,
+            List<Value[]> letters,
+            List<Port> inputs,
+            List<Look> looks,
+            int most) {
         List<Value> samples = Kinds.of(inputs.get(port), present, looks.get(port)).samples();
-        if ((long) letters.size() * samples.size() > MOST) {
+        if ((long) letters.size() * samples.size() > most) {
             throw new TooManyMessages(inputs.get(port));
         }
         List<Value[]> longer = new ArrayList<>(letters.size() * samples.size());

@@ -1,0 +1,96 @@
+package arcomat.analysis;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.Rewriting;
+
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** The values and the ports that transitions mention. */
+final class Mentions {
+    private final Set<Value> values = new LinkedHashSet<>();
+    private final Set<String> ports = new LinkedHashSet<>();
+
+    private Mentions() {}
+
+    /** Those of a component with arguments. */
+    static Mentions of(Component component, List<Value> arguments) {
+        Mentions mentions = new Mentions();
+        mentions.values.addAll(arguments);
+        component.constants().forEach(constant -> mentions.add(constant.initial()));
+        for (Automaton automaton : component.automata()) {
+            automaton.transitions().forEach(mentions::add);
+        }
+        return mentions;
+    }
+
+    static Mentions of(Automaton.Transition transition) {
+        Mentions mentions = new Mentions();
+        mentions.add(transition);
+        return mentions;
+    }
+
+    private void add(Automaton.Transition transition) {
+        transition.guard().ifPresent(this::add);
+        for (Automaton.Match match : transition.matches()) {
+            ports.add(match.port().name());
+            add(match.pattern());
+        }
+        for (Automaton.Send send : transition.sends()) {
+            if (send.emission() instanceof Automaton.Messages messages) {
+                messages.values().forEach(this::add);
+            }
+        }
+        transition.assignments().forEach(assignment -> add(assignment.value()));
+    }
+
+    private void add(Automaton.Pattern pattern) {
+        if (pattern instanceof Automaton.OneOf oneOf) {
+            oneOf.values().forEach(this::add);
+        }
+    }
+
+    private void add(Expression expression) {
+        Rewriting.visit(
+                expression,
+                e -> {
+                    if (e instanceof Expression.Constant constant) {
+                        values.add(constant.value());
+                    } else if (e instanceof Expression.PortRead read) {
+                        ports.add(read.port().name());
+                    } else if (e instanceof Expression.PortMatches matches) {
+                        ports.add(matches.port().name());
+                        add(matches.pattern());
+                    }
+                });
+    }
+
+    boolean port(String name) {
+        return ports.contains(name);
+    }
+
+    /** The mentioned values that are of a type with many values. */
+    List<Value> of(Type type) {
+        return values.stream().filter(value -> isOf(value, type)).toList();
+    }
+
+    private static boolean isOf(Value value, Type type) {
+        if (type instanceof Type.IntegerType range) {
+            return value instanceof Value.IntegerValue number
+                    && range.low() <= number.value()
+                    && number.value() <= range.high();
+        }
+        if (type instanceof Type.RealType) {
+            return value instanceof Value.RealValue;
+        }
+        if (type instanceof Type.CharacterType) {
+            return value instanceof Value.CharacterValue;
+        }
+        return type instanceof Type.StringType && value instanceof Value.StringValue;
+    }
+}
