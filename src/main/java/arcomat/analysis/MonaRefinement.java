@@ -38,7 +38,7 @@ public record MonaRefinement(
                     Question.of(
                             new Question.Named(left.title(), left.behaviour()),
                             right.title(),
-                            right.each().stream()
+                            right.comparedApart().stream()
                                     .map(each -> new Question.Named(each.title(), each.behaviour()))
                                     .toList(),
                             budget);
@@ -88,7 +88,7 @@ public record MonaRefinement(
         if (shown.isEmpty()) {
             return unknown("MONA's counterexample is no run of the models: please report this");
         }
-        Promise forbidding = right.each().get(shown.get().right());
+        Promise forbidding = right.comparedApart().get(shown.get().right());
         return new Verdict(
                 Answer.FAILS,
                 "behaviour",

@@ -63,6 +63,14 @@ public record Promise(Component component, List<Value> arguments, List<Automaton
                         .toList();
     }
 
+    /**
+     * What another side is compared with, one after the other. An error of one automaton ends the
+     * run of all; where there may be one, the conjunction stays whole.
+     */
+    List<Promise> comparedApart() {
+        return automata.stream().anyMatch(RunErrors::arePossible) ? List.of(this) : each();
+    }
+
     boolean isComposition() {
         return component.isComposite() && automata.isEmpty();
     }

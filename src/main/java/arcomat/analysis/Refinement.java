@@ -22,14 +22,14 @@ import java.util.function.Supplier;
 public final class Refinement {
     private Refinement() {}
 
-    /** A conjunction on the right is kept if each of its automata is. */
+    /** A conjunction on the right is kept if each of its automata is, errors aside. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
         return comparable(left, right)
                 .or(() -> PartByPart.check(left, right, budget))
                 .orElseGet(
                         () ->
                                 all(
-                                        right.each().stream()
+                                        right.comparedApart().stream()
                                                 .map(e -> compare(left, e, budget))
                                                 .toList()));
     }

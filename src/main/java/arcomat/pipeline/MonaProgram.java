@@ -21,6 +21,7 @@ final class MonaProgram {
     private static final int ABORTED = 134;
 
     private static final int MOST_OUTPUT = 1 << 22;
+    private static final int MOST_WORDS = 200;
 
     private final Path program;
 
@@ -122,19 +123,24 @@ final class MonaProgram {
         }
         if (status == ABORTED && characters > MANY_CHARACTERS) {
             return new MonaAnswer.None(
-                    "MONA aborted on a formula of %,d characters; MONA 1.4-18 does so on long ones"
-                            .formatted(characters));
+                    "MONA aborted on a formula of "
+                            + characters
+                            + " characters; MONA 1.4-18 does so on long ones");
         }
         if (status != 0) {
-            String said =
-                    output.lines()
-                            .map(String::strip)
-                            .filter(l -> !l.isEmpty())
-                            .findFirst()
-                            .orElse("");
+            String said = firstWords(output);
             return new MonaAnswer.None(
                     "MONA failed with exit status " + status + (said.isEmpty() ? "" : ": " + said));
         }
         return MonaAnswer.read(output);
+    }
+
+    private static String firstWords(String output) {
+        return output.lines()
+                .map(String::strip)
+                .filter(line -> !line.isEmpty())
+                .findFirst()
+                .map(line -> line.length() > MOST_WORDS ? line.substring(0, MOST_WORDS) : line)
+                .orElse("");
     }
 }

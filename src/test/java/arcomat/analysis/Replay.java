@@ -38,7 +38,7 @@ public final class Replay {
         }
         if (!right.isComposition()) {
             int last =
-                    right.each().stream()
+                    right.comparedApart().stream()
                             .mapToInt(each -> possible(each, trace))
                             .min()
                             .orElseThrow();

@@ -62,7 +62,9 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
             String exhausted = budget.exhausted(number);
             if (exhausted != null || number >= MOST_STATES) {
                 throw new NotForMona(
-                        exhausted != null ? exhausted : "more than " + MOST_STATES + " states");
+                        exhausted != null
+                                ? exhausted
+                                : "more than " + MOST_STATES + " states are too many for MONA");
             }
             states.add(
                     new State(
@@ -136,7 +138,9 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
                 List<Set<Integer>> own = kinds(focus, port);
                 if ((long) kinds.size() * own.size() > MOST_LETTERS) {
                     throw new NotForMona(
-                            "one state tells more than " + MOST_LETTERS + " inputs apart");
+                            "one state tells more than "
+                                    + MOST_LETTERS
+                                    + " inputs apart, too many for MONA");
                 }
                 List<List<Set<Integer>>> longer = new ArrayList<>();
                 for (List<Set<Integer>> kind : kinds) {

@@ -51,7 +51,7 @@ final class MachineWriter {
         this.right = right;
         this.states = Question.stateBits(name, machine);
         this.openings = different(machine.openings());
-        machine.states().forEach(state -> steps.add(different(transitionsFirst(state))));
+        machine.states().forEach(state -> steps.add(different(inOrder(state.steps()))));
         this.picks =
                 Stream.concat(Stream.of(openings), steps.stream())
                         .flatMap(each -> Alternatives.number(each).stream())
@@ -60,14 +60,17 @@ final class MachineWriter {
                         .orElse(1);
     }
 
-    private static List<Step> transitionsFirst(State state) {
-        return state.steps().stream()
-                .sorted(Comparator.comparing(MachineWriter::isCompletion))
+    /** In text order, completions last. */
+    private static List<Step> inOrder(List<Step> steps) {
+        return steps.stream()
+                .sorted(Comparator.comparing(MachineWriter::places, Arrays::compare))
                 .toList();
     }
 
-    private static boolean isCompletion(Step step) {
-        return step.causes().stream().anyMatch(Trace.Completed.class::isInstance);
+    private static int[] places(Step step) {
+        return step.causes().stream()
+                .mapToInt(c -> c instanceof Trace.Taken taken ? taken.index() : Integer.MAX_VALUE)
+                .toArray();
     }
 
     /** Steps that read, send and reach the same are one. */
@@ -182,6 +185,7 @@ final class MachineWriter {
             return Stream.of("otherwise: " + name);
         }
         String text = ((Trace.Taken) cause).transition().span().text();
-        return Stream.of(text.replaceAll("\\s+", " ").strip()).filter(line -> !line.isEmpty());
+        String line = text.replaceAll("\\s+", " ").replaceFirst(";? ?$", "").strip();
+        return line.isEmpty() ? Stream.empty() : Stream.of(line);
     }
 }

@@ -46,7 +46,7 @@ public record Question(
         left.behaviour().component().inputs().forEach(p -> inputs.put(p.name(), Track.of(p)));
         List<Machine> machines = new ArrayList<>();
         for (Named right : rights) {
-            machines.add(machine(right.behaviour(), names, inputs, budget));
+            machines.add(machine(right, names, inputs, budget));
         }
         return new Question(
                 left.title(),
@@ -55,16 +55,20 @@ public record Question(
                 left.behaviour().component().outputs(),
                 List.copyOf(inputs.values()),
                 ports.stream().map(Track::of).toList(),
-                machine(left.behaviour(), names, inputs, budget),
+                machine(left, names, inputs, budget),
                 machines);
     }
 
     private static Machine machine(
-            Behaviour behaviour, List<String> observed, Map<String, Track> inputs, Budget budget) {
+            Named named, List<String> observed, Map<String, Track> inputs, Budget budget) {
         Outputs outputs = new Outputs();
-        AtomicSide side = new AtomicSide(behaviour, observed, outputs);
+        AtomicSide side = new AtomicSide(named.behaviour(), observed, outputs);
         List<Track> own = side.inputs().stream().map(port -> inputs.get(port.name())).toList();
-        return Machine.explore(side, own, outputs, budget);
+        try {
+            return Machine.explore(side, own, outputs, budget);
+        } catch (NotForMona problem) {
+            throw new NotForMona(named.title() + ": " + problem.getMessage());
+        }
     }
 
     /** What a template needs to write it. */
