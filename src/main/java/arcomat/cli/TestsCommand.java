@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.analysis.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.TransitionTestsRequest;
 import arcomat.pipeline.TransitionTestsResult;

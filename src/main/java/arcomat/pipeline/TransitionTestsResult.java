@@ -1,6 +1,6 @@
 package arcomat.pipeline;
 
-import arcomat.analysis.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests;
 
 import java.util.Optional;
 

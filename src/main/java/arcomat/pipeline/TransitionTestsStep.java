@@ -1,8 +1,8 @@
 package arcomat.pipeline;
 
-import arcomat.analysis.Goal;
 import arcomat.analysis.Promise;
-import arcomat.analysis.TransitionTests;
+import arcomat.analysis.coverage.Goal;
+import arcomat.analysis.coverage.TransitionTests;
 import arcomat.model.Component;
 import arcomat.rt.ModelError;
 import arcomat.simulate.SuiteText;

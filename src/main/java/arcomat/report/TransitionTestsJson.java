@@ -1,8 +1,8 @@
 package arcomat.report;
 
-import arcomat.analysis.Goal;
-import arcomat.analysis.TransitionTests;
-import arcomat.analysis.TransitionTests.Uncovered;
+import arcomat.analysis.coverage.Goal;
+import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests.Uncovered;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 

@@ -1,7 +1,7 @@
 package arcomat.report;
 
-import arcomat.analysis.TransitionTests;
-import arcomat.analysis.TransitionTests.Uncovered;
+import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import arcomat.source.Severity;
 import arcomat.source.Span;
 

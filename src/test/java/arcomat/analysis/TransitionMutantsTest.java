@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomSketches.Knobs;
 import arcomat.analysis.Sketch.Edge;
+import arcomat.analysis.coverage.TransitionTests;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;

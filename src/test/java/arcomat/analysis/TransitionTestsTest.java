@@ -2,6 +2,7 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.coverage.TransitionTests;
 import arcomat.check.Checks;
 import arcomat.check.Profile;
 import arcomat.lower.Lowering;

@@ -1,9 +1,11 @@
-package arcomat.analysis;
+package arcomat.analysis.coverage;
 
-import arcomat.analysis.Exploration.Beginning;
-import arcomat.analysis.Exploration.Node;
-import arcomat.analysis.Exploration.Step;
+import arcomat.analysis.Budget;
+import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.coverage.Exploration.Beginning;
+import arcomat.analysis.coverage.Exploration.Node;
+import arcomat.analysis.coverage.Exploration.Step;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;

@@ -1,4 +1,4 @@
-package arcomat.analysis;
+package arcomat.analysis.coverage;
 
 import arcomat.analysis.engine.Letters;
 import arcomat.analysis.engine.TooManyMessages;

@@ -1,4 +1,4 @@
-package arcomat.analysis;
+package arcomat.analysis.coverage;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;

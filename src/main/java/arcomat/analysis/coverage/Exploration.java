@@ -1,8 +1,9 @@
-package arcomat.analysis;
+package arcomat.analysis.coverage;
 
-import arcomat.analysis.Stimuli.Stimulus;
-import arcomat.analysis.TransitionTests.Uncovered;
-import arcomat.model.Automaton;
+import arcomat.analysis.Budget;
+import arcomat.analysis.Promise;
+import arcomat.analysis.coverage.Stimuli.Stimulus;
+import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Letter;
@@ -18,7 +19,6 @@ import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
-import arcomat.semantics.StepRelation;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -79,9 +79,7 @@ final class Exploration {
     private final Stimuli stimuli;
     private final List<Goal> goals = new ArrayList<>();
     private final Set<Goal> reached = new LinkedHashSet<>();
-    private final Map<Goal, String> wrong = new HashMap<>();
-    private final Set<Goal> enabled = new HashSet<>();
-    private final Set<String> states = new HashSet<>();
+    private final Obstacles obstacles;
     private final Map<Key, Node> nodes = new LinkedHashMap<>();
     private final List<Beginning> beginnings = new ArrayList<>();
     private String stopped;
@@ -91,6 +89,7 @@ final class Exploration {
         this.promise = promise;
         behaviour = Behaviour.of(promise.component(), promise.arguments());
         stimuli = new Stimuli(behaviour, promise.arguments());
+        obstacles = new Obstacles(behaviour);
         promise.automata()
                 .forEach(
                         automaton -> {
@@ -181,7 +180,7 @@ final class Exploration {
     private record Effect(List<Goal> taken, Letter sent, Node to) {}
 
     private Collection<Step> compute(Node node) {
-        note(node);
+        obstacles.visited(node.key.configurations);
         Map<Effect, Step> steps = new LinkedHashMap<>();
         for (Stimulus stimulus : stimuli.of(node.key.configurations, node.key.latched)) {
             tried++;
@@ -210,10 +209,10 @@ final class Exploration {
         try {
             reactions = behaviour.reactions(before, stimulus.input().get());
         } catch (Fault fault) {
-            blame(before, stimulus.input().get());
+            obstacles.wentWrong(before, stimulus.input().get());
             return List.of();
         }
-        noteEnabled(before, stimulus.input().get());
+        obstacles.reacted(before, stimulus.input().get());
         List<Effect> effects = new ArrayList<>();
         for (JointReaction reaction : reactions) {
             List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
@@ -256,85 +255,9 @@ final class Exploration {
         return new Letter(messages);
     }
 
-    private void note(Node node) {
-        for (int i = 0; i < node.key.configurations.size(); i++) {
-            states.add(i + " " + node.key.configurations.get(i).state());
-        }
-    }
-
-    private void noteEnabled(List<Configuration> before, Input input) {
-        for (int i = 0; before.size() > 1 && i < before.size(); i++) {
-            for (Trace.Taken taken : behaviour.relations().get(i).enabled(before.get(i), input)) {
-                enabled.add(goal(i, taken));
-            }
-        }
-    }
-
-    private void blame(List<Configuration> before, Input input) {
-        for (int i = 0; i < before.size(); i++) {
-            StepRelation relation = behaviour.relations().get(i);
-            try {
-                for (Trace.Taken taken : relation.enabled(before.get(i), input)) {
-                    blame(i, taken, before.get(i), input);
-                }
-            } catch (Fault inGuard) {
-                // Then no transition of this automaton has been chosen yet.
-            }
-        }
-    }
-
-    private void blame(int relation, Trace.Taken taken, Configuration before, Input input) {
-        try {
-            behaviour.relations().get(relation).take(taken, before, input);
-        } catch (Fault fault) {
-            wrong.putIfAbsent(goal(relation, taken), fault.getMessage());
-        }
-    }
-
     /** Why a transition has not been met. */
     Uncovered whyNot(Goal goal) {
-        boolean certain = stopped().isEmpty();
-        if (!isConnected(goal)) {
-            return new Uncovered(goal, unreachable(goal), true);
-        }
-        if (wrong.containsKey(goal)) {
-            return new Uncovered(goal, "it goes wrong: " + wrong.get(goal), certain);
-        }
-        if (enabled.contains(goal)) {
-            String reason = "whenever it is enabled, the other automata forbid what it sends";
-            return new Uncovered(goal, reason, certain);
-        }
-        if (!certain) {
-            return new Uncovered(goal, "not met so far: " + stopped().get(), false);
-        }
-        int automaton = 0;
-        while (behaviour.relations().get(automaton).automaton() != goal.automaton()) {
-            automaton++;
-        }
-        boolean met = states.contains(automaton + " " + goal.transition().source());
-        String never = "it is never enabled in '" + goal.source() + "'";
-        return new Uncovered(goal, met ? never : unreachable(goal), true);
-    }
-
-    private static String unreachable(Goal goal) {
-        return "'" + goal.source() + "' cannot be reached";
-    }
-
-    /** Whether transitions lead to it, enabled or not. */
-    private static boolean isConnected(Goal goal) {
-        Automaton automaton = goal.automaton();
-        Set<Integer> connected = new HashSet<>();
-        automaton.initials().forEach(initial -> connected.add(initial.state()));
-        int before = 0;
-        while (before < connected.size()) {
-            before = connected.size();
-            for (Automaton.Transition transition : automaton.transitions()) {
-                if (connected.contains(transition.source())) {
-                    connected.add(transition.target());
-                }
-            }
-        }
-        return connected.contains(goal.transition().source());
+        return obstacles.of(goal, stopped());
     }
 
     /**

@@ -1,7 +1,7 @@
-package arcomat.analysis;
+package arcomat.analysis.coverage;
 
-import arcomat.analysis.Exploration.Node;
-import arcomat.analysis.Exploration.Step;
+import arcomat.analysis.coverage.Exploration.Node;
+import arcomat.analysis.coverage.Exploration.Step;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;

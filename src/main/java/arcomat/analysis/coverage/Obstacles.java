@@ -1,0 +1,123 @@
+package arcomat.analysis.coverage;
+
+import arcomat.analysis.coverage.TransitionTests.Uncovered;
+import arcomat.model.Automaton;
+import arcomat.model.Trace;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Input;
+import arcomat.semantics.StepRelation;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** What keeps transitions from being taken, as a search meets it. */
+final class Obstacles {
+    private final Behaviour behaviour;
+    private final Map<Goal, String> wrong = new HashMap<>();
+    private final Set<Goal> enabled = new HashSet<>();
+    private final Set<String> states = new HashSet<>();
+
+    Obstacles(Behaviour behaviour) {
+        this.behaviour = behaviour;
+    }
+
+    /** Notes states that can be reached. */
+    void visited(List<Configuration> configurations) {
+        for (int i = 0; i < configurations.size(); i++) {
+            states.add(i + " " + configurations.get(i).state());
+        }
+    }
+
+    /** Notes what each automaton wanted to do, whether or not the others let it. */
+    void reacted(List<Configuration> before, Input input) {
+        for (int i = 0; before.size() > 1 && i < before.size(); i++) {
+            StepRelation relation = behaviour.relations().get(i);
+            for (Trace.Taken taken : relation.enabled(before.get(i), input)) {
+                enabled.add(new Goal(relation.automaton(), taken.index()));
+            }
+        }
+    }
+
+    /** Notes which transitions go wrong with an input. */
+    void wentWrong(List<Configuration> before, Input input) {
+        for (int i = 0; i < before.size(); i++) {
+            StepRelation relation = behaviour.relations().get(i);
+            try {
+                for (Trace.Taken taken : relation.enabled(before.get(i), input)) {
+                    tryOut(relation, taken, before.get(i), input);
+                }
+            } catch (Fault inGuard) {
+                // Then no transition of this automaton has been chosen yet.
+            }
+        }
+    }
+
+    private void tryOut(
+            StepRelation relation, Trace.Taken taken, Configuration before, Input input) {
+        try {
+            relation.take(taken, before, input);
+        } catch (Fault fault) {
+            wrong.putIfAbsent(new Goal(relation.automaton(), taken.index()), fault.getMessage());
+        }
+    }
+
+    /**
+     * Why a transition was not met.
+     *
+     * @param stopped why the search does not know everything, if it does not
+     */
+    Uncovered of(Goal goal, Optional<String> stopped) {
+        boolean certain = stopped.isEmpty();
+        if (!isConnected(goal)) {
+            return new Uncovered(goal, unreachable(goal), true);
+        }
+        if (wrong.containsKey(goal)) {
+            return new Uncovered(goal, "it goes wrong: " + wrong.get(goal), certain);
+        }
+        if (enabled.contains(goal)) {
+            String reason = "whenever it is enabled, the other automata forbid what it sends";
+            return new Uncovered(goal, reason, certain);
+        }
+        if (!certain) {
+            return new Uncovered(goal, "not met so far: " + stopped.get(), false);
+        }
+        boolean met = states.contains(automaton(goal) + " " + goal.transition().source());
+        String never = "it is never enabled in '" + goal.source() + "'";
+        return new Uncovered(goal, met ? never : unreachable(goal), true);
+    }
+
+    private int automaton(Goal goal) {
+        int position = 0;
+        while (behaviour.relations().get(position).automaton() != goal.automaton()) {
+            position++;
+        }
+        return position;
+    }
+
+    private static String unreachable(Goal goal) {
+        return "'" + goal.source() + "' cannot be reached";
+    }
+
+    /** Whether transitions lead to it, enabled or not. */
+    private static boolean isConnected(Goal goal) {
+        Automaton automaton = goal.automaton();
+        Set<Integer> connected = new HashSet<>();
+        automaton.initials().forEach(initial -> connected.add(initial.state()));
+        int before = 0;
+        while (before < connected.size()) {
+            before = connected.size();
+            for (Automaton.Transition transition : automaton.transitions()) {
+                if (connected.contains(transition.source())) {
+                    connected.add(transition.target());
+                }
+            }
+        }
+        return connected.contains(goal.transition().source());
+    }
+}
