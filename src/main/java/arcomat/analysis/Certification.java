@@ -23,7 +23,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
             return new Certification(known.get(), List.of());
         }
         List<Verdict> verdicts = new ArrayList<>();
-        for (Promise each : right.each()) {
+        for (Promise each : right.comparedApart()) {
             verdicts.add(Refinement.compare(left, each, budget, proof -> found.add(proof.get())));
         }
         Verdict verdict = Refinement.all(verdicts);
@@ -37,7 +37,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
      */
     public static Optional<String> problem(
             Promise left, Promise right, List<Certificate> certificates) {
-        List<Promise> promises = right.each();
+        List<Promise> promises = right.comparedApart();
         if (certificates.size() != promises.size()) {
             return Optional.of(
                     "it is about %d automata, and there are %d"

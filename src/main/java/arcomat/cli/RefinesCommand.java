@@ -41,7 +41,6 @@ final class RefinesCommand extends ComparisonCommand {
     @Option(
             names = "--mona",
             paramLabel = "PROGRAM",
-            defaultValue = "mona",
             description = "The program for '--engine mona'; default: mona, where programs are.")
     private String mona;
 
@@ -79,8 +78,13 @@ final class RefinesCommand extends ComparisonCommand {
         return status(result.answer());
     }
 
-    private Optional<String> asked() {
-        return engine == Engine.mona ? Optional.of(mona) : Optional.empty();
+    private Optional<String> asked() throws WrongUse {
+        if (mona != null && engine != Engine.mona) {
+            throw new WrongUse("--mona names a program, and only '--engine mona' asks it");
+        }
+        return engine == Engine.mona
+                ? Optional.of(Optional.ofNullable(mona).orElse("mona"))
+                : Optional.empty();
     }
 
     @Override

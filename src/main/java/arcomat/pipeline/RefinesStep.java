@@ -34,6 +34,9 @@ final class RefinesStep {
     private static Verdict verdict(
             Promise left, Promise right, RefinesRequest request, PathNames names) throws WrongUse {
         if (request.mona().isPresent()) {
+            if (request.certificate().isPresent() || request.doubted().isPresent()) {
+                throw new WrongUse("MONA knows no certificates; leave '--engine mona' out");
+            }
             return MonaStep.verdict(left, right, request, names);
         }
         if (request.doubted().isPresent()) {

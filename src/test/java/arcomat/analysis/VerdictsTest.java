@@ -70,6 +70,11 @@ class VerdictsTest {
         if (!verdict.trace().isEmpty()) {
             Replay.check(left, right, verdict);
         }
+        if (verdict.answer() == Verdict.Answer.HOLDS) {
+            Certification proof = Certification.of(left, right, new Budget(() -> false, 100_000));
+            assertThat(proof.verdict().answer()).isEqualTo(Verdict.Answer.HOLDS);
+            assertThat(Certification.problem(left, right, proof.certificates())).isEmpty();
+        }
     }
 
     static Promise promise(Model model, String name, char completion) {
