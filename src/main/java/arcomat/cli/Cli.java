@@ -31,6 +31,7 @@ public final class Cli {
         COMMANDS.put("analyze", AnalyzeCommand::new);
         COMMANDS.put("refines", RefinesCommand::new);
         COMMANDS.put("verify", VerifyCommand::new);
+        COMMANDS.put("contradictions", ContradictionsCommand::new);
         COMMANDS.put("mona", MonaCommand::new);
         COMMANDS.put("tests", TestsCommand::new);
         COMMANDS.put("monitor", MonitorCommand::new);

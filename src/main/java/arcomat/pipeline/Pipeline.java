@@ -123,6 +123,16 @@ public final class Pipeline {
         return TransitionTestsStep.run(request, paths, names, progress);
     }
 
+    /**
+     * Looks for contradictions between the requirements on a component.
+     *
+     * @throws WrongUse where the request does not fit the models, or the folder cannot be written
+     */
+    public ContradictionsResult contradictions(ContradictionsRequest request, List<String> paths)
+            throws WrongUse {
+        return ContradictionsStep.run(request, paths, names, progress);
+    }
+
     /** Shows that models keep all promises that they say they keep. */
     public AnalysisResult verify(List<String> paths, AnalysisLimits limits) {
         return VerifyStep.run(paths, limits, names, progress);

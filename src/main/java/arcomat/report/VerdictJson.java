@@ -127,7 +127,7 @@ public final class VerdictJson {
         json.writeEndArray();
     }
 
-    private static void write(JsonGenerator json, Sentence sentence) throws IOException {
+    static void write(JsonGenerator json, Sentence sentence) throws IOException {
         json.writeStartObject();
         json.writeStringField("text", sentence.text());
         if (sentence.place().isPresent()) {
@@ -138,8 +138,7 @@ public final class VerdictJson {
         json.writeEndObject();
     }
 
-    private static void strings(JsonGenerator json, String field, List<String> all)
-            throws IOException {
+    static void strings(JsonGenerator json, String field, List<String> all) throws IOException {
         json.writeArrayFieldStart(field);
         for (String each : all) {
             json.writeString(each);

@@ -127,7 +127,7 @@ public final class VerdictText {
         return line < lines.size() ? Printable.escape(lines.get(line)) : "";
     }
 
-    private static String sentence(Sentence sentence, Style style) {
+    static String sentence(Sentence sentence, Style style) {
         StringBuilder out = new StringBuilder(Printable.escape(sentence.text())).append('\n');
         sentence.place()
                 .ifPresent(

@@ -1,0 +1,85 @@
+package arcomat.cli;
+
+import arcomat.analysis.Consistency;
+import arcomat.pipeline.ContradictionsRequest;
+import arcomat.pipeline.ContradictionsResult;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.ConsistencyJson;
+import arcomat.report.ConsistencyText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+import java.util.List;
+import java.util.Optional;
+
+/** {@code arcomat contradictions}: whether requirements can be kept together. */
+@CommandLine.Command(
+        name = "contradictions",
+        description = "Looks for requirements that no system can keep together, or makes one.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat contradictions p.Robot models",
+            "  arcomat contradictions --all p.Robot models    all minimal contradicting sets",
+            "  arcomat contradictions p.Robot --out build/controller models",
+            "",
+            "Exit status: 0 none, and a system that keeps all of them is shown; 1 a contradiction;"
+                    + " 3",
+            "unknown; 2 wrong use or models with errors."
+        })
+final class ContradictionsCommand extends AnalysisCommand {
+    @Option(
+            names = "--all",
+            description = "Look for all minimal sets of requirements that contradict each other.")
+    private boolean all;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description =
+                    "Where to write a controller that keeps all requirements, as a model; the"
+                            + " folder is replaced as a whole.")
+    private String out;
+
+    @Parameters(
+            index = "0",
+            paramLabel = "C",
+            description = "A component with several automata, or with requirements.")
+    private String component;
+
+    @Parameters(
+            index = "1..*",
+            arity = "1..*",
+            paramLabel = "PATH",
+            description = "Model files and model roots.")
+    private List<String> paths;
+
+    ContradictionsCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        ContradictionsResult result =
+                pipeline.contradictions(
+                        new ContradictionsRequest(
+                                component, all, Optional.ofNullable(out), limits()),
+                        paths);
+        if (result.found().isEmpty()) {
+            return refuse(result.check());
+        }
+        Consistency found = result.found().get();
+        print(
+                isJson()
+                        ? ConsistencyJson.render(found, result.controller(), result.file())
+                        : ConsistencyText.render(
+                                result.title(),
+                                found,
+                                result.controller(),
+                                result.file(),
+                                console.style()));
+        return status(found.answer());
+    }
+}

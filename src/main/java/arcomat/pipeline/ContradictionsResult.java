@@ -1,0 +1,20 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Consistency;
+
+import java.util.Optional;
+
+/**
+ * Whether requirements contradict each other.
+ *
+ * @param found empty exactly where the models have errors
+ * @param title whose requirements they are
+ * @param controller the text of a controller that keeps them; empty where there is none
+ * @param file where the controller was written; empty if it was not
+ */
+public record ContradictionsResult(
+        CheckResult check,
+        Optional<Consistency> found,
+        String title,
+        Optional<String> controller,
+        Optional<String> file) {}
