@@ -41,6 +41,11 @@ public final class ExaminationJson {
             write(json, finding);
         }
         json.writeEndArray();
+        json.writeArrayFieldStart("notes");
+        for (String note : examination.notes()) {
+            json.writeString(note);
+        }
+        json.writeEndArray();
         json.writeObjectFieldStart("explored");
         json.writeNumberField("configurations", examination.explored());
         json.writeEndObject();

@@ -1,7 +1,6 @@
 package arcomat.report;
 
 import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
 import arcomat.model.Letter;
@@ -58,13 +57,12 @@ public final class ExaminationText {
         List<Diagnostic> found = examination.findings().stream().map(Finding::diagnostic).toList();
         String explored = FindingsText.count(examination.explored(), "configuration");
         String counted = FindingsText.summary(found, 0, style);
-        if (examination.obstacle().isEmpty()) {
-            return counted + " in " + explored;
+        StringBuilder out = new StringBuilder(counted + " in " + explored);
+        if (!examination.obstacle().isEmpty()) {
+            out.append("; ").append(Printable.escape(examination.obstacle()));
         }
-        String rest = "not everything was seen: " + Printable.escape(examination.obstacle());
-        return examination.answer() == Answer.UNKNOWN
-                ? rest
-                : counted + "; " + rest + "; explored " + explored;
+        examination.notes().forEach(note -> out.append("; ").append(Printable.escape(note)));
+        return out.toString();
     }
 
     private static String story(Finding finding, Style style) {

@@ -19,11 +19,14 @@ public final class Analyses {
                     Completeness::new,
                     DeadTransition::new,
                     DivisionByZero::new,
+                    IntegerOverflow::new,
                     Overlap::new,
                     RangeOverflow::new,
                     Trap::new,
                     UnreachableState::new,
                     VacuousOnSilence::new);
+
+    private static final long FIRST_STATES = 50_000;
 
     private static final Comparator<Finding> ORDER =
             Comparator.comparing(Finding::diagnostic, Diagnostic.ORDER);
@@ -44,14 +47,28 @@ public final class Analyses {
         try {
             subject = Subject.of(promise.component(), automaton, promise.arguments());
         } catch (Fault fault) {
-            return new Examination(promise, List.of(beginning(fault, automaton)), "", 0);
+            List<Finding> findings = List.of(beginning(fault, automaton));
+            return new Examination(promise, findings, "", List.of(), 0);
         }
         List<Analysis> analyses = ALL.stream().map(each -> each.apply(subject)).toList();
-        Exploration explored = Exploration.run(subject, analyses, budget);
+        Seen seen = new Seen();
+        List<Watcher> watching = new ArrayList<>(analyses);
+        watching.add(seen);
+        Exploration explored = Exploration.run(subject, watching, firstBudget(subject, budget));
+        Knowledge knowledge = new Solving(subject, watching, seen, budget).after(explored);
         List<Finding> findings = new ArrayList<>();
-        analyses.forEach(each -> findings.addAll(each.findings(explored)));
+        analyses.forEach(each -> findings.addAll(each.findings(knowledge)));
         findings.sort(ORDER);
-        return new Examination(promise, findings, explored.obstacle(), explored.size());
+        Remainder remainder = new Remainder(subject, knowledge);
+        return new Examination(
+                promise, findings, remainder.obstacle(), remainder.notes(), explored.size());
+    }
+
+    /** Where there is no end to the values, the solver is asked soon. */
+    private static Budget firstBudget(Subject subject, Budget budget) {
+        return subject.isWide()
+                ? new Budget(budget.timeIsUp(), Math.min(budget.states(), FIRST_STATES))
+                : budget;
     }
 
     /** The automaton goes wrong before it reads anything. */

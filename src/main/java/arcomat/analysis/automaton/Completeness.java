@@ -64,7 +64,7 @@ final class Completeness implements Analysis {
     }
 
     @Override
-    public List<Finding> findings(Exploration explored) {
+    public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int state = 0; state < subject.automaton().states().size(); state++) {
             Optional<Situation> quiet = silence.of(state);

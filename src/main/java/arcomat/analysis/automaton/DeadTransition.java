@@ -1,9 +1,9 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.smt.Question;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;
-import java.util.BitSet;
 import java.util.List;
 
 /** A transition that no run takes: nothing enables it, or its source is never reached. */
@@ -11,7 +11,6 @@ final class DeadTransition implements Analysis {
     static final String CODE = "ARC1004";
 
     private final Subject subject;
-    private final BitSet enabled = new BitSet();
 
     DeadTransition(Subject subject) {
         this.subject = subject;
@@ -19,24 +18,24 @@ final class DeadTransition implements Analysis {
 
     @Override
     public void see(Situation situation) {
-        situation.alternatives().forEach(each -> enabled.set(each.taken().index()));
+        // What is enabled is known afterwards.
     }
 
     @Override
-    public List<Finding> findings(Exploration explored) {
+    public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int i = 0; i < subject.automaton().transitions().size(); i++) {
-            if (explored.isComplete() && !enabled.get(i)) {
-                findings.add(Finding.never(diagnostic(i, explored)));
+            if (knowledge.neverHappens(new Question.Enabled(i))) {
+                findings.add(Finding.never(diagnostic(i, knowledge)));
             }
         }
         return findings;
     }
 
-    private Diagnostic diagnostic(int transition, Exploration explored) {
+    private Diagnostic diagnostic(int transition, Knowledge knowledge) {
         int source = subject.transition(transition).source();
         String reason =
-                explored.hasReached(source)
+                knowledge.happens(new Question.Reached(source))
                         ? "no input enables it in any configuration that is reached"
                         : "its source %s is never reached".formatted(subject.state(source));
         return Diagnostic.warning(

@@ -1,30 +1,21 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.automaton.Situation.Alternative;
 import arcomat.analysis.automaton.Visit.Place;
 import arcomat.analysis.engine.Letters;
 import arcomat.analysis.engine.TooManyMessages;
-import arcomat.model.Component;
-import arcomat.model.Port;
-import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Unseen;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Input;
 import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Start;
 
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -34,7 +25,8 @@ import java.util.Set;
  */
 final class Exploration {
     private final Subject subject;
-    private final List<Analysis> watching;
+    private final Stepper stepper;
+    private final List<? extends Watcher> watching;
     private final Budget budget;
 
     private final Map<Place, Visit> visits = new HashMap<>();
@@ -44,15 +36,16 @@ final class Exploration {
     private Map<Place, Visit> next = new LinkedHashMap<>();
     private String obstacle = "";
 
-    private Exploration(Subject subject, List<Analysis> watching, Budget budget) {
+    private Exploration(Subject subject, List<? extends Watcher> watching, Budget budget) {
         this.subject = subject;
+        this.stepper = new Stepper(subject);
         this.watching = watching;
         this.budget = budget;
         this.reached = new boolean[subject.automaton().states().size()];
     }
 
     /** Shows all that can happen to those who watch. */
-    static Exploration run(Subject subject, List<Analysis> watching, Budget budget) {
+    static Exploration run(Subject subject, List<? extends Watcher> watching, Budget budget) {
         Exploration exploration = new Exploration(subject, watching, budget);
         for (Start start : subject.relation().starts()) {
             Place place = new Place(start.configuration(), Set.of());
@@ -68,6 +61,9 @@ final class Exploration {
             level.sort(Comparator.comparingInt(Visit::messages));
             next = new LinkedHashMap<>();
             level.forEach(visit -> visits.put(visit.place(), visit));
+            if (!obstacle.isEmpty()) {
+                return; // what is found further on would not be the shortest
+            }
             for (Visit visit : level) {
                 String exhausted = budget.exhausted(byNumber.size());
                 if (exhausted != null) {
@@ -116,41 +112,13 @@ final class Exploration {
     }
 
     private Situation situation(Visit visit, Value[] letter) {
-        Input input = Input.of(letter);
-        List<Alternative> alternatives = new ArrayList<>();
-        try {
-            for (Trace.Taken taken : subject.relation().enabled(visit.configuration(), input)) {
-                alternatives.add(alternative(taken, visit, letter, input));
-            }
-        } catch (Fault inGuard) {
-            return new Situation(visit, letter, List.of(), Optional.of(inGuard));
-        }
-        return new Situation(visit, letter, alternatives, Optional.empty());
-    }
-
-    private Alternative alternative(Trace.Taken taken, Visit visit, Value[] letter, Input input) {
-        try {
-            Reaction reaction = subject.relation().take(taken, visit.configuration(), input);
-            Place place = new Place(reaction.next(), latched(visit, letter));
-            int number = propose(place, visit, letter, reaction.output());
-            return new Alternative(taken, Optional.of(reaction), Optional.empty(), number);
-        } catch (Fault fault) {
-            return new Alternative(taken, Optional.empty(), Optional.of(fault), -1);
-        }
-    }
-
-    private Set<Integer> latched(Visit before, Value[] letter) {
-        if (subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS) {
-            return Set.of();
-        }
-        List<Port> inputs = subject.component().inputs();
-        Set<Integer> latched = new HashSet<>(before.latched());
-        for (int port = 0; port < letter.length; port++) {
-            if (inputs.get(port).latched() && letter[port] != null) {
-                latched.add(port);
-            }
-        }
-        return latched;
+        return stepper.situation(
+                visit,
+                letter,
+                reaction -> {
+                    Place place = new Place(reaction.next(), stepper.latched(visit, letter));
+                    return propose(place, visit, letter, reaction.output());
+                });
     }
 
     /** Keeps the better of two ways that are equally long. */

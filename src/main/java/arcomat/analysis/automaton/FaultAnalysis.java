@@ -37,7 +37,7 @@ abstract class FaultAnalysis implements Analysis {
     }
 
     @Override
-    public final List<Finding> findings(Exploration explored) {
+    public final List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (Map.Entry<Integer, Situation> entry : faults.all().entrySet()) {
             findings.add(finding(entry.getKey(), entry.getValue()));

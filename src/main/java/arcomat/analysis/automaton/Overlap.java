@@ -70,7 +70,7 @@ final class Overlap implements Analysis {
     }
 
     @Override
-    public List<Finding> findings(Exploration explored) {
+    public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         Pair last = null;
         for (Map.Entry<Pair, Situation> entry : overlaps.all().entrySet()) {

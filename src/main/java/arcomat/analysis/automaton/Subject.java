@@ -2,6 +2,7 @@ package arcomat.analysis.automaton;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.StepRelation;
@@ -11,16 +12,29 @@ import java.util.List;
 /**
  * The automaton that is examined.
  *
+ * @param arguments one per parameter of the component
  * @param relation its steps, with the ports that it decides about
  */
-record Subject(Component component, Automaton automaton, StepRelation relation) {
+record Subject(
+        Component component, Automaton automaton, List<Value> arguments, StepRelation relation) {
 
     /**
      * @throws arcomat.semantics.Fault where constants or initial values go wrong
      */
     static Subject of(Component component, Automaton automaton, List<Value> arguments) {
         Behaviour behaviour = Behaviour.of(component, List.of(automaton), arguments);
-        return new Subject(component, automaton, behaviour.relations().get(0));
+        return new Subject(component, automaton, arguments, behaviour.relations().get(0));
+    }
+
+    /** Whether a variable has so many values that trying them may not end. */
+    boolean isWide() {
+        return automaton.variables().stream().anyMatch(variable -> !isNarrow(variable.type()));
+    }
+
+    private static boolean isNarrow(Type type) {
+        return type instanceof Type.BooleanType
+                || type instanceof Type.EnumType
+                || type instanceof Type.IntegerType integer && integer.ranged();
     }
 
     Automaton.Transition transition(int index) {
@@ -29,6 +43,14 @@ record Subject(Component component, Automaton automaton, StepRelation relation) 
 
     String state(int index) {
         return automaton.states().get(index);
+    }
+
+    /** {@code driving -> waiting (line 12)}. */
+    String place(int transition) {
+        return move(transition)
+                + " (line "
+                + transition(transition).span().startPosition().line()
+                + ")";
     }
 
     /** {@code driving -> waiting}. */

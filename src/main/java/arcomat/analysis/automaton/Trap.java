@@ -34,11 +34,14 @@ final class Trap implements Analysis {
     @Override
     public void see(Situation situation) {
         int number = situation.visit().number();
+        if (number < 0) {
+            return; // found by the solver: not all is seen, and nothing is claimed
+        }
         if (situation.fault().isPresent()) {
             sending.set(number); // the run ends in an error there, and that is found elsewhere
         }
         for (Alternative each : situation.alternatives()) {
-            if (sends(each.taken().transition()) || each.fault().isPresent()) {
+            if (sends(subject, each.taken().transition()) || each.fault().isPresent()) {
                 sending.set(number);
             }
             if (each.next() >= 0) {
@@ -50,15 +53,17 @@ final class Trap implements Analysis {
         }
     }
 
-    private boolean sends(Automaton.Transition transition) {
+    /** Whether a transition may send. */
+    static boolean sends(Subject subject, Automaton.Transition transition) {
         return subject.automaton().omitted() == Automaton.Omitted.FREE
                 || transition.sends().stream()
                         .anyMatch(send -> !(send.emission() instanceof Automaton.Silence));
     }
 
     @Override
-    public List<Finding> findings(Exploration explored) {
-        if (!explored.isComplete() || !isToSend()) {
+    public List<Finding> findings(Knowledge knowledge) {
+        Exploration explored = knowledge.explored();
+        if (!knowledge.isExhaustive() || !isToSend(subject)) {
             return List.of();
         }
         BitSet trapped = new BitSet();
@@ -68,14 +73,15 @@ final class Trap implements Analysis {
     }
 
     /** Not one of several requirements that says nothing about outputs. */
-    private boolean isToSend() {
+    static boolean isToSend(Subject subject) {
         Component component = subject.component();
         boolean sole =
                 component.body() instanceof Component.Atomic atomic
                         && atomic.automata().size() == 1;
         return sole
                 ? !component.outputs().isEmpty()
-                : subject.automaton().transitions().stream().anyMatch(this::sends);
+                : subject.automaton().transitions().stream()
+                        .anyMatch(transition -> sends(subject, transition));
     }
 
     private BitSet thoseThatMaySend() {

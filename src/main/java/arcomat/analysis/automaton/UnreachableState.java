@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.smt.Question;
 import arcomat.model.Automaton.Transition;
 import arcomat.source.Diagnostic;
 
@@ -18,14 +19,14 @@ final class UnreachableState implements Analysis {
 
     @Override
     public void see(Situation situation) {
-        // What is reached is known to the exploration.
+        // What is reached is known afterwards.
     }
 
     @Override
-    public List<Finding> findings(Exploration explored) {
+    public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int state = 0; state < subject.automaton().states().size(); state++) {
-            if (explored.isComplete() && !explored.hasReached(state)) {
+            if (knowledge.neverHappens(new Question.Reached(state))) {
                 findings.add(Finding.never(diagnostic(state)));
             }
         }

@@ -38,7 +38,7 @@ final class VacuousOnSilence implements Analysis {
     }
 
     @Override
-    public List<Finding> findings(Exploration explored) {
+    public List<Finding> findings(Knowledge knowledge) {
         TreeMap<Integer, Situation> states = silence.all();
         if (states.isEmpty()) {
             return List.of();

@@ -1,15 +1,17 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.engine.Letters;
 import arcomat.model.Value;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Output;
+import arcomat.semantics.Reaction;
 
 import java.util.Set;
 
 /**
  * The shortest way to a configuration; among the shortest one of fewest messages, the first found.
  *
- * @param number visits are numbered as they are proposed, from 0
+ * @param number visits of an exploration are numbered as they are proposed, from 0; others are -1
  * @param latched positions of the latched ports that have had a message; events only
  * @param before null at a beginning
  * @param letter what led here; null at a beginning
@@ -29,6 +31,24 @@ record Visit(
 
     /** Where to go on from: visits to the same place are the same. */
     record Place(Configuration configuration, Set<Integer> latched) {}
+
+    /** Where a run begins that is not one of an exploration. */
+    static Visit beginning(Configuration configuration, Output output) {
+        return new Visit(-1, configuration, Set.of(), null, null, output, 0, 0);
+    }
+
+    /** One step further. */
+    Visit then(Reaction reaction, Set<Integer> nowLatched, Value[] read) {
+        return new Visit(
+                -1,
+                reaction.next(),
+                nowLatched,
+                this,
+                read,
+                reaction.output(),
+                length + 1,
+                messages + Letters.messages(read));
+    }
 
     Place place() {
         return new Place(configuration, latched);

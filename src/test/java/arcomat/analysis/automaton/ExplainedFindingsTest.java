@@ -31,7 +31,8 @@ class ExplainedFindingsTest {
                 Trap.CODE,
                 VacuousOnSilence.CODE,
                 RangeOverflow.CODE,
-                DivisionByZero.CODE
+                DivisionByZero.CODE,
+                IntegerOverflow.CODE
             })
     void theModelsShowIt(String code) throws IOException {
         String page = Files.readString(Path.of("src/main/resources/explain", code + ".md"));

@@ -2,7 +2,12 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.automaton.NaiveExploration.Overlapping;
+import arcomat.analysis.smt.Outcome;
+import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.SymbolicSearch;
+import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.source.SourceFile;
 
@@ -14,6 +19,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.statistics.Statistics;
 
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -101,6 +107,56 @@ class NaiveAgreementTest {
 
     private static List<Finding> findings(Examination examination, String code) {
         return examination.findings().stream().filter(f -> f.code().equals(code)).toList();
+    }
+
+    /** What the solver answers is what trying everything answers. */
+    @Property(seed = "2", tries = 25)
+    void solverAgrees(@ForAll("automata") String text) {
+        Component component =
+                Models.read(List.of(new SourceFile("Random.arc", text))).components().get(0);
+        Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
+        Subject subject = Subject.of(component, automaton, List.of());
+        Seen seen = new Seen();
+        Exploration explored = Exploration.run(subject, List.of(seen), Budget.ofMemory());
+        assertThat(explored.isComplete()).isTrue();
+        Walk walk = new Walk(subject, new Stepper(subject));
+
+        Map<Question, Outcome> outcomes =
+                SymbolicSearch.answer(
+                        component,
+                        subject.relation(),
+                        List.of(),
+                        new Questions(subject).all(),
+                        (question, run) -> walk.to(question, run).isPresent(),
+                        () -> false);
+
+        outcomes.forEach(
+                (question, outcome) -> {
+                    if (outcome instanceof Outcome.Found) {
+                        assertThat(shown(seen, explored)).contains(question);
+                    } else if (outcome instanceof Outcome.Impossible) {
+                        assertThat(shown(seen, explored)).doesNotContain(question);
+                    }
+                    Statistics.label("outcome")
+                            .collect(outcome.getClass().getSimpleName())
+                            .coverage(
+                                    all -> {
+                                        all.check("Found").percentage(share -> share > 25);
+                                        all.check("Impossible").percentage(share -> share > 25);
+                                        all.check("Open").percentage(share -> share < 15);
+                                    });
+                });
+    }
+
+    /** A silent letter may stand for letters with a message that nobody looks at. */
+    private static Set<Question> shown(Seen seen, Exploration explored) {
+        Set<Question> shown = new HashSet<>(seen.questions());
+        for (Question question : seen.questions()) {
+            if (question instanceof Question.Unhandled unhandled) {
+                shown.add(new Question.Unhandled(unhandled.state(), false));
+            }
+        }
+        return shown;
     }
 
     @Provide

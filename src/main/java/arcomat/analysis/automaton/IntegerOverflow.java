@@ -1,0 +1,46 @@
+package arcomat.analysis.automaton;
+
+import arcomat.source.Diagnostic;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * An integer without a range that wraps around, as Java's do. Analyses compute without bounds and
+ * owe it to their reader to say where that makes a difference.
+ */
+final class IntegerOverflow implements Analysis {
+    static final String CODE = "ARC1009";
+
+    private final Subject subject;
+    private final Story story;
+
+    IntegerOverflow(Subject subject) {
+        this.subject = subject;
+        this.story = new Story(subject);
+    }
+
+    @Override
+    public void see(Situation situation) {
+        // The values have wrapped around already.
+    }
+
+    @Override
+    public List<Finding> findings(Knowledge knowledge) {
+        List<Finding> findings = new ArrayList<>();
+        for (Map.Entry<Integer, Situation> entry : knowledge.overflows().entrySet()) {
+            Situation situation = entry.getValue();
+            String message =
+                    "in %s on %s an integer overflows and wraps around; give ports and variables ranges"
+                            .formatted(
+                                    story.words(situation.visit().configuration()),
+                                    story.words(situation.letter()));
+            Diagnostic diagnostic =
+                    Diagnostic.warning(
+                            CODE, subject.transition(entry.getKey()).span(), message);
+            findings.add(story.finding(diagnostic, situation));
+        }
+        return findings;
+    }
+}

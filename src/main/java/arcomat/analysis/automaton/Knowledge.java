@@ -1,0 +1,58 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.smt.Outcome;
+import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Question.Difference;
+
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What is known about an automaton after looking at it: by trying, and by the solver where that did
+ * not see everything.
+ *
+ * @param seen what some run shows
+ * @param outcomes of the questions that were put to the solver
+ * @param overflows a situation for each transition whose integers can overflow
+ */
+record Knowledge(
+        Exploration explored,
+        Set<Question> seen,
+        Map<Question, Outcome> outcomes,
+        Map<Integer, Situation> overflows) {
+
+    /** Whether all configurations have been looked at, one by one. */
+    boolean isExhaustive() {
+        return explored.isComplete();
+    }
+
+    /** Whether it stays open, and matters: how two transitions differ only where they meet. */
+    boolean isOpen(Question question) {
+        if (!(outcomes.get(question) instanceof Outcome.Open) || happens(question)) {
+            return false;
+        }
+        if (question instanceof Question.Together together) {
+            return switch (together.difference()) {
+                case ANY -> true;
+                case OUTPUT -> happens(together.with(Difference.ANY));
+                case TARGET ->
+                        happens(together.with(Difference.ANY))
+                                && !happens(together.with(Difference.OUTPUT));
+            };
+        }
+        return true;
+    }
+
+    /** Whether some run shows it. */
+    boolean happens(Question question) {
+        return seen.contains(question);
+    }
+
+    /** Whether certainly no run shows it. */
+    boolean neverHappens(Question question) {
+        if (happens(question)) {
+            return false;
+        }
+        return isExhaustive() || outcomes.get(question) instanceof Outcome.Impossible;
+    }
+}

@@ -1,0 +1,90 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Question.Difference;
+import arcomat.model.Automaton;
+import arcomat.semantics.Fault;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** All that may be asked about an automaton, and how to say it. */
+record Questions(Subject subject) {
+
+    /** Whatever an analysis wants to know, what others depend on first. */
+    List<Question> all() {
+        List<Question> all = new ArrayList<>();
+        int states = subject.automaton().states().size();
+        int transitions = subject.automaton().transitions().size();
+        for (int state = 0; state < states; state++) {
+            all.add(new Question.Reached(state));
+        }
+        for (int transition = 0; transition < transitions; transition++) {
+            all.add(new Question.Enabled(transition));
+            for (Fault.Kind kind : Fault.Kind.values()) {
+                all.add(new Question.Wrong(transition, kind));
+            }
+        }
+        for (int first = 0; first < transitions; first++) {
+            addTogether(first, all);
+        }
+        if (subject.automaton().completion() != Automaton.Completion.IGNORE) {
+            for (int state = 0; state < states; state++) {
+                all.add(new Question.Unhandled(state, false));
+                all.add(new Question.Unhandled(state, true));
+            }
+        }
+        return all;
+    }
+
+    private void addTogether(int first, List<Question> all) {
+        int source = subject.transition(first).source();
+        for (int second = first + 1; second < subject.automaton().transitions().size(); second++) {
+            if (subject.transition(second).source() == source) {
+                for (Difference difference : Difference.values()) {
+                    all.add(new Question.Together(first, second, difference));
+                }
+            }
+        }
+    }
+
+    /** What is asked, to follow "whether". */
+    String words(Question question) {
+        if (question instanceof Question.Reached reached) {
+            return "state " + subject.state(reached.state()) + " is reached";
+        }
+        if (question instanceof Question.Enabled enabled) {
+            return "transition " + subject.place(enabled.transition()) + " can be taken";
+        }
+        if (question instanceof Question.Together together) {
+            return "transitions "
+                    + subject.place(together.first())
+                    + " and "
+                    + subject.place(together.second())
+                    + " can be enabled together"
+                    + difference(together.difference());
+        }
+        if (question instanceof Question.Unhandled unhandled) {
+            return (unhandled.silent() ? "silence" : "every message")
+                    + " is handled in "
+                    + subject.state(unhandled.state());
+        }
+        if (question instanceof Question.Wrong wrong) {
+            return "transition "
+                    + subject.place(wrong.transition())
+                    + (wrong.kind() == Fault.Kind.DIVISION_BY_ZERO
+                            ? " can divide by zero"
+                            : " can leave a range");
+        }
+        int transition = ((Question.Overflow) question).transition();
+        return "an integer of transition " + subject.place(transition) + " can overflow";
+    }
+
+    private static String difference(Difference difference) {
+        return switch (difference) {
+            case ANY -> "";
+            case OUTPUT -> " with different outputs";
+            case TARGET -> " with different targets";
+        };
+    }
+}

@@ -1,0 +1,52 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.smt.Outcome;
+import arcomat.analysis.smt.Question;
+
+import java.util.List;
+import java.util.Map;
+
+/** What a reader has to know beside the findings: what stays open, and what was assumed. */
+record Remainder(Subject subject, Knowledge knowledge) {
+
+    /** Why not everything is known; empty where it is. */
+    String obstacle() {
+        if (knowledge.isExhaustive()) {
+            return "";
+        }
+        if (knowledge.outcomes().isEmpty()) {
+            return knowledge.explored().obstacle();
+        }
+        List<Map.Entry<Question, Outcome>> open =
+                knowledge.outcomes().entrySet().stream()
+                        .filter(each -> !(each.getKey() instanceof Question.Overflow))
+                        .filter(each -> knowledge.isOpen(each.getKey()))
+                        .toList();
+        if (!open.isEmpty()) {
+            return words(open);
+        }
+        return new SureSending(subject, knowledge).isOpen()
+                ? "it is open whether there is a trap, where nothing is sent any more"
+                : "";
+    }
+
+    private String words(List<Map.Entry<Question, Outcome>> open) {
+        Outcome.Open first = (Outcome.Open) open.get(0).getValue();
+        String more = open.size() == 1 ? "" : ", and " + (open.size() - 1) + " more";
+        return "it is open whether %s (%s)%s"
+                .formatted(
+                        new Questions(subject).words(open.get(0).getKey()), first.reason(), more);
+    }
+
+    /** Under which assumption what never happens never happens. */
+    List<String> notes() {
+        if (knowledge.isExhaustive()) {
+            return List.of();
+        }
+        boolean owed =
+                knowledge.outcomes().entrySet().stream()
+                        .filter(each -> each.getKey() instanceof Question.Overflow)
+                        .anyMatch(each -> !(each.getValue() instanceof Outcome.Impossible));
+        return owed ? List.of("assuming that no integer overflows") : List.of();
+    }
+}

@@ -1,0 +1,65 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Question.Difference;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Reaction;
+
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Notes which questions are answered by what has been seen. */
+final class Seen implements Watcher {
+    private final Set<Question> questions = new HashSet<>();
+
+    Set<Question> questions() {
+        return questions;
+    }
+
+    @Override
+    public void see(Situation situation) {
+        questions.addAll(shownBy(situation));
+    }
+
+    /** All that a situation shows. */
+    static Set<Question> shownBy(Situation situation) {
+        Set<Question> shown = new HashSet<>();
+        shown.add(new Question.Reached(situation.state()));
+        situation.fault().ifPresent(fault -> shown.add(wrong(fault)));
+        if (situation.isUnhandled()) {
+            shown.add(new Question.Unhandled(situation.state(), situation.isSilent()));
+        }
+        List<Alternative> all = situation.alternatives();
+        for (int i = 0; i < all.size(); i++) {
+            shown.add(new Question.Enabled(all.get(i).taken().index()));
+            all.get(i).fault().ifPresent(fault -> shown.add(wrong(fault)));
+            for (int j = i + 1; j < all.size(); j++) {
+                together(all.get(i), all.get(j), shown);
+            }
+        }
+        return shown;
+    }
+
+    private static Question wrong(Fault fault) {
+        return new Question.Wrong(fault.taken().orElseThrow().index(), fault.kind());
+    }
+
+    private static void together(Alternative one, Alternative two, Set<Question> shown) {
+        int first = one.taken().index();
+        int second = two.taken().index();
+        shown.add(new Question.Together(first, second, Difference.ANY));
+        if (one.reaction().isEmpty() || two.reaction().isEmpty()) {
+            return;
+        }
+        Reaction here = one.reaction().get();
+        Reaction there = two.reaction().get();
+        if (!here.output().equals(there.output())) {
+            shown.add(new Question.Together(first, second, Difference.OUTPUT));
+        }
+        if (!here.next().equals(there.next())) {
+            shown.add(new Question.Together(first, second, Difference.TARGET));
+        }
+    }
+}

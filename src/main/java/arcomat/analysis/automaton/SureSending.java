@@ -1,0 +1,78 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.smt.Question;
+import arcomat.model.Automaton.Transition;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Guards;
+import arcomat.semantics.Rewriting;
+
+import java.util.BitSet;
+import java.util.List;
+
+/**
+ * Whether there certainly is no trap, where configurations cannot be looked at one by one: from each
+ * state that may be reached, transitions that depend on nothing but the letter lead to one that
+ * sends.
+ */
+record SureSending(Subject subject, Knowledge knowledge) {
+
+    /** Whether a trap may have been missed. */
+    boolean isOpen() {
+        if (!Trap.isToSend(subject)) {
+            return false;
+        }
+        BitSet fine = new BitSet();
+        int before = -1;
+        while (before < fine.cardinality()) {
+            before = fine.cardinality();
+            for (int i = 0; i < transitions().size(); i++) {
+                Transition transition = transitions().get(i);
+                boolean good = Trap.sends(subject, transition) || fine.get(transition.target());
+                if (good && isSure(i)) {
+                    fine.set(transition.source());
+                }
+            }
+        }
+        for (int state = 0; state < subject.automaton().states().size(); state++) {
+            if (!fine.get(state) && !knowledge.neverHappens(new Question.Reached(state))) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private List<Transition> transitions() {
+        return subject.automaton().transitions();
+    }
+
+    /** It was enabled once, so it is whenever the same letter comes; and it goes well. */
+    private boolean isSure(int transition) {
+        int state = transitions().get(transition).source();
+        boolean timed =
+                subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+        if (!timed || !knowledge.happens(new Question.Enabled(transition))) {
+            return false;
+        }
+        boolean fits =
+                knowledge.neverHappens(
+                        new Question.Wrong(transition, Fault.Kind.OUTSIDE_RANGE));
+        for (int i = 0; i < transitions().size() && fits; i++) {
+            fits =
+                    transitions().get(i).source() != state
+                            || knowledge.neverHappens(
+                                    new Question.Wrong(i, Fault.Kind.DIVISION_BY_ZERO));
+        }
+        return fits && !readsVariables(transition);
+    }
+
+    private boolean readsVariables(int transition) {
+        Expression condition =
+                new Guards(subject.component().profile())
+                        .enabledWhen(transitions().get(transition));
+        boolean[] reads = {false};
+        Rewriting.visit(condition, e -> reads[0] |= e instanceof Expression.VariableRead);
+        return reads[0];
+    }
+}

@@ -1,0 +1,106 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.smt.Outcome.Place;
+import arcomat.analysis.smt.Outcome.Run;
+import arcomat.analysis.smt.Question;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Start;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+
+/**
+ * Goes the way of a run that the solver found, with the automaton's own steps: only what is seen
+ * there counts. On the way messages that make no difference are left out.
+ */
+record Walk(Subject subject, Stepper stepper) {
+
+    /** The situation at the end, if the way is there and the end shows what was asked. */
+    Optional<Situation> to(Question question, Run run) {
+        Optional<Visit> visit = beginning(run.places().get(0));
+        for (int i = 0; i < run.letters().size() && visit.isPresent(); i++) {
+            visit = step(visit.get(), run.letters().get(i), run.places().get(i + 1));
+        }
+        return visit.flatMap(end -> end(end, run, question));
+    }
+
+    private Optional<Situation> end(Visit end, Run run, Question question) {
+        Predicate<Value[]> shows =
+                letter ->
+                        question instanceof Question.Overflow
+                                ? run.exact()
+                                : Seen.shownBy(situation(end, letter)).contains(question);
+        if (!shows.test(run.last())) {
+            return Optional.empty();
+        }
+        boolean mayShrink = !(question instanceof Question.Overflow);
+        Value[] letter = mayShrink ? withoutNeedless(end, run.last(), shows) : run.last();
+        return Optional.of(situation(end, letter));
+    }
+
+    private Situation situation(Visit visit, Value[] letter) {
+        return stepper.situation(visit, letter, reaction -> -1);
+    }
+
+    private Optional<Visit> beginning(Place place) {
+        for (Start start : subject.relation().starts()) {
+            if (isAt(start.configuration(), place)) {
+                return Optional.of(Visit.beginning(start.configuration(), start.output()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private Optional<Visit> step(Visit before, Value[] found, Place place) {
+        Predicate<Value[]> leads = letter -> reaction(before, letter, place).isPresent();
+        if (!leads.test(found)) {
+            return Optional.empty();
+        }
+        Value[] letter = withoutNeedless(before, found, leads);
+        Reaction reaction = reaction(before, letter, place).orElseThrow();
+        return Optional.of(before.then(reaction, stepper.latched(before, letter), letter));
+    }
+
+    private Optional<Reaction> reaction(Visit before, Value[] letter, Place place) {
+        return situation(before, letter).alternatives().stream()
+                .flatMap(each -> each.reaction().stream())
+                .filter(each -> isAt(each.next(), place))
+                .findFirst();
+    }
+
+    private static boolean isAt(Configuration configuration, Place place) {
+        return configuration.state() == place.state()
+                && configuration.variables().equals(place.variables());
+    }
+
+    private Value[] withoutNeedless(Visit visit, Value[] found, Predicate<Value[]> enough) {
+        Value[] letter = found;
+        List<Port> inputs = subject.component().inputs();
+        for (int port = 0; port < letter.length; port++) {
+            if (letter[port] != null && mayBeSilent(inputs.get(port), port, visit)) {
+                Value[] less = letter.clone();
+                less[port] = null;
+                letter = enough.test(less) ? less : letter;
+            }
+        }
+        return letter;
+    }
+
+    /** Neither total, nor the event itself, nor latched before. */
+    private boolean mayBeSilent(Port port, int position, Visit visit) {
+        boolean timed = subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+        if (timed) {
+            return !port.total();
+        }
+        Attention attention = subject.relation().attention(visit.configuration());
+        return port.latched()
+                && (!visit.latched().contains(position)
+                        || attention.looks().get(position) instanceof Attention.Unseen);
+    }
+}

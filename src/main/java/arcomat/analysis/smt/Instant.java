@@ -1,0 +1,146 @@
+package arcomat.analysis.smt;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+
+import de.uni_freiburg.informatik.ultimate.logic.Term;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Where an automaton is at one point of a run, and what it reads there. */
+final class Instant {
+    private final Component component;
+    private final Automaton automaton;
+    private final Solver solver;
+    private final Codes codes;
+    private final int number;
+    private int unknowns;
+    private int definitions;
+
+    /**
+     * @param number from 0
+     */
+    Instant(Component component, Automaton automaton, Solver solver, Codes codes, int number) {
+        this.component = component;
+        this.automaton = automaton;
+        this.solver = solver;
+        this.codes = codes;
+        this.number = number;
+    }
+
+    Term state() {
+        return solver.integer("state@" + number);
+    }
+
+    Term isIn(int state) {
+        return solver.equal(state(), solver.number(state));
+    }
+
+    Term variable(Variable variable) {
+        return unknown("var " + variable.name() + "@" + number, variable.type());
+    }
+
+    Term message(Port port) {
+        return unknown("port " + port.name() + "@" + number, port.type());
+    }
+
+    Term has(Port port) {
+        boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
+        return timed && port.total()
+                ? solver.of(true)
+                : solver.truth("has " + port.name() + "@" + number);
+    }
+
+    /** A value that is not modelled: it may be any of its type. */
+    Term anything(Type type) {
+        return unknown("any " + unknowns++ + "@" + number, type);
+    }
+
+    /** A value that claims will define. */
+    Term defined(Type type) {
+        return unknown("value " + definitions++ + "@" + number, type);
+    }
+
+    private Term unknown(String name, Type type) {
+        return Codes.isTruth(type) ? solver.truth(name) : solver.integer(name);
+    }
+
+    /** Whether something was left out that may matter. */
+    boolean isInexact() {
+        return unknowns > 0;
+    }
+
+    /** What always holds: values are of their types, and events come one by one. */
+    Term wellFormed() {
+        List<Term> all = new ArrayList<>();
+        all.add(solver.between(0, state(), automaton.states().size() - 1));
+        for (Variable each : automaton.variables()) {
+            all.add(Codes.range(variable(each), each.type(), solver));
+        }
+        for (Port each : component.inputs()) {
+            all.add(Codes.range(message(each), each.type(), solver));
+            has(each); // is known to the solver before it is asked
+        }
+        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
+            all.add(oneEvent());
+        }
+        return solver.and(all);
+    }
+
+    private Term oneEvent() {
+        List<Term> one = new ArrayList<>();
+        List<Port> events = component.inputs().stream().filter(port -> !port.latched()).toList();
+        for (Port here : events) {
+            List<Term> alone = new ArrayList<>();
+            for (Port port : events) {
+                alone.add(port.equals(here) ? has(port) : solver.not(has(port)));
+            }
+            one.add(solver.and(alone));
+        }
+        return solver.or(one);
+    }
+
+    /** Latched ports do not lose their message until then. */
+    Term keepsLatched(Instant next) {
+        List<Term> kept = new ArrayList<>();
+        for (Port port : component.inputs()) {
+            if (component.profile() == Component.Profile.EVENT_DRIVEN && port.latched()) {
+                kept.add(solver.or(solver.not(has(port)), next.has(port)));
+            }
+        }
+        return solver.and(kept);
+    }
+
+    /** No port carries a message. */
+    Term silent() {
+        List<Term> all = new ArrayList<>();
+        component.inputs().forEach(port -> all.add(solver.not(has(port))));
+        return solver.and(all);
+    }
+
+    /** After the answer yes: the example's configuration. */
+    Outcome.Place place() {
+        List<Value> values = new ArrayList<>();
+        for (Variable each : automaton.variables()) {
+            values.add(codes.decode(variable(each), each.type(), solver));
+        }
+        return new Outcome.Place(solver.numberOf(state()).intValue(), values);
+    }
+
+    /** After the answer yes: what the example reads. */
+    Value[] letter() {
+        List<Port> inputs = component.inputs();
+        Value[] letter = new Value[inputs.size()];
+        for (int i = 0; i < letter.length; i++) {
+            if (solver.truthOf(has(inputs.get(i)))) {
+                letter[i] = codes.decode(message(inputs.get(i)), inputs.get(i).type(), solver);
+            }
+        }
+        return letter;
+    }
+}

@@ -1,0 +1,35 @@
+package arcomat.analysis.smt;
+
+import arcomat.model.Value;
+
+import java.util.List;
+
+/** What is known about a question. */
+public sealed interface Outcome {
+
+    /** A shortest run shows it. */
+    record Found(Run run) implements Outcome {}
+
+    /** No run shows it, as long as no integer overflows. */
+    record Impossible() implements Outcome {}
+
+    /**
+     * Neither.
+     *
+     * @param reason what stood in the way
+     */
+    record Open(String reason) implements Outcome {}
+
+    /**
+     * A run, and the letter after it on which something is to be seen.
+     *
+     * @param letters one per step; messages by position of the input port, null for silence
+     * @param places where the automaton is before each of the letters, and at the end
+     * @param last the letter at the end
+     * @param exact whether nothing in it was left open for the solver
+     */
+    record Run(List<Value[]> letters, List<Place> places, Value[] last, boolean exact) {}
+
+    /** A state with the values of the variables. */
+    record Place(int state, List<Value> variables) {}
+}

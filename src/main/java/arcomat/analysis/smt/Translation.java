@@ -1,0 +1,258 @@
+package arcomat.analysis.smt;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import de.uni_freiburg.informatik.ultimate.logic.Term;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * Expressions at one instant. Integers are computed without bounds. What linear arithmetic cannot
+ * say, a product of two variables or a real number, is replaced by an unknown value: what can never
+ * happen then, never happens.
+ */
+final class Translation {
+    private final Symbols symbols;
+    private final Instant at;
+    private final Solver solver;
+    private final Codes codes;
+    private final Map<Expression, Term> results = new HashMap<>();
+
+    Translation(Symbols symbols, Instant at, Solver solver, Codes codes) {
+        this.symbols = symbols;
+        this.at = at;
+        this.solver = solver;
+        this.codes = codes;
+    }
+
+    Term term(Expression e) {
+        Optional<Value> fixed = symbols.fixed(e).filter(value -> Codes.isExact(e.type()));
+        if (fixed.isPresent()) {
+            return codes.encode(fixed.get(), solver);
+        }
+        if (e instanceof Expression.PortRead read) {
+            return at.message(read.port());
+        }
+        if (e instanceof Expression.VariableRead read) {
+            return symbols.isConstant(read.variable())
+                    ? term(read.variable().initial())
+                    : at.variable(read.variable());
+        }
+        if (e instanceof Expression.PortMatches matches) {
+            return matches(matches);
+        }
+        if (e instanceof Expression.Unary unary) {
+            return unary(unary);
+        }
+        if (e instanceof Expression.Binary binary) {
+            return binary(binary);
+        }
+        if (e instanceof Expression.Conditional choice && isSayable(choice.type())) {
+            return solver.choose(
+                    term(choice.condition()), term(choice.then()), term(choice.otherwise()));
+        }
+        if (e instanceof Expression.IsIn isIn) {
+            return oneOf(isIn.element(), isIn.set());
+        }
+        if (e instanceof Expression.Cast cast
+                && isInteger(cast.type())
+                && isInteger(cast.operand().type())) {
+            return term(cast.operand());
+        }
+        return at.anything(e.type());
+    }
+
+    private static boolean isSayable(Type type) {
+        return Codes.isExact(type);
+    }
+
+    /** Characters count as their codes. */
+    static boolean isInteger(Type type) {
+        return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
+    }
+
+    private Term matches(Expression.PortMatches matches) {
+        Term has = at.has(matches.port());
+        if (matches.pattern() instanceof Automaton.Present) {
+            return has;
+        }
+        if (matches.pattern() instanceof Automaton.Absent) {
+            return solver.not(has);
+        }
+        Expression read = new Expression.PortRead(matches.port(), matches.span());
+        return solver.and(has, oneOf(read, ((Automaton.OneOf) matches.pattern()).values()));
+    }
+
+    private Term oneOf(Expression element, List<Expression> set) {
+        return solver.or(set.stream().map(value -> equal(element, value)).toList());
+    }
+
+    private Term equal(Expression one, Expression two) {
+        boolean exact = Codes.isExact(one.type()) && Codes.isExact(two.type());
+        return exact
+                ? solver.equal(term(one), term(two))
+                : at.anything(new Type.BooleanType());
+    }
+
+    private Term unary(Expression.Unary unary) {
+        Term operand = term(unary.operand());
+        switch (unary.operator()) {
+            case NOT:
+                return solver.not(operand);
+            case NEGATE:
+                return isInteger(unary.type())
+                        ? solver.apply("-", operand)
+                        : at.anything(unary.type());
+            case COMPLEMENT:
+                return solver.apply("-", solver.apply("-", operand), solver.number(1));
+            default:
+                throw new AssertionError(unary.operator());
+        }
+    }
+
+    private Term binary(Expression.Binary binary) {
+        switch (binary.operator()) {
+            case EQUAL:
+                return equal(binary.left(), binary.right());
+            case NOT_EQUAL:
+                return solver.not(equal(binary.left(), binary.right()));
+            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL:
+                return comparison(binary);
+            case AND, OR, IMPLIES, EQUIVALENT:
+                return connective(binary);
+            default:
+                return isInteger(binary.type()) ? arithmetic(binary) : at.anything(binary.type());
+        }
+    }
+
+    private Term comparison(Expression.Binary binary) {
+        if (!isInteger(binary.left().type()) || !isInteger(binary.right().type())) {
+            return at.anything(binary.type());
+        }
+        String operator =
+                switch (binary.operator()) {
+                    case LESS -> "<";
+                    case LESS_OR_EQUAL -> "<=";
+                    case GREATER -> ">";
+                    case GREATER_OR_EQUAL -> ">=";
+                    default -> throw new AssertionError(binary.operator());
+                };
+        return solver.apply(operator, term(binary.left()), term(binary.right()));
+    }
+
+    private Term connective(Expression.Binary binary) {
+        Term left = term(binary.left());
+        Term right = term(binary.right());
+        return switch (binary.operator()) {
+            case AND -> solver.and(left, right);
+            case OR -> solver.or(left, right);
+            case IMPLIES -> solver.or(solver.not(left), right);
+            case EQUIVALENT -> solver.equal(left, right);
+            default -> throw new AssertionError(binary.operator());
+        };
+    }
+
+    private Term arithmetic(Expression.Binary binary) {
+        return switch (binary.operator()) {
+            case PLUS -> solver.apply("+", term(binary.left()), term(binary.right()));
+            case MINUS -> solver.apply("-", term(binary.left()), term(binary.right()));
+            case MULTIPLY -> defined(binary, this::product);
+            case DIVIDE -> defined(binary, this::quotient);
+            case REMAINDER -> defined(binary, this::remainder);
+            default -> throw new AssertionError(binary.operator());
+        };
+    }
+
+    /** A result of its own, which is claimed to be right once and for all. */
+    private Term defined(Expression.Binary binary, Function<Expression.Binary, Term> definition) {
+        Term known = results.get(binary);
+        if (known == null) {
+            known = definition.apply(binary);
+            results.put(binary, known);
+        }
+        return known;
+    }
+
+    /** Linear where one of the factors has few values: by cases. */
+    private Term product(Expression.Binary binary) {
+        boolean right = !symbols.few(binary.right()).isEmpty();
+        Expression factor = right ? binary.right() : binary.left();
+        Term other = term(right ? binary.left() : binary.right());
+        List<Long> values = symbols.few(factor);
+        if (values.isEmpty()) {
+            return at.anything(binary.type());
+        }
+        if (values.size() == 1) {
+            return solver.apply("*", solver.number(values.get(0)), other);
+        }
+        Term product = at.defined(binary.type());
+        Term given = term(factor);
+        for (long value : values) {
+            Term multiple = solver.apply("*", solver.number(value), other);
+            claim(solver.equal(given, solver.number(value)), solver.equal(product, multiple));
+        }
+        return product;
+    }
+
+    /**
+     * By cases of the divisor. Java rounds towards zero: the rest has the sign of the dividend, and
+     * is less than the divisor.
+     */
+    private Term quotient(Expression.Binary binary) {
+        List<Long> values = symbols.few(binary.right());
+        if (values.isEmpty()) {
+            return at.anything(binary.type());
+        }
+        Term dividend = term(binary.left());
+        Term divisor = term(binary.right());
+        Term negative = solver.apply("<", dividend, solver.number(0));
+        Term quotient = at.defined(binary.type());
+        for (long value : values) {
+            if (value != 0) {
+                Term multiple = solver.apply("*", solver.number(value), quotient);
+                Term rest = solver.apply("-", dividend, multiple);
+                long most = Math.abs(value) - 1;
+                claim(
+                        solver.equal(divisor, solver.number(value)),
+                        solver.choose(
+                                negative,
+                                solver.between(-most, rest, 0),
+                                solver.between(0, rest, most)));
+            }
+        }
+        return quotient;
+    }
+
+    private Term remainder(Expression.Binary binary) {
+        Expression.Binary division =
+                new Expression.Binary(
+                        BinaryOperator.DIVIDE,
+                        binary.left(),
+                        binary.right(),
+                        binary.type(),
+                        binary.span());
+        Expression.Binary whole =
+                new Expression.Binary(
+                        BinaryOperator.MULTIPLY,
+                        division,
+                        binary.right(),
+                        binary.type(),
+                        binary.span());
+        return symbols.few(binary.right()).isEmpty()
+                ? at.anything(binary.type())
+                : solver.apply("-", term(binary.left()), term(whole));
+    }
+
+    private void claim(Term condition, Term consequence) {
+        solver.claim(solver.or(solver.not(condition), consequence));
+    }
+}

@@ -1,0 +1,64 @@
+//// BadSum.arc
+component BadSum {
+  port in Integer more, out Integer sum;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer total = 0;
+    initial adding;
+    adding [more > 0] / {total = total + more, sum = total};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in adding (total = 1) on {more = 2147483647} an integer overflows and wraps around; give ports and variables ranges
+  }
+}
+
+//// BadGuard.arc
+component BadGuard {
+  port in Integer a, in Integer b, out Boolean less;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only [a - b < 0] / {less = true};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = 0, b = -2147483648} an integer overflows and wraps around; give ports and variables ranges
+    only [a - b >= 0] / {less = false};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = -2, b = 2147483647} an integer overflows and wraps around; give ports and variables ranges
+  }
+}
+
+//// BadNegation.arc
+component BadNegation {
+  port in Integer a, out Integer size;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only {a == ?} / {size = a < 0 ? -a : a};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = -2147483648} an integer overflows and wraps around; give ports and variables ranges
+  }
+}
+
+//// GoodSum.arc
+component GoodSum {
+  port in Integer more, out Integer sum;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer total = 0;
+    initial adding;
+    adding [more > 0 && more < 1000 && total < 1000000] / {total = total + more, sum = total};
+  }
+}
+
+//// GoodCounter.arc
+/** Reaches 20000 at most, one by one. */
+component GoodCounter {
+  port in Boolean press, out Integer count;
+
+  <<completion = "ignore">> automaton {
+    state counting;
+    variable Integer presses = 0;
+    initial counting;
+    counting [presses < 20000] {press == true} / {presses = presses + 1, count = presses};
+    counting [presses == 20000] {press == true} / {presses = 0, count = presses};
+  }
+}
