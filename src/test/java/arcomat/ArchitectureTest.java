@@ -51,7 +51,9 @@ class ArchitectureTest {
                     Map.entry("check", row("symbols tree")),
                     Map.entry("lower", row("model symbols tree")),
                     Map.entry("semantics", row("model rt")),
-                    Map.entry("analysis", row("semantics model rt", "com.carrotsearch.hppc", "de.uni_freiburg")),
+                    Map.entry(
+                            "analysis",
+                            row("semantics model rt", "com.carrotsearch.hppc", "de.uni_freiburg")),
                     Map.entry("brick", row("", "org.objectweb.asm")),
                     Map.entry("simulate", row("semantics model rt")),
                     Map.entry("generate", row("semantics model", "freemarker")),

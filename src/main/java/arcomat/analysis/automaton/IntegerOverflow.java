@@ -37,8 +37,7 @@ final class IntegerOverflow implements Analysis {
                                     story.words(situation.visit().configuration()),
                                     story.words(situation.letter()));
             Diagnostic diagnostic =
-                    Diagnostic.warning(
-                            CODE, subject.transition(entry.getKey()).span(), message);
+                    Diagnostic.warning(CODE, subject.transition(entry.getKey()).span(), message);
             findings.add(story.finding(diagnostic, situation));
         }
         return findings;

@@ -43,7 +43,8 @@ record Intervals(BigInteger low, BigInteger high) {
             BigInteger value = BigInteger.valueOf(number.value());
             return new Intervals(value, value);
         }
-        if (e instanceof Expression.Cast cast && !(cast.operand().type() instanceof Type.RealType)) {
+        if (e instanceof Expression.Cast cast
+                && !(cast.operand().type() instanceof Type.RealType)) {
             return of(cast.operand());
         }
         if (e instanceof Expression.Unary unary

@@ -12,9 +12,9 @@ import java.util.BitSet;
 import java.util.List;
 
 /**
- * Whether there certainly is no trap, where configurations cannot be looked at one by one: from each
- * state that may be reached, transitions that depend on nothing but the letter lead to one that
- * sends.
+ * Whether there certainly is no trap, where configurations cannot be looked at one by one: from
+ * each state that may be reached, transitions that depend on nothing but the letter lead to one
+ * that sends.
  */
 record SureSending(Subject subject, Knowledge knowledge) {
 
@@ -50,14 +50,12 @@ record SureSending(Subject subject, Knowledge knowledge) {
     /** It was enabled once, so it is whenever the same letter comes; and it goes well. */
     private boolean isSure(int transition) {
         int state = transitions().get(transition).source();
-        boolean timed =
-                subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+        boolean timed = subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         if (!timed || !knowledge.happens(new Question.Enabled(transition))) {
             return false;
         }
         boolean fits =
-                knowledge.neverHappens(
-                        new Question.Wrong(transition, Fault.Kind.OUTSIDE_RANGE));
+                knowledge.neverHappens(new Question.Wrong(transition, Fault.Kind.OUTSIDE_RANGE));
         for (int i = 0; i < transitions().size() && fits; i++) {
             fits =
                     transitions().get(i).source() != state

@@ -101,8 +101,7 @@ final class Behaving {
                 enabled.add(guard(i));
             }
         }
-        return solver.and(
-                at.isIn(state), guardsAreFine(state), solver.not(solver.or(enabled)));
+        return solver.and(at.isIn(state), guardsAreFine(state), solver.not(solver.or(enabled)));
     }
 
     /** A division by zero in the guard, or in the effect where the guard is true. */
@@ -111,8 +110,7 @@ final class Behaving {
                 solver.and(
                         at.isIn(transitions().get(transition).source()),
                         hazards.divisionByZero(guards.get(transition))),
-                solver.and(
-                        enabled(transition), effectIs(transition, hazards::divisionByZero)));
+                solver.and(enabled(transition), effectIs(transition, hazards::divisionByZero)));
     }
 
     /** An overflow in the guard, or in the effect where the guard is true. */
@@ -169,8 +167,14 @@ final class Behaving {
     /** Two transitions send different things. */
     Term differInOutput(int one, int two) {
         List<Term> any = new ArrayList<>();
-        symbols.component().outputs().forEach(
-                port -> any.add(differ(emission(one, port.name()), emission(two, port.name()))));
+        symbols.component()
+                .outputs()
+                .forEach(
+                        port ->
+                                any.add(
+                                        differ(
+                                                emission(one, port.name()),
+                                                emission(two, port.name()))));
         return solver.or(any);
     }
 

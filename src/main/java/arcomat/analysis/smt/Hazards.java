@@ -11,8 +11,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * When the evaluation of an expression goes wrong. Connectives are evaluated from the left, and only
- * as far as needed.
+ * When the evaluation of an expression goes wrong. Connectives are evaluated from the left, and
+ * only as far as needed.
  */
 final class Hazards {
     private final Translation translation;
@@ -73,8 +73,7 @@ final class Hazards {
                                 || binary.operator() == BinaryOperator.REMAINDER)
                         && Translation.isInteger(binary.type());
         return divides
-                ? solver.equal(
-                        translation.term(((Expression.Binary) e).right()), solver.number(0))
+                ? solver.equal(translation.term(((Expression.Binary) e).right()), solver.number(0))
                 : solver.of(false);
     }
 

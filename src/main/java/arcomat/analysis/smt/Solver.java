@@ -174,8 +174,6 @@ final class Solver {
             return number(negated.getParameters()[0]).negate();
         }
         Object number = ((ConstantTerm) value).getValue();
-        return number instanceof Rational rational
-                ? rational.numerator()
-                : (BigInteger) number;
+        return number instanceof Rational rational ? rational.numerator() : (BigInteger) number;
     }
 }

@@ -65,8 +65,7 @@ public final class SymbolicSearch {
             BooleanSupplier stop) {
         Automaton automaton = relation.automaton();
         Symbols symbols = new Symbols(component, automaton, arguments);
-        SymbolicSearch search =
-                new SymbolicSearch(symbols, relation, questions, confirmed, stop);
+        SymbolicSearch search = new SymbolicSearch(symbols, relation, questions, confirmed, stop);
         search.run();
         return search.outcomes;
     }

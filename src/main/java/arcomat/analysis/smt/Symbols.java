@@ -16,7 +16,6 @@ import java.util.stream.LongStream;
 record Symbols(Component component, Automaton automaton, List<Value> arguments) {
     private static final long FEW = 64;
 
-
     /** The value of a constant or a parameter. */
     Optional<Value> fixed(Expression e) {
         if (e instanceof Expression.Constant constant) {
@@ -45,8 +44,7 @@ record Symbols(Component component, Automaton automaton, List<Value> arguments) 
         if (e instanceof Expression.VariableRead read && isConstant(read.variable())) {
             return integer(read.variable().initial());
         }
-        return fixed(e)
-                .filter(Value.IntegerValue.class::isInstance)
+        return fixed(e).filter(Value.IntegerValue.class::isInstance)
                 .map(value -> ((Value.IntegerValue) value).value());
     }
 

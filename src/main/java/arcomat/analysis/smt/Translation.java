@@ -1,7 +1,6 @@
 package arcomat.analysis.smt;
 
 import arcomat.model.Automaton;
-import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
@@ -98,9 +97,7 @@ final class Translation {
 
     private Term equal(Expression one, Expression two) {
         boolean exact = Codes.isExact(one.type()) && Codes.isExact(two.type());
-        return exact
-                ? solver.equal(term(one), term(two))
-                : at.anything(new Type.BooleanType());
+        return exact ? solver.equal(term(one), term(two)) : at.anything(new Type.BooleanType());
     }
 
     private Term unary(Expression.Unary unary) {

@@ -54,9 +54,7 @@ final class Unrolling {
     /** Adds an instant, and a step to it from the last one. */
     void extend() {
         int number = instants.size();
-        Instant next =
-                new Instant(
-                        symbols.component(), symbols.automaton(), solver, codes, number);
+        Instant next = new Instant(symbols.component(), symbols.automaton(), solver, codes, number);
         instants.add(next);
         behaving.add(new Behaving(symbols, next, solver, codes));
         solver.claim(next.wellFormed());
