@@ -3,6 +3,7 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomPairs.Pair;
+import arcomat.analysis.RandomPairs.Question;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.model.Component;
 import arcomat.model.Model;
@@ -26,6 +27,7 @@ import java.util.stream.Stream;
 @Tag("slow")
 class MonaAgreementTest {
     private static final int PAIRS = 300;
+    private static final int CONJUNCTIONS = 40;
 
     @TestFactory
     Stream<DynamicTest> agreement() throws IOException {
@@ -36,7 +38,9 @@ class MonaAgreementTest {
                             () -> Assumptions.abort("no program 'mona'")));
         }
         Stream<DynamicTest> random =
-                Stream.of(DynamicTest.dynamicTest(PAIRS + " random pairs", this::randomPairs));
+                Stream.of(
+                        DynamicTest.dynamicTest(PAIRS + " random pairs", this::randomPairs),
+                        DynamicTest.dynamicTest("random conjunctions", this::conjunctions));
         try (Stream<Path> files = Files.list(VerdictsTest.FOLDER)) {
             return Stream.concat(
                     random, files.sorted().toList().stream().flatMap(MonaAgreementTest::ofFile));
@@ -54,6 +58,20 @@ class MonaAgreementTest {
         }
         assertThat(kept).as("hold").isGreaterThanOrEqualTo(PAIRS * 3 / 10);
         assertThat(late).as("fail at length 3 or more").isGreaterThanOrEqualTo(PAIRS * 3 / 10);
+    }
+
+    /** Two automata on each side; and each side keeps its own promise. */
+    private void conjunctions() {
+        int kept = 0;
+        int broken = 0;
+        for (Question question : RandomPairs.conjunctions(2026, CONJUNCTIONS)) {
+            Verdict verdict = agreed(question.left(), question.right());
+            kept += verdict.answer() == Answer.HOLDS && !RandomPairsTest.isEmpty(verdict) ? 1 : 0;
+            broken += verdict.trace().size() > 1 ? 1 : 0;
+            assertThat(agreed(question.right(), question.right()).answer()).isEqualTo(Answer.HOLDS);
+        }
+        assertThat(kept).as("hold").isGreaterThan(CONJUNCTIONS / 5);
+        assertThat(broken).as("fail after the beginning").isGreaterThan(CONJUNCTIONS / 5);
     }
 
     /** The engine's verdict, if the program has the same. */

@@ -46,6 +46,32 @@ public final class RandomPairs {
         return pairs(seed, count, RandomSketches::any);
     }
 
+    /** Two promises. */
+    public record Question(Promise left, Promise right) {}
+
+    /** Pairs of conjunctions, each of two automata that leave much open. */
+    static List<Question> conjunctions(long seed, int count) {
+        Random random = new Random(seed);
+        List<Question> questions = new ArrayList<>();
+        while (questions.size() < count) {
+            Completion completion = random.nextInt(4) == 0 ? Completion.ERROR : Completion.OUTPUT;
+            Knobs knobs = RandomSketches.any(random).withGaps(60).withCompletion(completion);
+            Sketch first = RandomSketches.of(knobs, random);
+            Sketch second = RandomSketches.of(knobs, random).withOpenings(first.openings());
+            Pair one = pair(first, random);
+            Pair two = pair(second, random);
+            questions.add(
+                    new Question(
+                            promise(one.leftSketch, two.leftSketch, "Left"),
+                            promise(one.rightSketch, two.rightSketch, "Right")));
+        }
+        return questions;
+    }
+
+    private static Promise promise(Sketch one, Sketch two, String name) {
+        return Promise.of(Sketch.together(one, two, name), List.of());
+    }
+
     /** Pairs of one sort. */
     static List<Pair> of(Knobs knobs, long seed, int count) {
         return pairs(seed, count, random -> knobs);

@@ -3,6 +3,7 @@ package arcomat.analysis;
 import static arcomat.semantics.ComponentBuilder.BOOLEAN;
 import static arcomat.semantics.ComponentBuilder.enumeration;
 
+import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Type;
@@ -106,6 +107,10 @@ record Sketch(
         return new Sketch(shape, other, extended, states, openings, edges);
     }
 
+    Sketch withOpenings(List<String> others) {
+        return new Sketch(shape, completion, extended, states, others, edges);
+    }
+
     Sketch withExtension() {
         return new Sketch(shape, completion, true, states, openings, edges);
     }
@@ -144,6 +149,31 @@ record Sketch(
             automaton.on("s" + edge.source + " -> s" + edge.target, edge.input, edge.output);
         }
         return automaton.build();
+    }
+
+    /** Two automata of one shape on one component, each to be satisfied. */
+    static Component together(Sketch one, Sketch two, String name) {
+        boolean extra = one.extended || two.extended;
+        Component first = (extra ? one.withExtension() : one).component(name);
+        Component second = (extra ? two.withExtension() : two).component(name);
+        List<Automaton> automata = new ArrayList<>(Promise.automataOf(first));
+        automata.addAll(Promise.automataOf(second));
+        return new Component(
+                first.packageName(),
+                first.name(),
+                first.layer(),
+                first.platform(),
+                first.deploy(),
+                first.profile(),
+                first.queueCapacity(),
+                first.cycle(),
+                first.parameters(),
+                first.constants(),
+                first.ports(),
+                new Component.Atomic(automata),
+                first.requirements(),
+                first.refines(),
+                first.span());
     }
 
     private ComponentBuilder ports(ComponentBuilder builder) {
