@@ -9,6 +9,7 @@ import arcomat.analysis.engine.Inclusion;
 import arcomat.analysis.engine.TooManyMessages;
 import arcomat.model.Component;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -100,7 +101,8 @@ public final class Refinement {
                 return Verdict.unknown(result.stopped().get(), explored);
             }
             if (result.failure().isPresent()) {
-                return failure(left, right, comparison, result, explored);
+                Inclusion.Failure failure = result.failure().get();
+                return failure(left, right, comparison, failure, explored);
             }
             proof.accept(comparison::certificate);
             List<String> notes = Vacuity.notes(right, sides.right(), result);
@@ -110,20 +112,55 @@ public final class Refinement {
         }
     }
 
+    /**
+     * All that the left side does and the right one forbids: one verdict for each step, with a
+     * shortest trace to it. Empty where it holds; a single verdict where it is not known, or where
+     * the interfaces differ.
+     */
+    public static List<Verdict> failures(Promise left, Promise right, Budget budget) {
+        Optional<Verdict> known = comparable(left, right);
+        if (known.isPresent()) {
+            return List.of(known.get());
+        }
+        List<Verdict> found = new ArrayList<>();
+        for (Promise each : right.each()) {
+            found.addAll(allFailures(left, each, budget));
+        }
+        return found;
+    }
+
+    private static List<Verdict> allFailures(Promise left, Promise right, Budget budget) {
+        Sides sides = Sides.of(left, right);
+        try {
+            Comparison comparison =
+                    new Comparison(
+                            sides.left(), sides.right(), sides.observed(), sides.outputs(), budget);
+            Inclusion.Result result = comparison.runOn();
+            Explored explored = sides.explored(result.pairs());
+            List<Verdict> found = new ArrayList<>();
+            for (Inclusion.Failure each : comparison.failures()) {
+                found.add(failure(left, right, comparison, each, explored));
+            }
+            result.stopped().ifPresent(why -> found.add(Verdict.unknown(why, explored)));
+            return found;
+        } catch (TooManyMessages problem) {
+            return List.of(Verdict.unknown(problem.getMessage(), sides.explored(0)));
+        }
+    }
+
     private static Verdict failure(
             Promise left,
             Promise right,
             Comparison comparison,
-            Inclusion.Result result,
+            Inclusion.Failure failure,
             Explored explored) {
-        Inclusion.Failure failure = result.failure().orElseThrow();
         List<Moment> trace = comparison.moments(failure);
         List<Sentence> explanation =
                 Explanation.of(left, right, comparison.forbidden(failure), trace.size() - 1);
         return new Verdict(
                 Answer.FAILS,
                 "behaviour",
-                result.simulation(),
+                Optional.of(false),
                 trace,
                 explanation,
                 List.of(),

@@ -32,6 +32,8 @@ public final class Cli {
         COMMANDS.put("refines", RefinesCommand::new);
         COMMANDS.put("verify", VerifyCommand::new);
         COMMANDS.put("contradictions", ContradictionsCommand::new);
+        COMMANDS.put("diff", DiffCommand::new);
+        COMMANDS.put("evolution", EvolutionCommand::new);
         COMMANDS.put("mona", MonaCommand::new);
         COMMANDS.put("tests", TestsCommand::new);
         COMMANDS.put("monitor", MonitorCommand::new);

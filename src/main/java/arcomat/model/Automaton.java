@@ -60,6 +60,12 @@ public record Automaton(
                 name, other, omitted, states, variables, initials, transitions, places, span);
     }
 
+    /** The same with other transitions between its states. */
+    public Automaton withTransitions(List<Transition> others) {
+        return new Automaton(
+                name, completion, omitted, states, variables, initials, others, places, span);
+    }
+
     /** What happens where no transition is enabled. */
     public enum Completion {
         /** Any output, and anything from then on. */

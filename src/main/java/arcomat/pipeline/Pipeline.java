@@ -146,4 +146,23 @@ public final class Pipeline {
     public MonitorResult monitor(MonitorRequest request, List<String> paths) throws WrongUse {
         return MonitorStep.run(request, paths, names, progress);
     }
+
+    /**
+     * Compares two components in both directions.
+     *
+     * @throws WrongUse where the request does not fit the models
+     */
+    public DiffResult diff(RefinesRequest request, List<String> paths) throws WrongUse {
+        return DiffStep.run(request, paths, names, progress);
+    }
+
+    /**
+     * Compares versions of a component, the oldest first, with all earlier ones.
+     *
+     * @throws WrongUse where one does not exist
+     */
+    public EvolutionResult evolution(
+            List<String> versions, List<String> paths, AnalysisLimits limits) throws WrongUse {
+        return EvolutionStep.run(versions, paths, limits, names, progress);
+    }
 }

@@ -39,6 +39,20 @@ public final class Comparison {
         return inclusion.search();
     }
 
+    /**
+     * As {@link #run}, but goes on behind failures.
+     *
+     * @throws TooManyMessages where all messages of a port matter that has too many
+     */
+    public Inclusion.Result runOn() {
+        return inclusion.search(true);
+    }
+
+    /** One failure for each cause of a forbidden step, the shortest. */
+    public List<Inclusion.Failure> failures() {
+        return inclusion.failures();
+    }
+
     /** Why it holds, where it does. */
     public Certificate certificate() {
         return inclusion.certificate();

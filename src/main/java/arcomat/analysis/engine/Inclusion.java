@@ -1,6 +1,7 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
+import arcomat.model.Trace;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;
@@ -8,6 +9,7 @@ import com.carrotsearch.hppc.LongIntHashMap;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -38,6 +40,8 @@ public final class Inclusion {
     private boolean determined = true;
     private boolean chaosReached;
     private Failure best;
+    private final Map<List<Trace.Cause>, Failure> failures = new LinkedHashMap<>();
+    private int level;
 
     Inclusion(Pairing pairing, Budget budget) {
         this.pairing = pairing;
@@ -67,6 +71,7 @@ public final class Inclusion {
      *
      * @param node the pair before it, or {@link #NO_PARENT} for a forbidden beginning
      * @param step position among the left side's steps
+     * @param level its number of inputs
      */
     public record Failure(
             int node,
@@ -75,21 +80,31 @@ public final class Inclusion {
             Steps steps,
             int step,
             Split.Case sent,
-            int cost) {}
+            int cost,
+            int level) {}
 
+    /** Ends with the first failure. */
     Result search() {
+        return search(false);
+    }
+
+    /**
+     * @param on whether to go on behind failures, to find one for each cause
+     */
+    Result search(boolean on) {
         open();
-        if (best != null) {
+        if (best != null && !on) {
             return result(Optional.empty());
         }
         int first = 0;
         while (first < lefts.size()) {
             int end = lefts.size();
+            level++;
             Optional<String> exhausted = expandLevel(first, end);
             if (exhausted.isPresent()) {
                 return result(exhausted);
             }
-            if (best != null) {
+            if (best != null && !on) {
                 return result(Optional.empty());
             }
             first = end;
@@ -144,7 +159,7 @@ public final class Inclusion {
         for (int step = 0; step < mine.size(); step++) {
             for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                 if (sent.allowed().length == 0) {
-                    fail(new Failure(NO_PARENT, null, 0, mine, step, sent, sent.messages()));
+                    fail(new Failure(NO_PARENT, null, 0, mine, step, sent, sent.messages(), level));
                 } else {
                     int set = successor(theirs, sent.allowed());
                     add(NO_PARENT, mine.next()[step], set, sent.messages(), 0);
@@ -154,9 +169,14 @@ public final class Inclusion {
     }
 
     private void fail(Failure failure) {
-        if (best == null || failure.cost < best.cost) {
-            best = failure;
-        }
+        best = better(best, failure);
+        failures.merge(failure.steps.causes().get(failure.step), failure, Inclusion::better);
+    }
+
+    /** The shorter one, then that with fewer messages, then the one that was found first. */
+    private static Failure better(Failure known, Failure found) {
+        boolean cheaper = known != null && found.level == known.level && found.cost < known.cost;
+        return known == null || cheaper ? found : known;
     }
 
     private void expand(int node, int levelEnd) {
@@ -173,7 +193,7 @@ public final class Inclusion {
                 for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                     int total = cost + sent.messages();
                     if (sent.allowed().length == 0) {
-                        fail(new Failure(node, alphabet, letter, mine, step, sent, total));
+                        fail(new Failure(node, alphabet, letter, mine, step, sent, total, level));
                     } else {
                         int next = successor(theirs, sent.allowed());
                         add(node, mine.next()[step], next, total, levelEnd);
@@ -310,7 +330,8 @@ public final class Inclusion {
         return costs.get(node);
     }
 
-    Optional<Failure> failure() {
-        return Optional.ofNullable(best);
+    /** One failure for each cause of a forbidden step, the shortest. */
+    List<Failure> failures() {
+        return List.copyOf(failures.values());
     }
 }

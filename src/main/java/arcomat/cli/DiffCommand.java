@@ -1,0 +1,47 @@
+package arcomat.cli;
+
+import arcomat.analysis.Difference;
+import arcomat.pipeline.DiffResult;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.DifferenceJson;
+import arcomat.report.DifferenceText;
+
+import picocli.CommandLine;
+
+import java.util.Optional;
+
+/** {@code arcomat diff}: how two components compare. */
+@CommandLine.Command(
+        name = "diff",
+        description = "Tells how the promises of two components compare, step by step.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat diff coffee.fig5.AvoidCrash coffee.fig6.AvoidCrash models/coffee",
+            "",
+            "Exit status: 0 equivalent; 1 different; 3 unknown; 2 wrong use or models with errors."
+        })
+final class DiffCommand extends ComparisonCommand {
+    DiffCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        DiffResult result = pipeline.diff(request(Optional.empty()), paths());
+        if (result.difference().isEmpty()) {
+            return refuse(result.check());
+        }
+        Difference difference = result.difference().get();
+        print(
+                isJson()
+                        ? DifferenceJson.render(result.left(), result.right(), difference)
+                        : DifferenceText.render(
+                                result.left(), result.right(), difference, console.style()));
+        return switch (difference.relation()) {
+            case EQUIVALENT -> ExitStatus.FINE;
+            case UNKNOWN -> ExitStatus.UNKNOWN;
+            default -> ExitStatus.FINDINGS;
+        };
+    }
+}

@@ -1,0 +1,13 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Difference;
+
+import java.util.Optional;
+
+/**
+ * How two components compare.
+ *
+ * @param difference empty where the models have errors
+ */
+public record DiffResult(
+        CheckResult check, String left, String right, Optional<Difference> difference) {}

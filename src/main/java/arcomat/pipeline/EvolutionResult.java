@@ -1,0 +1,12 @@
+package arcomat.pipeline;
+
+import arcomat.analysis.Evolution;
+
+import java.util.Optional;
+
+/**
+ * What happened to promises along versions.
+ *
+ * @param evolution empty where the models have errors
+ */
+public record EvolutionResult(CheckResult check, Optional<Evolution> evolution) {}
