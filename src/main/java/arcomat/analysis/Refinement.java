@@ -109,6 +109,8 @@ public final class Refinement {
             return Verdict.holds(result.simulation(), notes, explored);
         } catch (TooManyMessages problem) {
             return Verdict.unknown(problem.getMessage(), sides.explored(0));
+        } catch (OutOfMemoryError full) {
+            return Verdict.unknown("memory is full", sides.explored(0));
         }
     }
 
@@ -145,6 +147,8 @@ public final class Refinement {
             return found;
         } catch (TooManyMessages problem) {
             return List.of(Verdict.unknown(problem.getMessage(), sides.explored(0)));
+        } catch (OutOfMemoryError full) {
+            return List.of(Verdict.unknown("memory is full", sides.explored(0)));
         }
     }
 
