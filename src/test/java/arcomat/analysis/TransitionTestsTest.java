@@ -90,6 +90,18 @@ class TransitionTestsTest {
                         """);
     }
 
+    @Test
+    void withoutTimeNothingIsCertain() {
+        Component figure =
+                model(COFFEE, Optional.empty()).component("coffee.fig3.AvoidCrash").orElseThrow();
+        Budget none = new Budget(() -> true, 1000);
+        TransitionTests.Result result =
+                TransitionTests.of(Promise.of(figure, List.of()), "Transitions", none);
+        assertThat(result.tests()).isEmpty();
+        assertThat(result.uncovered()).hasSize(3).noneMatch(TransitionTests.Uncovered::certain);
+        assertThat(result.answer()).isEqualTo(Verdict.Answer.UNKNOWN);
+    }
+
     @TestFactory
     Stream<DynamicTest> theTextIsReadCheckedAndPassed() {
         return model(COFFEE, Optional.empty()).components().stream()

@@ -11,6 +11,7 @@ import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
+import arcomat.semantics.ComponentBuilder;
 import arcomat.semantics.Network;
 import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
@@ -28,6 +29,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 import java.nio.file.Path;
@@ -40,6 +42,7 @@ import java.util.Random;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -198,6 +201,26 @@ class MonitorsTest {
         Map<String, List<Value>> messages = new LinkedHashMap<>();
         component.inputs().forEach(port -> messages.put(port.name(), slice.messages(port.name())));
         return new Letter(messages);
+    }
+
+    /** More than fit into one method, and more than have names of their own. */
+    @Test
+    void allAgreeOnManyStates() {
+        int count = 300;
+        String[] states = IntStream.range(0, count).mapToObj(i -> "s" + i).toArray(String[]::new);
+        ComponentBuilder.AutomatonBuilder automaton =
+                ComponentBuilder.component("Long")
+                        .in(ComponentBuilder.BOOLEAN, "a")
+                        .out(ComponentBuilder.MOTOR, "y")
+                        .automaton(Automaton.Completion.IGNORE, states)
+                        .initial("s0", "y = stop");
+        for (int i = 0; i < count; i++) {
+            String move = "s" + i + " -> s";
+            automaton.on(move + (i + 1) % count, "a = true", "y = fwd");
+            automaton.on(move + i * 7 % count, "a = false", "y = stop");
+            automaton.on(move + i * 3 % count, "a = false", "y = ?");
+        }
+        agree(automaton.build(), List.of(), 3, 12);
     }
 
     @TestFactory

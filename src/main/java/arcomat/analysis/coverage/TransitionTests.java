@@ -75,6 +75,7 @@ public final class TransitionTests {
 
     private final Promise promise;
     private final String suite;
+    private final Budget budget;
     private final Exploration exploration;
     private final Set<Goal> open;
     private final Set<String> names = new LinkedHashSet<>();
@@ -82,6 +83,7 @@ public final class TransitionTests {
     private TransitionTests(Promise promise, String suite, Budget budget) {
         this.promise = promise;
         this.suite = suite;
+        this.budget = budget;
         this.exploration = new Exploration(promise, budget);
         this.open = new LinkedHashSet<>(exploration.reached());
     }
@@ -97,12 +99,14 @@ public final class TransitionTests {
 
     private Result run() {
         List<Test> tests = new ArrayList<>();
-        while (!open.isEmpty()) {
+        while (!open.isEmpty() && !budget.timeIsUp().getAsBoolean()) {
             tests.add(test());
         }
         List<Uncovered> uncovered = new ArrayList<>();
         for (Goal goal : exploration.goals()) {
-            if (!exploration.reached().contains(goal)) {
+            if (open.contains(goal)) {
+                uncovered.add(new Uncovered(goal, "the time is up", false));
+            } else if (!exploration.reached().contains(goal)) {
                 uncovered.add(exploration.whyNot(goal));
             }
         }
