@@ -3,25 +3,9 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Sections.Section;
-import arcomat.analysis.Verdict.Answer;
-import arcomat.check.Checks;
-import arcomat.check.Profile;
-import arcomat.generate.Choosing;
-import arcomat.generate.ControllerText;
-import arcomat.generate.GeneratedFile;
-import arcomat.generate.Generation;
-import arcomat.generate.Generator;
-import arcomat.generate.Request;
-import arcomat.generate.Target;
-import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;
-import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Formatter;
-import arcomat.syntax.Parser;
-import arcomat.tree.Unit;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -29,9 +13,7 @@ import org.junit.jupiter.api.TestFactory;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -68,45 +50,9 @@ class ControllerTextTest {
                         : Promise.of(component, List.of());
         Component controller =
                 Contradictions.check(promise, false, BUDGET).controller().orElseThrow();
-        SourceFile file = text(controller, component);
+        SourceFile file = ControllerReading.text(controller, component);
         assertThat(file.text().lines().filter(line -> !line.isBlank()))
                 .containsExactlyElementsOf(expected.lines());
-        Component read = read(sections, file, controller.qualifiedName());
-        means(read, controller);
-        means(controller, read);
-        Generation generation =
-                Generator.generate(
-                        Request.library(read, Choosing.FIRST), Target.shipped("jvm").orElseThrow());
-        assertThat(generation.findings()).isEmpty();
-        assertThat(generation.files()).isNotEmpty();
-    }
-
-    private static SourceFile text(Component controller, Component required) {
-        GeneratedFile written =
-                ControllerText.of(
-                        controller, List.of("Keeps what " + required.name() + " requires."));
-        SourceFile file = new SourceFile(written.path(), written.text());
-        String formatted = Formatter.format(file).text().orElseThrow();
-        return new SourceFile(written.path(), formatted);
-    }
-
-    private static Component read(Sections sections, SourceFile file, String name) {
-        List<SourceFile> sources = new ArrayList<>(sections.sources());
-        sources.add(file);
-        List<Unit> units =
-                sources.stream().map(each -> Parser.parse(each).unit().orElseThrow()).toList();
-        Workspace workspace = Workspace.of(units, Set.of());
-        List<Diagnostic> findings =
-                Checks.run(workspace, Profile.EXECUTABLE).stream()
-                        .filter(finding -> finding.span().file().path().equals(file.path()))
-                        .toList();
-        assertThat(findings).isEmpty();
-        return Lowering.lower(workspace).component(name).orElseThrow();
-    }
-
-    private static void means(Component one, Component other) {
-        Verdict verdict =
-                Refinement.check(Promise.of(one, List.of()), Promise.of(other, List.of()), BUDGET);
-        assertThat(verdict.answer()).isEqualTo(Answer.HOLDS);
+        ControllerReading.check(sections.sources(), file, controller);
     }
 }

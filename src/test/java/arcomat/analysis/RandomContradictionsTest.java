@@ -3,6 +3,7 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Verdict.Answer;
+import arcomat.model.Component;
 import arcomat.model.Letter;
 
 import org.junit.jupiter.api.Test;
@@ -38,6 +39,60 @@ class RandomContradictionsTest {
         }
         assertThat(contradictions).isBetween(SETS / 4, SETS * 3 / 4);
         assertThat(late).isGreaterThan(SETS / 20);
+    }
+
+    @Test
+    void whereInputsHaveToDependOnOutputs() {
+        int adaptive = 0;
+        for (int seed = 0; seed < 2 * SETS; seed++) {
+            Promise promise = RequirementSets.layered(seed);
+            Consistency found = Contradictions.check(promise, false, BUDGET);
+            if (found.answer() == Answer.HOLDS) {
+                assertThat(new Outcomes(promise.each()).isLost(4)).as("seed %d", seed).isFalse();
+                continue;
+            }
+            Contradiction contradiction = found.contradictions().get(0);
+            ContradictionsTest.verify(promise, contradiction);
+            adaptive += contradiction.word().isEmpty() ? 1 : 0;
+        }
+        assertThat(adaptive).isGreaterThan(5);
+    }
+
+    @Test
+    void controllersAreReadBack() {
+        int read = 0;
+        for (int seed = 0; seed < SETS / 3; seed++) {
+            Promise promise = RequirementSets.of(seed);
+            Optional<Component> controller =
+                    Contradictions.check(promise, false, BUDGET).controller();
+            if (controller.isPresent()) {
+                ControllerReading.check(promise.component(), controller.get());
+                read++;
+            }
+        }
+        assertThat(read).isGreaterThan(SETS / 12);
+    }
+
+    /** Conditions are put together anew from the kinds of messages that the requirements know. */
+    @Test
+    void controllersCompareAsTheirRequirementsDo() {
+        int guarded = 0;
+        for (int seed = 0; seed < SETS / 8; seed++) {
+            Promise promise = Comparisons.of(seed);
+            Optional<Component> controller =
+                    Contradictions.check(promise, false, BUDGET).controller();
+            if (controller.isPresent()) {
+                ControllerChecks.keepsAll(promise, controller.get());
+                ControllerReading.check(promise.component(), controller.get());
+                guarded +=
+                        ControllerReading.text(controller.get(), promise.component())
+                                        .text()
+                                        .contains(" [")
+                                ? 1
+                                : 0;
+            }
+        }
+        assertThat(guarded).isGreaterThan(SETS / 32);
     }
 
     @Test

@@ -1,6 +1,7 @@
 package arcomat.analysis;
 
 import arcomat.analysis.RandomSketches.Knobs;
+import arcomat.analysis.Sketch.Edge;
 import arcomat.analysis.Sketch.Shape;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
@@ -43,6 +44,43 @@ final class RequirementSets {
             Sketch sketch = RandomSketches.of(knobs, random);
             openings = openings == null ? sketch.openings() : openings;
             component = beginning(sketch, random.nextInt(8) == 0 ? sketch.openings() : openings);
+            automata.add(named("r" + i, component));
+        }
+        return Promise.of(with(automata, component), List.of());
+    }
+
+    /**
+     * Requirements that go from layer to layer and ask for nothing once an input came that they do
+     * not handle. What can be held against a system depends on what it has said.
+     */
+    static Promise layered(long seed) {
+        Random random = new Random(seed);
+        Shape shape = new Shape(3, 3, true, false, false, false, false, false);
+        List<Automaton> automata = new ArrayList<>();
+        Component component = null;
+        for (int i = 0; i < 2; i++) {
+            int width = 1 + random.nextInt(3);
+            List<Edge> edges = new ArrayList<>();
+            for (int state = 0; state <= 2 * width; state++) {
+                int layer = (state + width - 1) / width;
+                for (String symbol : RandomSketches.symbols(shape)) {
+                    int count = random.nextInt(4);
+                    for (int j = 0; j < count; j++) {
+                        int target = layer * width + 1 + random.nextInt(width);
+                        String answer = "out = x" + random.nextInt(3);
+                        edges.add(new Edge(state, target, symbol, answer));
+                    }
+                }
+            }
+            Sketch sketch =
+                    new Sketch(
+                            shape,
+                            Completion.CHAOS,
+                            false,
+                            3 * width + 1,
+                            List.of("out = --"),
+                            edges);
+            component = sketch.component("Layered");
             automata.add(named("r" + i, component));
         }
         return Promise.of(with(automata, component), List.of());
