@@ -2,6 +2,13 @@ package arcomat.pipeline;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.generate.Choosing;
+import arcomat.generate.GeneratedFile;
+import arcomat.generate.Generation;
+import arcomat.generate.Generator;
+import arcomat.generate.Monitors;
+import arcomat.generate.Request;
+import arcomat.generate.Target;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -65,23 +72,62 @@ class MonitorsTest {
 
     @TestFactory
     Stream<DynamicTest> allAgreeOnModels() {
-        return Stream.concat(
-                        Stream.of(
-                                        Path.of("src/test/resources/agreement/expressions.txt"),
-                                        Path.of("src/test/resources/agreement/names.txt"),
-                                        Path.of("src/test/resources/agreement/composition.txt"),
-                                        Path.of("src/test/resources/agreement/networks.txt"),
-                                        Path.of("src/test/resources/monitors/requirements.txt"))
-                                .map(file -> Scenario.read(file).workspace()),
-                        Stream.of(Scenario.models("models/coffee")))
-                .flatMap(workspace -> Lowering.lower(workspace).components().stream())
-                .filter(c -> c.profile() == Component.Profile.TIME_SYNCHRONOUS && !c.platform())
-                .filter(component -> !component.automata().isEmpty())
+        return watchable()
                 .map(
                         component ->
                                 DynamicTest.dynamicTest(
                                         component.qualifiedName(),
                                         () -> agree(component, arguments(component), 1, 40)));
+    }
+
+    /** Code and monitors are put into one program: what both bring is the same. */
+    @TestFactory
+    Stream<DynamicTest> monitorsFitTheCodeThatTheyWatch() {
+        Target target = Target.shipped("jvm").orElseThrow();
+        return watchable()
+                .filter(component -> component.automata().size() == 1 && !component.isComposite())
+                .map(
+                        component ->
+                                DynamicTest.dynamicTest(
+                                        component.qualifiedName(),
+                                        () -> {
+                                            Map<String, String> code =
+                                                    texts(
+                                                            Generator.generate(
+                                                                    Request.library(
+                                                                            component,
+                                                                            Choosing.FIRST),
+                                                                    target));
+                                            Map<String, String> monitors =
+                                                    texts(
+                                                            Monitors.generate(
+                                                                    component,
+                                                                    component.automata(),
+                                                                    target));
+                                            monitors.keySet().retainAll(code.keySet());
+                                            assertThat(code).containsAllEntriesOf(monitors);
+                                        }));
+    }
+
+    private static Map<String, String> texts(Generation generation) {
+        return generation.files().stream()
+                .collect(Collectors.toMap(GeneratedFile::path, GeneratedFile::text));
+    }
+
+    private static Stream<Component> watchable() {
+        return Stream.concat(
+                        Stream.of(
+                                        "agreement/expressions.txt",
+                                        "agreement/names.txt",
+                                        "agreement/composition.txt",
+                                        "agreement/networks.txt",
+                                        "monitors/requirements.txt")
+                                .map(file -> Path.of("src/test/resources", file))
+                                .map(file -> Scenario.read(file).workspace()),
+                        Stream.of(Scenario.models("models/coffee")))
+                .flatMap(workspace -> Lowering.lower(workspace).components().stream())
+                .filter(c -> c.profile() == Component.Profile.TIME_SYNCHRONOUS && !c.platform())
+                .filter(component -> !component.automata().isEmpty());
     }
 
     private static List<Value> arguments(Component component) {
