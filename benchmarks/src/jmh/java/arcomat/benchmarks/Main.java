@@ -1,5 +1,6 @@
 package arcomat.benchmarks;
 
+import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
 import arcomat.benchmarks.network.NetworkGroup;
@@ -20,11 +21,16 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,cold}.
+ * --forks N --groups step,network,frontend,cold,analysis}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
-            List.of(new StepGroup(), new NetworkGroup(), new FrontEndGroup(), new ColdGroup());
+            List.of(
+                    new StepGroup(),
+                    new NetworkGroup(),
+                    new FrontEndGroup(),
+                    new ColdGroup(),
+                    new AnalysisGroup());
 
     private Main() {}
 

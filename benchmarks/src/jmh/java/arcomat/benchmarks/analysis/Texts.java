@@ -137,6 +137,36 @@ final class Texts {
         return text.append("    connect part").append(count - 1).append(".o -> o;\n}\n").toString();
     }
 
+    /**
+     * Twelve requirements that count ticks of their own and then have a say in one output; the
+     * first and the last cannot be kept together.
+     */
+    static String requirements() {
+        StringBuilder ports = new StringBuilder("port ");
+        StringBuilder automata = new StringBuilder();
+        for (int i = 0; i < 12; i++) {
+            ports.append("in Boolean tick").append(i).append(", ");
+            int last = 6 + i % 5;
+            automata.append("    <<completion = \"output\">> automaton counter%d {\n".formatted(i))
+                    .append("        variable Integer[0..%d] n = 0;\n".formatted(last))
+                    .append("        state s; initial s / {level = 1};\n");
+            for (int level = 1; level <= 2; level++) {
+                automata.append(
+                        "        s [n < %d] {tick%d == true} / {n = n + 1, level = %d};\n"
+                                .formatted(last, i, level));
+                boolean refused = i == 0 && level == 1 || i == 11 && level == 2;
+                if (!refused) {
+                    automata.append(
+                            "        s [n == %d] {tick%d == true} / {n = 0, level = %d};\n"
+                                    .formatted(last, i, level));
+                }
+            }
+            automata.append("    }\n");
+        }
+        return "package load;\ncomponent Counters {\n    %sout Integer[1..2] level;\n%s}\n"
+                .formatted(ports, automata);
+    }
+
     private static String states(int count) {
         StringBuilder states = new StringBuilder("state s0");
         for (int i = 1; i < count; i++) {
