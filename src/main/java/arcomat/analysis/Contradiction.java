@@ -15,12 +15,14 @@ import java.util.Optional;
  * @param minimal whether it is certain that none of them can be left out
  * @param word a shortest word of inputs after which no output complies, whatever was sent before;
  *     empty where the inputs have to depend on the outputs
+ * @param decided whether it is certain that there is no such word if none was found
  * @param steps the first one is the beginning, the others are referred to by number
  */
 public record Contradiction(
         List<Automaton> requirements,
         boolean minimal,
         Optional<List<Letter>> word,
+        boolean decided,
         List<Step> steps) {
     public Contradiction {
         requirements = List.copyOf(requirements);

@@ -185,6 +185,7 @@ public final class Contradictions {
                 members.stream().map(each -> each.automata().get(0)).toList(),
                 cores.isMinimal(core),
                 won.word(),
+                won.decided(),
                 won.turns().stream().map(turn -> Demands.step(turn, members)).toList());
     }
 }

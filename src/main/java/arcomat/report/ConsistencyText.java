@@ -116,7 +116,10 @@ public final class ConsistencyText {
 
     private static String summary(Contradiction contradiction) {
         if (contradiction.word().isEmpty()) {
-            return "which inputs show that depends on what is answered:";
+            return contradiction.decided()
+                    ? "which inputs show that depends on what is answered:"
+                    : "what to send depends on what is answered, or takes a search that was given"
+                          + " up:";
         }
         List<Letter> word = contradiction.word().get();
         if (word.isEmpty()) {

@@ -58,8 +58,9 @@ public final class Controllers {
         return new Controllers(machine, place).automaton();
     }
 
+    /** A total port is never silent, so that with one all inputs have to be handled. */
     private Completion completion() {
-        return errs ? Completion.ERROR : total ? Completion.CHAOS : Completion.IGNORE;
+        return errs || total ? Completion.ERROR : Completion.IGNORE;
     }
 
     private Automaton automaton() {

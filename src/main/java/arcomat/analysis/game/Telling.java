@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * How the environment wins a game, turn by turn: with a single word if there is one, else by
@@ -24,8 +25,9 @@ public final class Telling {
     /**
      * @param turns the first one is the beginning; answers refer to the others by number
      * @param word the inputs, where one word works whatever the system answers
+     * @param decided whether there is no such word if none was found
      */
-    public record Won(List<Turn> turns, java.util.Optional<List<Letter>> word) {}
+    public record Won(List<Turn> turns, Optional<List<Letter>> word, boolean decided) {}
 
     /** Where a turn is played: after so many letters of the word, or anywhere; and the position. */
     private record Place(int letters, int position) {}
@@ -60,7 +62,7 @@ public final class Telling {
                 found.word().isPresent()
                         ? new Telling(game, found.word().get(), null)
                         : new Telling(game, null, ranks);
-        return new Won(telling.turns(), found.word().map(telling::letters));
+        return new Won(telling.turns(), found.word().map(telling::letters), found.decided());
     }
 
     private List<Letter> letters(List<Value[]> inputs) {
