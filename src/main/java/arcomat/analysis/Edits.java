@@ -1,9 +1,11 @@
 package arcomat.analysis;
 
 import arcomat.model.Automaton;
+import arcomat.model.Automaton.Initial;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Component;
 import arcomat.model.Port;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -11,7 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** The transitions that one version of an automaton has and another one does not. */
+/** What differs between two versions of an automaton: transitions, beginning, completion. */
 final class Edits {
     private final Promise before;
     private final Promise after;
@@ -24,20 +26,59 @@ final class Edits {
     /**
      * One edit; a transition that reads the same as before and does something else is one.
      *
-     * @param old as the earlier version has it; empty for a new transition
-     * @param fresh as the later version has it; empty for a dropped transition
+     * @param old place in the earlier version; empty for a new transition
+     * @param fresh place in the later version; empty for a dropped transition
      * @param undone the later version without the edit; empty where it cannot be made
      */
-    record Edit(Optional<Transition> old, Optional<Transition> fresh, Optional<Promise> undone) {}
+    record Edit(Optional<Span> old, Optional<Span> fresh, Optional<Promise> undone) {}
 
     /** Those of automata that are there in both versions, one by one. */
     List<Edit> all() {
         List<Edit> edits = new ArrayList<>();
         int shared = Math.min(before.automata().size(), after.automata().size());
         for (int i = 0; i < shared; i++) {
-            compare(before.automata().get(i), after.automata().get(i), i, edits);
+            Automaton old = before.automata().get(i);
+            Automaton fresh = after.automata().get(i);
+            compare(old, fresh, i, edits);
+            begin(old, fresh, i).ifPresent(edits::add);
+            complete(old, fresh, i).ifPresent(edits::add);
         }
         return edits;
+    }
+
+    /** Where a run begins and what it sends before anything is read: one edit as a whole. */
+    private Optional<Edit> begin(Automaton old, Automaton fresh, int position) {
+        if (beginning(old).equals(beginning(fresh))) {
+            return Optional.empty();
+        }
+        List<Initial> restored =
+                old.initials().stream()
+                        .flatMap(each -> restored(each, old, fresh).stream())
+                        .toList();
+        boolean possible = restored.size() == old.initials().size();
+        return Optional.of(
+                new Edit(
+                        old.initials().stream().map(Initial::span).findFirst(),
+                        fresh.initials().stream().map(Initial::span).findFirst(),
+                        possible
+                                ? Optional.of(with(position, fresh.withInitials(restored)))
+                                : Optional.empty()));
+    }
+
+    private static Set<String> beginning(Automaton automaton) {
+        Set<String> texts = new HashSet<>();
+        automaton.initials().forEach(each -> texts.add(text(each.span())));
+        return texts;
+    }
+
+    private Optional<Edit> complete(Automaton old, Automaton fresh, int position) {
+        return old.completion() == fresh.completion()
+                ? Optional.empty()
+                : Optional.of(
+                        new Edit(
+                                Optional.of(old.span()),
+                                Optional.of(fresh.span()),
+                                Optional.of(with(position, fresh.with(old.completion())))));
     }
 
     private void compare(Automaton old, Automaton fresh, int position, List<Edit> edits) {
@@ -58,9 +99,9 @@ final class Edits {
     /** The transitions of one automaton that the other one does not have. */
     private static List<Transition> without(Automaton automaton, Automaton other) {
         Set<String> texts = new HashSet<>();
-        other.transitions().forEach(transition -> texts.add(text(transition)));
+        other.transitions().forEach(transition -> texts.add(text(transition.span())));
         List<Transition> rest = new ArrayList<>(automaton.transitions());
-        rest.removeIf(transition -> texts.contains(text(transition)));
+        rest.removeIf(transition -> texts.contains(text(transition.span())));
         return rest;
     }
 
@@ -76,25 +117,30 @@ final class Edits {
         restored.ifPresent(undone::add);
         boolean possible = restored.isPresent() == changed.isPresent();
         return new Edit(
-                changed,
-                added,
-                possible ? Optional.of(with(position, fresh, undone)) : Optional.empty());
+                changed.map(Transition::span),
+                added.map(Transition::span),
+                possible
+                        ? Optional.of(with(position, fresh.withTransitions(undone)))
+                        : Optional.empty());
     }
 
     /** What makes a transition happen, as text: the state and the input, up to the output. */
     private static String trigger(Automaton automaton, Transition transition) {
-        String read = text(transition).replaceFirst("^[^\\[{/;]*", "").replaceFirst("/ ?\\{.*", "");
+        String read =
+                text(transition.span())
+                        .replaceFirst("^[^\\[{/;]*", "")
+                        .replaceFirst("(/ ?\\{.*)?;$", "");
         return automaton.states().get(transition.source()) + " " + read.strip();
     }
 
     /** Line breaks and blanks are no edits. */
-    private static String text(Transition transition) {
-        return transition.span().text().replaceAll("\\s+", " ");
+    private static String text(Span span) {
+        return span.text().replaceAll("\\s+", " ");
     }
 
-    private Promise with(int position, Automaton automaton, List<Transition> transitions) {
+    private Promise with(int position, Automaton automaton) {
         List<Automaton> automata = new ArrayList<>(after.automata());
-        automata.set(position, automaton.withTransitions(transitions));
+        automata.set(position, automaton);
         return new Promise(after.component(), after.arguments(), automata);
     }
 
@@ -119,6 +165,17 @@ final class Edits {
                                 transition.sends(),
                                 transition.assignments(),
                                 transition.span()))
+                : Optional.empty();
+    }
+
+    private Optional<Initial> restored(Initial initial, Automaton old, Automaton fresh) {
+        int state = fresh.states().indexOf(old.states().get(initial.state()));
+        boolean possible =
+                state >= 0
+                        && initial.assignments().isEmpty()
+                        && initial.sends().stream().allMatch(s -> isKept(s.port()));
+        return possible
+                ? Optional.of(new Initial(state, initial.sends(), List.of(), initial.span()))
                 : Optional.empty();
     }
 

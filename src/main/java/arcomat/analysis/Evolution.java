@@ -2,7 +2,7 @@ package arcomat.analysis;
 
 import arcomat.analysis.Edits.Edit;
 import arcomat.analysis.Verdict.Answer;
-import arcomat.model.Automaton.Transition;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -38,10 +38,10 @@ public record Evolution(List<String> titles, List<List<Verdict>> verdicts, List<
     /**
      * An edit.
      *
-     * @param old the transition before; empty where it is new
-     * @param fresh the transition after; empty where it is gone
+     * @param old a transition, beginning or automaton before; empty where it is new
+     * @param fresh the same after; empty where it is gone
      */
-    public record Culprit(Optional<Transition> old, Optional<Transition> fresh) {}
+    public record Culprit(Optional<Span> old, Optional<Span> fresh) {}
 
     /** Compares each version with all earlier ones. */
     public static Evolution of(List<Promise> versions, Budget budget) {

@@ -66,6 +66,12 @@ public record Automaton(
                 name, completion, omitted, states, variables, initials, others, places, span);
     }
 
+    /** The same with another beginning. */
+    public Automaton withInitials(List<Initial> others) {
+        return new Automaton(
+                name, completion, omitted, states, variables, others, transitions, places, span);
+    }
+
     /** What happens where no transition is enabled. */
     public enum Completion {
         /** Any output, and anything from then on. */

@@ -55,10 +55,10 @@ public final class EvolutionJson {
         for (Culprit culprit : each.culprits()) {
             json.writeStartObject();
             if (culprit.old().isPresent()) {
-                transition(json, "was", culprit.old().get().span());
+                place(json, "was", culprit.old().get());
             }
             if (culprit.fresh().isPresent()) {
-                transition(json, "is", culprit.fresh().get().span());
+                place(json, "is", culprit.fresh().get());
             }
             json.writeEndObject();
         }
@@ -66,9 +66,9 @@ public final class EvolutionJson {
         json.writeEndObject();
     }
 
-    private static void transition(JsonGenerator json, String field, Span span) throws IOException {
+    private static void place(JsonGenerator json, String field, Span span) throws IOException {
         json.writeObjectFieldStart(field);
-        json.writeStringField("transition", span.text());
+        json.writeStringField("text", span.text());
         json.writeStringField("file", span.file().path());
         json.writeNumberField("line", span.startPosition().line());
         json.writeEndObject();

@@ -57,8 +57,8 @@ public final class EvolutionText {
             out.append("Without this edit of version ")
                     .append(each.version() + 1)
                     .append(" it would hold:\n");
-            culprit.old().ifPresent(t -> out.append(place("was", t.span(), style)));
-            culprit.fresh().ifPresent(t -> out.append(place("is", t.span(), style)));
+            culprit.old().ifPresent(span -> out.append(place("was", span, style)));
+            culprit.fresh().ifPresent(span -> out.append(place("is", span, style)));
         }
         return out.toString();
     }
