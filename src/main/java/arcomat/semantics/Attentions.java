@@ -19,8 +19,13 @@ import java.util.List;
  */
 final class Attentions {
 
-    /** A value that a port is compared with; null where all of the port matters. */
-    private record Probe(int port, Term value, boolean ordered) {}
+    /**
+     * What a port is compared with.
+     *
+     * @param value null where all of the port matters
+     * @param fixed whether the value is the same in all configurations
+     */
+    private record Probe(int port, Term value, boolean ordered, boolean fixed) {}
 
     private final Scope scope;
     private final int ports;
@@ -57,7 +62,7 @@ final class Attentions {
         boolean fixed = true;
         Value[] nothing = new Value[ports];
         for (Probe probe : probes) {
-            fixed &= probe.value == null;
+            fixed &= probe.fixed;
             looks[probe.port] = looks[probe.port].and(look(probe, nothing, variables));
         }
         Attention attention = new Attention(List.of(looks));
@@ -130,7 +135,7 @@ final class Attentions {
     private void compare(Expression.PortRead read, Expression value, boolean ordered) {
         if (reads(value).isEmpty()) {
             Term term = Evaluation.compile(value, scope);
-            probes.add(new Probe(scope.port(read.port()), term, ordered));
+            probes.add(new Probe(scope.port(read.port()), term, ordered, isFixed(value)));
         } else {
             whole(read);
             whole(value);
@@ -139,8 +144,20 @@ final class Attentions {
 
     private void whole(Expression e) {
         for (Port port : reads(e)) {
-            probes.add(new Probe(scope.port(port), null, false));
+            probes.add(new Probe(scope.port(port), null, false, true));
         }
+    }
+
+    /** Whether a value is the same in all configurations. */
+    private boolean isFixed(Expression value) {
+        boolean[] fixed = {true};
+        Rewriting.visit(
+                value,
+                e ->
+                        fixed[0] &=
+                                !(e instanceof Expression.VariableRead read
+                                        && scope.variable(read.variable()) >= 0));
+        return fixed[0];
     }
 
     private static boolean isTruth(Expression e) {

@@ -16,6 +16,8 @@ public final class Configuration {
     /** After a forbidden input, for good. */
     public static final Configuration ERROR = new Configuration(-2);
 
+    private static final int GOLDEN = 0x9E3779B1;
+
     private final int state;
     private final Value[] variables;
     private final int hash;
@@ -23,7 +25,16 @@ public final class Configuration {
     Configuration(int state, Value... variables) {
         this.state = state;
         this.variables = variables;
-        this.hash = 31 * Arrays.hashCode(variables) + state;
+        this.hash = hash(state, variables);
+    }
+
+    /** Counters are small: with a small factor, many of their values together would collide. */
+    private static int hash(int state, Value[] variables) {
+        int hash = state;
+        for (Value value : variables) {
+            hash = hash * GOLDEN + value.hashCode();
+        }
+        return hash ^ hash >>> 15;
     }
 
     /** Index of the state in the automaton; only for what is neither chaos nor error. */
