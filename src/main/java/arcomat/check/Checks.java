@@ -1,6 +1,7 @@
 package arcomat.check;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
@@ -167,12 +168,12 @@ public final class Checks {
         TreeSet<Diagnostic> all = new TreeSet<>(Diagnostic.ORDER);
         all.addAll(found);
         List<Diagnostic> findings = new ArrayList<>();
-        List<Review.Suppressed> suppressed = new ArrayList<>();
+        List<Suppressed> suppressed = new ArrayList<>();
         for (Diagnostic finding : all) {
             Optional<String> reason =
                     maySuppress(finding, profile) ? suppressions.reason(finding) : Optional.empty();
             if (reason.isPresent()) {
-                suppressed.add(new Review.Suppressed(finding, reason.get()));
+                suppressed.add(new Suppressed(finding, reason.get()));
             } else {
                 findings.add(finding);
             }

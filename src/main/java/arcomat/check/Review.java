@@ -1,6 +1,7 @@
 package arcomat.check;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
 
 import java.util.List;
 
@@ -15,7 +16,4 @@ public record Review(List<Diagnostic> findings, List<Suppressed> suppressed) {
         findings = List.copyOf(findings);
         suppressed = List.copyOf(suppressed);
     }
-
-    /** A finding that is meant, and why. */
-    public record Suppressed(Diagnostic finding, String reason) {}
 }

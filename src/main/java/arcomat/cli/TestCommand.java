@@ -1,13 +1,17 @@
 package arcomat.cli;
 
+import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.TestResult;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.JunitXml;
+import arcomat.report.StreamTestCases;
 import arcomat.report.StreamTestJson;
 import arcomat.report.StreamTestText;
+import arcomat.report.Style;
 
 import picocli.CommandLine;
-import picocli.CommandLine.Option;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
@@ -20,17 +24,13 @@ import java.util.List;
         footer = {
             "  arcomat test models/coffee",
             "  arcomat test models/coffee/coffee/fig6/AvoidCrashTest.mt",
+            "  arcomat test --report junit=build/tests.xml models/coffee",
             "",
             "A test passes if what it expects is among the outputs that its model allows. It",
             "passes vacuously if the model allows it only because it promises nothing any more."
         })
 final class TestCommand extends Command {
-    @Option(
-            names = "--format",
-            paramLabel = "FORMAT",
-            defaultValue = "text",
-            description = "How to write results: ${COMPLETION-CANDIDATES}; default text.")
-    private OutputFormat format;
+    @Mixin private ReportOptions reports = new ReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Suites (.mt) and model roots.")
     private List<String> paths;
@@ -42,15 +42,24 @@ final class TestCommand extends Command {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         TestResult result = pipeline.test(paths);
-        if (result.check().hasErrors()) {
-            return reportErrors(result.check());
+        CheckResult check = result.check();
+        if (check.hasErrors()) {
+            Rendering findings = new CheckRendering("test", check, false);
+            reports.write(findings, pipeline, console);
+            return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
-        if (format == OutputFormat.json) {
-            print(StreamTestJson.render(result.tests()));
-        } else {
-            print(StreamTestText.render(result.tests(), console.style()));
-            printLine(StreamTestText.summary(result.tests(), console.style()));
-        }
+        reports.write((format, style) -> text(result, format, style), pipeline, console);
         return result.hasFailures() ? ExitStatus.FINDINGS : ExitStatus.FINE;
+    }
+
+    private static String text(TestResult result, ReportFormat format, Style style) {
+        return switch (format) {
+            case text ->
+                    StreamTestText.render(result.tests(), style)
+                            + StreamTestText.summary(result.tests(), style)
+                            + "\n";
+            case json -> StreamTestJson.render(result.tests());
+            case junit -> JunitXml.render("arcomat test", StreamTestCases.of(result.tests()));
+        };
     }
 }

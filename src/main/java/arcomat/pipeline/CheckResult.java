@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
 
 import java.util.List;
 
@@ -8,11 +9,25 @@ import java.util.List;
  * What checking a set of files found.
  *
  * @param findings in the order in which they are shown, each once
- * @param files the number of files that the paths named
+ * @param suppressed what the models declare to be meant, in the same order
+ * @param paths the files that were named, one by one or by their folder
  */
-public record CheckResult(List<Diagnostic> findings, int files) {
+public record CheckResult(
+        List<Diagnostic> findings, List<Suppressed> suppressed, List<String> paths) {
     public CheckResult {
         findings = List.copyOf(findings);
+        suppressed = List.copyOf(suppressed);
+        paths = List.copyOf(paths);
+    }
+
+    /** The number of files that were named. */
+    public int files() {
+        return paths.size();
+    }
+
+    /** The same with other findings. */
+    CheckResult with(List<Diagnostic> others) {
+        return new CheckResult(others, suppressed, paths);
     }
 
     public boolean hasErrors() {

@@ -6,6 +6,7 @@ import arcomat.check.Review;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
 
@@ -19,15 +20,21 @@ import java.util.function.Function;
  * run.
  *
  * @param findings to be shown, ordered, each once
+ * @param suppressed what the models declare to be meant and what does not keep them from their use
  */
-record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> findings) {
+record CheckedModels(
+        LoadedModels loaded,
+        Workspace workspace,
+        List<Diagnostic> findings,
+        List<Suppressed> suppressed) {
 
     /** Checks models for their own sake. */
     static CheckedModels check(
             List<String> paths, Profile profile, PathNames names, Progress progress) {
         LoadedModels loaded = ModelLoader.load(paths, names, progress);
         Workspace workspace = workspace(loaded, progress);
-        return of(loaded, workspace, Checks.run(workspace, profile));
+        Review review = Checks.review(workspace, profile);
+        return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
     /**
@@ -47,9 +54,11 @@ record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> 
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
         review.suppressed().stream()
-                .map(Review.Suppressed::finding)
+                .map(Suppressed::finding)
                 .filter(Diagnostic::isError)
                 .forEach(findings::add);
+        List<Suppressed> meant =
+                review.suppressed().stream().filter(each -> !each.finding().isError()).toList();
         MadeOf code = MadeOf.those(executable.apply(workspace));
         if (!code.isEmpty()) {
             findings.removeIf(code::contains);
@@ -57,7 +66,7 @@ record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> 
                     .filter(code::contains)
                     .forEach(findings::add);
         }
-        return of(loaded, workspace, findings);
+        return of(loaded, workspace, findings, meant);
     }
 
     private static Workspace workspace(LoadedModels loaded, Progress progress) {
@@ -66,12 +75,17 @@ record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> 
     }
 
     private static CheckedModels of(
-            LoadedModels loaded, Workspace workspace, Collection<Diagnostic> found) {
+            LoadedModels loaded,
+            Workspace workspace,
+            Collection<Diagnostic> found,
+            List<Suppressed> meant) {
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(loaded.findings());
         findings.addAll(found);
         findings.removeIf(finding -> !loaded.isShown(finding));
-        return new CheckedModels(loaded, workspace, List.copyOf(findings));
+        List<Suppressed> suppressed =
+                meant.stream().filter(each -> loaded.isShown(each.finding())).toList();
+        return new CheckedModels(loaded, workspace, List.copyOf(findings), suppressed);
     }
 
     boolean hasErrors() {
@@ -85,6 +99,6 @@ record CheckedModels(LoadedModels loaded, Workspace workspace, List<Diagnostic> 
     }
 
     CheckResult result() {
-        return new CheckResult(findings, loaded.files());
+        return new CheckResult(findings, suppressed, loaded.named());
     }
 }

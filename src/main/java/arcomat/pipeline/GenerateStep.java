@@ -38,8 +38,7 @@ final class GenerateStep {
         Generation generation = Generator.generate(wanted, target);
         List<Diagnostic> findings = new ArrayList<>(checked.findings());
         findings.addAll(generation.findings());
-        int files = checked.loaded().files();
-        CheckResult result = new CheckResult(findings, files);
+        CheckResult result = checked.result().with(findings);
         if (result.hasErrors()) {
             return refused(result);
         }
@@ -48,7 +47,7 @@ final class GenerateStep {
             progress.step("compiling for the brick");
             built = RobotBuilder.build(generation, implementations);
             findings.addAll(built.findings());
-            result = new CheckResult(findings, files);
+            result = checked.result().with(findings);
         }
         if (result.hasErrors()) {
             return refused(result);

@@ -11,19 +11,20 @@ import java.util.Set;
 /**
  * The files behind a set of paths, parsed.
  *
- * @param files how many files the user named, by file or by folder
+ * @param named paths of the files that the user named, by file or by folder
  * @param units the trees of all files that parse, files that others need included
  * @param broken paths of the files that could not be read or parsed
  * @param findings about reading and parsing
  * @param needed paths of the files that were read only because others refer to them
  */
 record LoadedModels(
-        int files,
+        List<String> named,
         List<Unit> units,
         Set<String> broken,
         List<Diagnostic> findings,
         Set<String> needed) {
     LoadedModels {
+        named = List.copyOf(named);
         units = List.copyOf(units);
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);

@@ -61,7 +61,8 @@ final class ModelLoader {
             more.forEach(file -> needed.add(file.path()));
             fresh = parse(more);
         }
-        return new LoadedModels(finder.files().size(), units, broken, findings, needed);
+        List<String> named = finder.files().stream().map(FileFinder.Found::shown).toList();
+        return new LoadedModels(named, units, broken, findings, needed);
     }
 
     private Set<Path> searchedFolders(List<String> paths) {

@@ -35,7 +35,7 @@ final class MonitorStep {
         if (!generation.findings().isEmpty()) {
             List<Diagnostic> findings = new ArrayList<>(checked.findings());
             findings.addAll(generation.findings());
-            CheckResult result = new CheckResult(findings, checked.loaded().files());
+            CheckResult result = checked.result().with(findings);
             return new MonitorResult(result, "", List.of(), List.of());
         }
         Map<String, byte[]> files = new LinkedHashMap<>();

@@ -2,6 +2,8 @@ package arcomat.pipeline;
 
 import arcomat.check.Profile;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -16,6 +18,22 @@ public final class Pipeline {
     public Pipeline(Path directory, Progress progress) {
         this.names = new PathNames(directory.toAbsolutePath().normalize());
         this.progress = progress;
+    }
+
+    /**
+     * Writes a text to a file, at once or not at all; folders on the way are made.
+     *
+     * @param file as the user wrote it
+     * @throws WrongUse where it cannot be written
+     */
+    public void writeFile(String file, String text) throws WrongUse {
+        Path place = names.resolve(file);
+        try {
+            Files.createDirectories(place.toAbsolutePath().getParent());
+            AtomicFile.write(place, text);
+        } catch (IOException e) {
+            throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
+        }
     }
 
     /**

@@ -4,6 +4,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Related;
 import arcomat.source.Severity;
 import arcomat.source.Span;
+import arcomat.source.Suppressed;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -58,6 +59,20 @@ public final class FindingsText {
                 .map(line -> line.isBlank() ? "" : "    " + Printable.escape(line))
                 .collect(Collectors.joining("\n"))
                 .strip();
+    }
+
+    /** A line for each: where, what, and why it is meant. */
+    static String suppressed(List<Suppressed> suppressed) {
+        return suppressed.stream()
+                .map(
+                        each ->
+                                place(each.finding().span())
+                                        + ": suppressed "
+                                        + each.finding().code()
+                                        + ": "
+                                        + Printable.escape(each.reason())
+                                        + "\n")
+                .collect(Collectors.joining());
     }
 
     /** {@code path:line:column}; a file without text has only a path. */

@@ -1,5 +1,6 @@
 package arcomat.report;
 
+import arcomat.model.Component;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTestResult.Cell;
 import arcomat.simulate.StreamTestResult.Verdict;
@@ -37,15 +38,41 @@ public final class StreamTestText {
         return switch (result.verdict()) {
             case PASSED -> "  " + style.good("passed") + name + "\n";
             case VACUOUS ->
-                    "  "
-                            + style.warning("passed, vacuous")
-                            + name
-                            + result.vacuousFrom().stream()
-                                    .mapToObj(slice -> ": from slice " + slice)
-                                    .collect(Collectors.joining())
-                            + " the model promises nothing (chaos)\n";
+                    "  " + style.warning("passed, vacuous") + name + ": " + vacuous(result) + "\n";
             case FAILED -> "  " + style.error("FAILED") + name + failure(result, style) + "\n";
         };
+    }
+
+    /** From when on a test passes only because anything would. */
+    static String vacuous(StreamTestResult result) {
+        String from =
+                result.vacuousFrom().stream()
+                        .mapToObj(slice -> "from slice " + slice + " ")
+                        .collect(Collectors.joining());
+        return from + "the model promises nothing (chaos)";
+    }
+
+    /** In a sentence why a test fails. */
+    static String reason(StreamTestResult result) {
+        if (result.failure().isPresent()) {
+            return result.failure().get();
+        }
+        return result.cells().stream()
+                .filter(Cell::differs)
+                .findFirst()
+                .map(cell -> difference(cell, result.test().component().profile()))
+                .orElse("nothing that the model allows is what the test expects");
+    }
+
+    private static String difference(Cell cell, Component.Profile profile) {
+        boolean timed = profile == Component.Profile.TIME_SYNCHRONOUS;
+        return "in %s %d '%s' is %s, expected is %s"
+                .formatted(
+                        timed ? "slice" : "message",
+                        cell.slice(),
+                        cell.port(),
+                        messages(cell.actual().stream().map(Object::toString).toList(), ", "),
+                        messages(cell.expected().stream().map(Object::toString).toList(), ", "));
     }
 
     private static String failure(StreamTestResult result, Style style) {
@@ -58,7 +85,8 @@ public final class StreamTestText {
         return out.toString();
     }
 
-    private static String sideBySide(StreamTestResult result, Style style) {
+    /** Expected, actual and allowed streams in a table, up to a little behind the difference. */
+    static String sideBySide(StreamTestResult result, Style style) {
         int last =
                 result.firstDifference().isPresent()
                         ? result.firstDifference().getAsInt() + SLICES_BEHIND

@@ -1,0 +1,8 @@
+package arcomat.cli;
+
+/** How results are written that a build server reads. */
+enum ReportFormat {
+    text,
+    json,
+    junit
+}
