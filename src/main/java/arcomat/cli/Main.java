@@ -12,6 +12,11 @@ public final class Main {
 
     public static void main(String[] args) {
         Runnable work = () -> System.exit(Cli.run(args, Console.ofProcess()));
-        new Thread(null, work, "arcomat", STACK_BYTES).start();
+        thread(work).start();
+    }
+
+    /** A thread with room for deep models, not yet started. */
+    static Thread thread(Runnable work) {
+        return new Thread(null, work, "arcomat", STACK_BYTES);
     }
 }

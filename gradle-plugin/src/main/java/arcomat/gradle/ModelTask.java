@@ -1,0 +1,34 @@
+package arcomat.gradle;
+
+import org.gradle.api.file.ConfigurableFileCollection;
+import org.gradle.api.provider.ListProperty;
+import org.gradle.api.tasks.IgnoreEmptyDirectories;
+import org.gradle.api.tasks.Input;
+import org.gradle.api.tasks.InputFiles;
+import org.gradle.api.tasks.PathSensitive;
+import org.gradle.api.tasks.PathSensitivity;
+import org.gradle.api.tasks.SkipWhenEmpty;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A task about models; without any, it has nothing to do. */
+public abstract class ModelTask extends ToolTask {
+    /** The files of models and tests. */
+    @InputFiles
+    @SkipWhenEmpty
+    @IgnoreEmptyDirectories
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract ConfigurableFileCollection getModels();
+
+    /** The model roots as texts name them: what is reported and generated names its model. */
+    @Input
+    public abstract ListProperty<String> getRoots();
+
+    /** Runs a command on all models. */
+    final ToolResult runOnModels(List<String> command) {
+        List<String> arguments = new ArrayList<>(command);
+        getModels().getFiles().stream().map(this::shown).sorted().forEach(arguments::add);
+        return run(arguments);
+    }
+}

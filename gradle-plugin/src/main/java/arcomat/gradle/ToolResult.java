@@ -1,0 +1,59 @@
+package arcomat.gradle;
+
+import org.gradle.api.GradleException;
+import org.gradle.api.logging.Logger;
+import org.gradle.api.tasks.VerificationException;
+
+import java.util.List;
+
+/**
+ * What came of a command.
+ *
+ * @param status its exit status
+ * @param out what it found, as text for people
+ * @param err its complaints about how it was used
+ */
+record ToolResult(int status, String out, String err) {
+    private static final int FINE = 0;
+    private static final int WRONG_USE = 2;
+    private static final String COMPLAINT = "arcomat: ";
+
+    boolean isFine() {
+        return status == FINE;
+    }
+
+    /**
+     * Fails the task unless all is well, with one sentence; what leads to it is in the log.
+     *
+     * @throws VerificationException where the models are not as they should be
+     * @throws GradleException where the command could not do its work
+     */
+    void require(Logger log) {
+        if (isFine()) {
+            return;
+        }
+        if (!out.isEmpty()) {
+            log.error(out.stripTrailing());
+        }
+        if (status == WRONG_USE) {
+            throw new GradleException(err.isBlank() ? summary() : complaint());
+        }
+        throw new VerificationException(summary());
+    }
+
+    /** The last line, which says it all in short. */
+    String summary() {
+        List<String> lines = out.lines().filter(line -> !line.isBlank()).toList();
+        return lines.isEmpty() ? "exit status " + status : lines.get(lines.size() - 1);
+    }
+
+    /** Whether there is more to tell than the last line does. */
+    boolean hasDetails() {
+        return out.lines().filter(line -> !line.isBlank()).count() > 1;
+    }
+
+    private String complaint() {
+        String first = err.lines().findFirst().orElseThrow();
+        return first.startsWith(COMPLAINT) ? first.substring(COMPLAINT.length()) : err.strip();
+    }
+}
