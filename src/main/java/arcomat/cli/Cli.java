@@ -37,6 +37,7 @@ public final class Cli {
         COMMANDS.put("mona", MonaCommand::new);
         COMMANDS.put("tests", TestsCommand::new);
         COMMANDS.put("monitor", MonitorCommand::new);
+        COMMANDS.put("check-brick", CheckBrickCommand::new);
         COMMANDS.put("run-brick", RunBrickCommand::new);
         COMMANDS.put("link", LinkCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);

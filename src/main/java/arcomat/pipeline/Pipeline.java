@@ -1,5 +1,8 @@
 package arcomat.pipeline;
 
+import arcomat.brick.BrickCheck;
+import arcomat.brick.BrickReport;
+import arcomat.brick.api.BrickTable;
 import arcomat.check.Profile;
 
 import java.io.IOException;
@@ -83,6 +86,15 @@ public final class Pipeline {
     public GenerationResult generate(GenerationRequest request, List<String> paths)
             throws WrongUse {
         return GenerateStep.run(request, paths, names, progress);
+    }
+
+    /**
+     * Checks a robot's jar against what the brick has.
+     *
+     * @throws WrongUse where there is no such jar
+     */
+    public BrickReport checkBrick(String jar) throws WrongUse {
+        return BrickCheck.check(JarReader.read(jar, names).jar(), BrickTable.leJos());
     }
 
     /**

@@ -6,9 +6,11 @@ import org.gradle.api.artifacts.Configuration;
 import org.gradle.api.artifacts.Dependency;
 import org.gradle.api.plugins.JavaPlugin;
 import org.gradle.api.plugins.JavaPluginExtension;
+import org.gradle.api.provider.Provider;
 import org.gradle.api.tasks.SourceSet;
 import org.gradle.api.tasks.SourceSetContainer;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -17,18 +19,21 @@ import java.util.List;
 
 /** {@code plugins { id 'arcomat' }}: models are checked, tested, verified and compiled. */
 public final class ArcomatPlugin implements Plugin<Project> {
-    private static final String NAME = "arcomat";
+    static final String NAME = "arcomat";
+
+    private static final String RUNTIME = "arcomatRuntime";
 
     @Override
     public void apply(Project project) {
         project.getPluginManager().apply(JavaPlugin.class);
         ArcomatExtension settings = settings(project);
-        Configuration tool = toolConfiguration(project, settings);
+        Configuration tool = tool(project, settings);
+        runtime(project, settings);
 
         SourceSetContainer sourceSets =
                 project.getExtensions().getByType(JavaPluginExtension.class).getSourceSets();
-        ModelSources main =
-                ModelSources.of(sourceSets.getByName(SourceSet.MAIN_SOURCE_SET_NAME), project);
+        SourceSet java = sourceSets.getByName(SourceSet.MAIN_SOURCE_SET_NAME);
+        ModelSources main = ModelSources.of(java, project);
         ModelSources test =
                 ModelSources.of(sourceSets.getByName(SourceSet.TEST_SOURCE_SET_NAME), project);
 
@@ -41,7 +46,8 @@ public final class ArcomatPlugin implements Plugin<Project> {
                             task.getDirectory().set(project.getRootDir());
                             task.getMaxHeapSize().convention(settings.getMaxHeapSize());
                         });
-        new ArcomatTasks(project, settings, main, test).register();
+        new ModelTasks(project, settings, main, test).register();
+        new CodeTasks(project, settings, main).register(java);
     }
 
     private static ArcomatExtension settings(Project project) {
@@ -52,26 +58,45 @@ public final class ArcomatPlugin implements Plugin<Project> {
         settings.getProfile().convention("requirements");
         settings.getWarningsFail().convention(false);
         settings.getMaxHeapSize().convention("1g");
+        Provider<File> nxjHome =
+                project.getProviders()
+                        .environmentVariable("NXJ_HOME")
+                        .map(path -> path.isBlank() ? null : new File(path));
+        settings.getNxjHome().convention(project.getLayout().dir(nxjHome));
         return settings;
     }
 
-    /** The tool, for builds that want another one to be told so as any dependency is. */
-    private static Configuration toolConfiguration(Project project, ArcomatExtension settings) {
-        return project.getConfigurations()
-                .create(
-                        NAME,
-                        configuration -> {
-                            configuration.setDescription("The tool that the tasks run.");
-                            configuration.setVisible(false);
-                            configuration.setCanBeConsumed(false);
-                            configuration.defaultDependencies(
-                                    all -> all.add(toolOf(project, settings)));
-                        });
+    /** The tool; a build that takes it from elsewhere adds a dependency of its own. */
+    private static Configuration tool(Project project, ArcomatExtension settings) {
+        Configuration tool = project.getConfigurations().create(NAME);
+        tool.setDescription("The tool that the tasks run.");
+        tool.setVisible(false);
+        tool.setCanBeConsumed(false);
+        tool.defaultDependencies(all -> all.add(dependency(project, settings, "arcomat:arcomat")));
+        return tool;
     }
 
-    private static Dependency toolOf(Project project, ArcomatExtension settings) {
-        return project.getDependencies()
-                .create("arcomat:arcomat:" + settings.getToolVersion().get());
+    /** What code for the JVM needs to be compiled and to run. */
+    private static void runtime(Project project, ArcomatExtension settings) {
+        Configuration runtime = project.getConfigurations().create(RUNTIME);
+        runtime.setDescription("What generated code needs.");
+        runtime.setVisible(false);
+        runtime.setCanBeConsumed(false);
+        runtime.setCanBeResolved(false);
+        runtime.defaultDependencies(
+                all -> {
+                    if (Targets.contain(settings.getTargets().get(), Targets.JVM)) {
+                        all.add(dependency(project, settings, "arcomat:rt"));
+                    }
+                });
+        project.getConfigurations()
+                .named(JavaPlugin.IMPLEMENTATION_CONFIGURATION_NAME)
+                .configure(implementation -> implementation.extendsFrom(runtime));
+    }
+
+    private static Dependency dependency(
+            Project project, ArcomatExtension settings, String module) {
+        return project.getDependencies().create(module + ":" + settings.getToolVersion().get());
     }
 
     private static String ownVersion() {

@@ -1,10 +1,8 @@
 package arcomat.gradle;
 
-import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.Input;
-import org.gradle.api.tasks.OutputFile;
 import org.gradle.api.tasks.TaskAction;
 
 import java.util.ArrayList;
@@ -12,7 +10,7 @@ import java.util.List;
 
 /** Reports what is wrong with models. */
 @CacheableTask
-public abstract class CheckArc extends ModelTask {
+public abstract class CheckArc extends ReportTask {
     /** What models must fulfil: {@code requirements} or {@code executable}. */
     @Input
     public abstract Property<String> getProfile();
@@ -21,19 +19,13 @@ public abstract class CheckArc extends ModelTask {
     @Input
     public abstract Property<Boolean> getWarningsFail();
 
-    /** The findings as text. */
-    @OutputFile
-    public abstract RegularFileProperty getReport();
-
     @TaskAction
     final void check() {
         List<String> command = new ArrayList<>(List.of("check", "--profile", getProfile().get()));
         if (getWarningsFail().get()) {
             command.add("--strict");
         }
-        ToolResult result = runOnModels(command);
-        Texts.write(getReport(), result.out());
-        result.require(getLogger());
+        ToolResult result = report(command);
         if (result.hasDetails()) {
             getLogger().warn(result.out().stripTrailing());
         }

@@ -40,8 +40,10 @@ final class ModelSources {
         return new ModelSources(project, arc);
     }
 
-    FileTree models() {
-        return directories.getAsFileTree();
+    /** Makes a task read these models, besides those that it reads already. */
+    void readBy(ModelTask task) {
+        task.getModels().from(directories);
+        task.getRoots().addAll(project.provider(this::roots));
     }
 
     /** What is written by hand beside models, for targets. */
@@ -53,7 +55,7 @@ final class ModelSources {
     }
 
     /** The model roots, named from the folder of the whole build. */
-    List<String> roots() {
+    private List<String> roots() {
         Path directory = project.getRootDir().toPath();
         return directories.getSrcDirs().stream()
                 .map(File::toPath)

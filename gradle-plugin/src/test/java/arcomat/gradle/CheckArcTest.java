@@ -19,7 +19,7 @@ class CheckArcTest {
 
         BuildResult first = project.build("checkArc");
         assertThat(first.task(":checkArc").getOutcome()).isEqualTo(SUCCESS);
-        assertThat(project.read("build/reports/arcomat/check.txt"))
+        assertThat(project.read("build/reports/arcomat/checkArc.txt"))
                 .isEqualTo("no findings in 3 files\n");
         assertThat(project.build("checkArc").task(":checkArc").getOutcome()).isEqualTo(UP_TO_DATE);
 

@@ -1,0 +1,69 @@
+package arcomat.gradle;
+
+import org.gradle.api.file.ConfigurableFileCollection;
+import org.gradle.api.file.DirectoryProperty;
+import org.gradle.api.provider.Property;
+import org.gradle.api.tasks.CacheableTask;
+import org.gradle.api.tasks.IgnoreEmptyDirectories;
+import org.gradle.api.tasks.Input;
+import org.gradle.api.tasks.InputDirectory;
+import org.gradle.api.tasks.InputFiles;
+import org.gradle.api.tasks.Optional;
+import org.gradle.api.tasks.OutputDirectory;
+import org.gradle.api.tasks.PathSensitive;
+import org.gradle.api.tasks.PathSensitivity;
+import org.gradle.api.tasks.TaskAction;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Writes code for models: for a target that the tool has, or with templates of one's own. */
+@CacheableTask
+public abstract class GenerateArc extends ModelTask {
+    /** What to write code for: {@code jvm} or {@code lejos}. */
+    @Input
+    @Optional
+    public abstract Property<String> getTarget();
+
+    /** A folder of templates, instead of a target that the tool has. */
+    @InputDirectory
+    @Optional
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract DirectoryProperty getTemplates();
+
+    /** Code written by hand beside the models, for platform components. */
+    @InputFiles
+    @IgnoreEmptyDirectories
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract ConfigurableFileCollection getPlatformCode();
+
+    /** The only component to write code for, with its parts and a program; all if absent. */
+    @Input
+    @Optional
+    public abstract Property<String> getMain();
+
+    /** What the code does where a model leaves a choice: {@code first} or {@code random}. */
+    @Input
+    public abstract Property<String> getChoose();
+
+    /** The folder to write, which is replaced as a whole. */
+    @OutputDirectory
+    public abstract DirectoryProperty getOutput();
+
+    @TaskAction
+    final void generate() {
+        String target =
+                getTemplates().isPresent()
+                        ? shown(getTemplates().get().getAsFile())
+                        : getTarget().get();
+        List<String> command = new ArrayList<>(List.of("generate", "--target", target));
+        command.addAll(List.of("--out", shown(getOutput().get().getAsFile())));
+        command.addAll(List.of("--choose", getChoose().get()));
+        if (getMain().isPresent()) {
+            command.addAll(List.of("--main", getMain().get()));
+        }
+        ToolResult result = runOnModels(command);
+        result.require(getLogger());
+        getLogger().info(result.out().stripTrailing());
+    }
+}

@@ -1,0 +1,25 @@
+package arcomat.gradle;
+
+import org.gradle.api.file.ConfigurableFileCollection;
+import org.gradle.api.tasks.IgnoreEmptyDirectories;
+import org.gradle.api.tasks.InputFiles;
+import org.gradle.api.tasks.PathSensitive;
+import org.gradle.api.tasks.PathSensitivity;
+import org.gradle.api.tasks.SkipWhenEmpty;
+
+import java.io.File;
+import java.util.List;
+
+/** A task about the jars of robots, one after the other. */
+public abstract class JarTask extends ToolTask {
+    /** One jar for each component that is deployed. */
+    @InputFiles
+    @SkipWhenEmpty
+    @IgnoreEmptyDirectories
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract ConfigurableFileCollection getJars();
+
+    final List<File> jars() {
+        return getJars().getAsFileTree().getFiles().stream().sorted().toList();
+    }
+}

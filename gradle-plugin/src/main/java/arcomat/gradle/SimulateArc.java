@@ -1,0 +1,65 @@
+package arcomat.gradle;
+
+import org.gradle.api.provider.Property;
+import org.gradle.api.tasks.Input;
+import org.gradle.api.tasks.Optional;
+import org.gradle.api.tasks.TaskAction;
+import org.gradle.api.tasks.UntrackedTask;
+import org.gradle.api.tasks.options.Option;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Runs a component and prints what happened, slice by slice. */
+@UntrackedTask(because = "Its result is what it prints.")
+public abstract class SimulateArc extends ModelTask {
+    @Input
+    @Optional
+    @Option(option = "main", description = "The component to run, such as p.Robot or 'p.Timer(2)'.")
+    public abstract Property<String> getMain();
+
+    @Input
+    @Optional
+    @Option(option = "slices", description = "How many slices.")
+    public abstract Property<String> getSlices();
+
+    @Input
+    @Optional
+    @Option(option = "seed", description = "Seed of whatever is drawn.")
+    public abstract Property<String> getSeed();
+
+    @Input
+    @Optional
+    @Option(option = "choose", description = "Who decides what is left open: first, random.")
+    public abstract Property<String> getChoose();
+
+    @Input
+    @Optional
+    @Option(option = "input", description = "A stream test to take the input of: FILE.mt#test.")
+    public abstract Property<String> getStreams();
+
+    @Input
+    @Optional
+    @Option(option = "trace", description = "How to write what happened: table, csv, json.")
+    public abstract Property<String> getTrace();
+
+    @TaskAction
+    final void simulate() {
+        List<String> command = new ArrayList<>(List.of("simulate"));
+        add(command, "--main", getMain());
+        add(command, "--slices", getSlices());
+        add(command, "--seed", getSeed());
+        add(command, "--choose", getChoose());
+        add(command, "--input", getStreams());
+        add(command, "--trace", getTrace());
+        ToolResult result = runOnModels(command);
+        result.require(getLogger());
+        getLogger().quiet(result.out().stripTrailing());
+    }
+
+    private static void add(List<String> command, String option, Property<String> value) {
+        if (value.isPresent()) {
+            command.addAll(List.of(option, value.get()));
+        }
+    }
+}

@@ -1,0 +1,38 @@
+package arcomat.gradle;
+
+import org.gradle.api.file.FileTree;
+import org.gradle.api.file.RegularFileProperty;
+import org.gradle.api.tasks.CacheableTask;
+import org.gradle.api.tasks.IgnoreEmptyDirectories;
+import org.gradle.api.tasks.InputFiles;
+import org.gradle.api.tasks.OutputFile;
+import org.gradle.api.tasks.PathSensitive;
+import org.gradle.api.tasks.PathSensitivity;
+import org.gradle.api.tasks.SkipWhenEmpty;
+import org.gradle.api.tasks.TaskAction;
+
+import java.util.List;
+
+/** Runs the stream tests of models. */
+@CacheableTask
+public abstract class TestArc extends ReportTask {
+    /** Those of the models' files that hold tests; without any, there is nothing to do. */
+    @InputFiles
+    @SkipWhenEmpty
+    @IgnoreEmptyDirectories
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public FileTree getSuites() {
+        return getModels().getAsFileTree().matching(files -> files.include("**/*.mt"));
+    }
+
+    /** The results, in the form that build servers read. */
+    @OutputFile
+    public abstract RegularFileProperty getJunitXml();
+
+    @TaskAction
+    final void test() {
+        String junit = "junit=" + shown(getJunitXml().get().getAsFile());
+        ToolResult result = report(List.of("test", "--report", junit));
+        getLogger().info(result.out().stripTrailing());
+    }
+}

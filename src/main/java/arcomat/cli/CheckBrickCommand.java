@@ -1,0 +1,42 @@
+package arcomat.cli;
+
+import arcomat.brick.BrickReport;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.BrickReportText;
+import arcomat.report.FindingsText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+
+/** {@code arcomat check-brick}: whether a robot's jar fits on the brick. */
+@CommandLine.Command(
+        name = "check-brick",
+        description = "Checks a robot's jar against what the brick has and can hold.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat check-brick --jar build/brick/Fetcher.jar",
+            "",
+            "'arcomat generate' and 'arcomat link' check every jar, too."
+        })
+final class CheckBrickCommand extends Command {
+    @Option(
+            names = "--jar",
+            paramLabel = "ROBOT.jar",
+            required = true,
+            description = "The program, as 'generate --target lejos' makes it.")
+    private String jar;
+
+    CheckBrickCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        BrickReport report = pipeline.checkBrick(jar);
+        print(FindingsText.render(report.findings(), console.style()));
+        print(BrickReportText.render(report, console.style()));
+        printLine("'" + jar + "' " + (report.fits() ? "fits" : "does not fit") + " on the brick");
+        return report.fits() ? ExitStatus.FINE : ExitStatus.FINDINGS;
+    }
+}
