@@ -15,7 +15,7 @@
 }
 
 //// Good.arc
-<<suppress = "ARC0210: name of 2012">> component Good {
+<<suppress = "ARC1001: name of 2012">> component Good {
   <<total>> port in Boolean i, out Boolean o;
 
   <<omitted = "free">> automaton {

@@ -1,13 +1,15 @@
 package arcomat.check;
 
+import arcomat.check.Suppressions.Suppression;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.Collector;
@@ -104,6 +106,7 @@ public final class Checks {
                     new SupportedExpression(),
                     new SupportedItem(),
                     new SuppressWellFormed(),
+                    new SuppressionUsed(),
                     new TableCellFits(),
                     new TableColumnsExist(),
                     new TableRowWidth(),
@@ -152,7 +155,14 @@ public final class Checks {
                                 Walk::join));
         List<Diagnostic> found =
                 walk.findings().stream().flatMap(each -> each.diagnostics().stream()).toList();
-        return sort(found, walk.suppressions(), profile);
+        Suppressions suppressions = walk.suppressions();
+        Set<Suppression> used = new HashSet<>();
+        found.forEach(finding -> used.addAll(suppressions.covering(finding)));
+        List<Diagnostic> all = new ArrayList<>(found);
+        if (workspace.isComplete()) {
+            all.addAll(new SuppressionUsed().unused(suppressions, used, profile).diagnostics());
+        }
+        return sort(all, suppressions, profile);
     }
 
     /** Findings that others made: those that the models declare to be meant are told apart. */
@@ -170,12 +180,12 @@ public final class Checks {
         List<Diagnostic> findings = new ArrayList<>();
         List<Suppressed> suppressed = new ArrayList<>();
         for (Diagnostic finding : all) {
-            Optional<String> reason =
-                    maySuppress(finding, profile) ? suppressions.reason(finding) : Optional.empty();
-            if (reason.isPresent()) {
-                suppressed.add(new Suppressed(finding, reason.get()));
-            } else {
+            List<Suppression> meant =
+                    maySuppress(finding, profile) ? suppressions.covering(finding) : List.of();
+            if (meant.isEmpty()) {
                 findings.add(finding);
+            } else {
+                suppressed.add(new Suppressed(finding, meant.get(0).reason()));
             }
         }
         return new Review(findings, suppressed);

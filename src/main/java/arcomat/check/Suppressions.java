@@ -2,6 +2,7 @@ package arcomat.check;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
+import arcomat.tree.Name;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 
@@ -20,7 +21,20 @@ final class Suppressions {
 
     private final Map<String, List<Suppression>> byFile = new HashMap<>();
 
-    private record Suppression(Span element, String code, String reason) {}
+    /**
+     * One declaration.
+     *
+     * @param element that carries it
+     * @param place of the declaration itself
+     */
+    record Suppression(Span element, Span place, String code, String reason) {
+
+        private boolean covers(Diagnostic finding) {
+            return code.equals(finding.code())
+                    && element.start() <= finding.span().start()
+                    && finding.span().end() <= element.end();
+        }
+    }
 
     /** The parts of a value that is well-formed. */
     record Value(String code, String reason) {
@@ -42,15 +56,16 @@ final class Suppressions {
             if (stereotype.name().text().equals(STEREOTYPE)) {
                 stereotype
                         .value()
-                        .flatMap(value -> Value.parse(value.text()))
-                        .ifPresent(value -> add(value, owner.span()));
+                        .map(Name::text)
+                        .flatMap(Value::parse)
+                        .ifPresent(value -> add(value, stereotype.span(), owner.span()));
             }
         }
     }
 
-    private void add(Value value, Span element) {
+    private void add(Value value, Span place, Span element) {
         byFile.computeIfAbsent(element.file().path(), path -> new ArrayList<>())
-                .add(new Suppression(element, value.code(), value.reason()));
+                .add(new Suppression(element, place, value.code(), value.reason()));
     }
 
     void addAll(Suppressions other) {
@@ -59,19 +74,14 @@ final class Suppressions {
                         byFile.computeIfAbsent(path, each -> new ArrayList<>()).addAll(more));
     }
 
-    /** Why a finding is meant, if an element around it says so. */
-    Optional<String> reason(Diagnostic finding) {
-        for (Suppression suppression :
-                byFile.getOrDefault(finding.span().file().path(), List.of())) {
-            if (suppression.code().equals(finding.code())
-                    && covers(suppression.element(), finding.span())) {
-                return Optional.of(suppression.reason());
-            }
-        }
-        return Optional.empty();
+    List<Suppression> all() {
+        return byFile.values().stream().flatMap(List::stream).toList();
     }
 
-    private static boolean covers(Span element, Span finding) {
-        return element.start() <= finding.start() && finding.end() <= element.end();
+    /** Those that declare a finding to be meant, the reason of the first counts. */
+    List<Suppression> covering(Diagnostic finding) {
+        return byFile.getOrDefault(finding.span().file().path(), List.of()).stream()
+                .filter(suppression -> suppression.covers(finding))
+                .toList();
     }
 }

@@ -2,10 +2,12 @@ package arcomat.cli;
 
 import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.report.FindingsJson;
-import arcomat.report.FindingsText;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.CheckReport;
+import arcomat.source.Diagnostic;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -21,7 +23,9 @@ import java.util.List;
             "  arcomat check p/q/Robot.arc              one file; what it refers to is found by its"
                     + " package",
             "  arcomat check --profile executable .     is it ready for 'arcomat generate'?",
-            "  arcomat check --strict --format json . > findings.json"
+            "  arcomat check --strict --format json . > findings.json",
+            "  arcomat check --format github --report sarif=build/check.sarif .",
+            "  arcomat check --write-baseline known.txt .    from now on: --baseline known.txt"
         })
 final class CheckCommand extends Command {
     /** What a model must fulfil. */
@@ -41,12 +45,9 @@ final class CheckCommand extends Command {
     @Option(names = "--strict", description = "Treat warnings as errors.")
     private boolean strict;
 
-    @Option(
-            names = "--format",
-            paramLabel = "FORMAT",
-            defaultValue = "text",
-            description = "How to write findings: ${COMPLETION-CANDIDATES}; default text.")
-    private OutputFormat format;
+    @Mixin private BaselineOptions baselines = new BaselineOptions();
+
+    @Mixin private ReportOptions reports = new ReportOptions();
 
     @Parameters(
             paramLabel = "PATH",
@@ -59,22 +60,18 @@ final class CheckCommand extends Command {
     }
 
     @Override
-    int run(Pipeline pipeline) {
+    int run(Pipeline pipeline) throws WrongUse {
         CheckResult result = pipeline.check(paths, profile == Profile.executable);
-        if (format == OutputFormat.json) {
-            print(FindingsJson.render(result.findings(), result.files()));
-        } else {
-            print(FindingsText.render(result.findings(), console.style()));
-            printLine(FindingsText.summary(result.findings(), result.files(), console.style()));
-        }
-        return status(result);
-    }
-
-    private int status(CheckResult result) {
+        CheckReport report = baselines.apply(result, pipeline);
+        Rendering rendering =
+                new CheckRendering("check", report, strict, MachineFormats.of(console));
+        reports.write(rendering, pipeline, console);
         if (result.hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;
         }
-        boolean fails = strict ? !result.findings().isEmpty() : result.hasErrors();
+        List<Diagnostic> findings = report.findings();
+        boolean fails =
+                strict ? !findings.isEmpty() : findings.stream().anyMatch(Diagnostic::isError);
         return fails ? ExitStatus.FINDINGS : ExitStatus.FINE;
     }
 }

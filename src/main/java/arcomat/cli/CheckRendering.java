@@ -1,11 +1,14 @@
 package arcomat.cli;
 
 import arcomat.pipeline.CheckResult;
+import arcomat.report.CheckReport;
 import arcomat.report.FileCases;
 import arcomat.report.FindingsJson;
 import arcomat.report.FindingsText;
 import arcomat.report.JunitXml;
 import arcomat.report.Style;
+
+import java.util.Optional;
 
 /**
  * Findings in every format.
@@ -13,20 +16,28 @@ import arcomat.report.Style;
  * @param command that looked at the models
  * @param strict whether a warning is a failure
  */
-record CheckRendering(String command, CheckResult check, boolean strict) implements Rendering {
+record CheckRendering(String command, CheckReport report, boolean strict, MachineFormats machine)
+        implements Rendering {
+
+    /** Of models that have errors, for a command that cannot go on. */
+    static CheckRendering refused(String command, CheckResult check, Console console) {
+        CheckReport report =
+                new CheckReport(
+                        check.paths(), check.findings(), check.suppressed(), Optional.empty());
+        return new CheckRendering(command, report, false, MachineFormats.of(console));
+    }
+
     @Override
     public String text(ReportFormat format, Style style) {
         return switch (format) {
             case text ->
-                    FindingsText.render(check.findings(), style)
-                            + FindingsText.summary(check.findings(), check.files(), style)
-                            + "\n";
-            case json -> FindingsJson.render(check.findings(), check.files());
+                    FindingsText.render(report.findings(), style)
+                            + FindingsText.summary(report, style);
+            case json -> FindingsJson.render(report);
+            case sarif -> machine.sarif(report.reported(), report.comparison().isPresent());
             case junit ->
-                    JunitXml.render(
-                            "arcomat " + command,
-                            FileCases.of(
-                                    check.paths(), check.findings(), check.suppressed(), strict));
+                    JunitXml.render("arcomat " + command, new FileCases(report, strict).all());
+            case github -> machine.github(report.reported(), FindingsText.summary(report, style));
         };
     }
 }

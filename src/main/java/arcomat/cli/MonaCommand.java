@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.pipeline.Answered;
+import arcomat.analysis.Answered;
 import arcomat.pipeline.MonaResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;

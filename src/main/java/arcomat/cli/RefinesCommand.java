@@ -1,7 +1,7 @@
 package arcomat.cli;
 
+import arcomat.analysis.Answered;
 import arcomat.pipeline.AnalysisResult;
-import arcomat.pipeline.Answered;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.VerdictJson;

@@ -4,5 +4,7 @@ package arcomat.cli;
 enum ReportFormat {
     text,
     json,
-    junit
+    sarif,
+    junit,
+    github
 }

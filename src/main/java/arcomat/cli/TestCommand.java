@@ -6,6 +6,7 @@ import arcomat.pipeline.TestResult;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.JunitXml;
 import arcomat.report.StreamTestCases;
+import arcomat.report.StreamTestFindings;
 import arcomat.report.StreamTestJson;
 import arcomat.report.StreamTestText;
 import arcomat.report.Style;
@@ -44,22 +45,27 @@ final class TestCommand extends Command {
         TestResult result = pipeline.test(paths);
         CheckResult check = result.check();
         if (check.hasErrors()) {
-            Rendering findings = new CheckRendering("test", check, false);
-            reports.write(findings, pipeline, console);
+            reports.write(CheckRendering.refused("test", check, console), pipeline, console);
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
         reports.write((format, style) -> text(result, format, style), pipeline, console);
         return result.hasFailures() ? ExitStatus.FINDINGS : ExitStatus.FINE;
     }
 
-    private static String text(TestResult result, ReportFormat format, Style style) {
+    private String text(TestResult result, ReportFormat format, Style style) {
         return switch (format) {
-            case text ->
-                    StreamTestText.render(result.tests(), style)
-                            + StreamTestText.summary(result.tests(), style)
-                            + "\n";
+            case text -> StreamTestText.render(result.tests(), style) + summary(result, style);
             case json -> StreamTestJson.render(result.tests());
+            case sarif ->
+                    MachineFormats.of(console).sarif(StreamTestFindings.of(result.tests()), false);
+            case github ->
+                    MachineFormats.of(console)
+                            .github(StreamTestFindings.of(result.tests()), summary(result, style));
             case junit -> JunitXml.render("arcomat test", StreamTestCases.of(result.tests()));
         };
+    }
+
+    private static String summary(TestResult result, Style style) {
+        return StreamTestText.summary(result.tests(), style) + "\n";
     }
 }

@@ -1,16 +1,21 @@
 package arcomat.cli;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.pipeline.AnalysisResult;
-import arcomat.pipeline.Answered;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.JunitXml;
 import arcomat.report.ObligationsText;
+import arcomat.report.Style;
+import arcomat.report.VerdictCases;
+import arcomat.report.VerdictFindings;
 import arcomat.report.VerdictJson;
 import arcomat.report.VerdictText;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
@@ -23,11 +28,15 @@ import java.util.List;
         footer = {
             "  arcomat verify models/coffee",
             "  arcomat verify --timeout 60 --format json models > verdicts.json",
+            "  arcomat verify --report junit=build/verify.xml --report sarif=build/verify.sarif"
+                + " models",
             "",
             "Exit status: 0 all hold; 1 one fails; 3 one is unknown; 2 wrong use or models with"
                     + " errors."
         })
-final class VerifyCommand extends AnalysisCommand {
+final class VerifyCommand extends LimitedCommand {
+    @Mixin private ReportOptions reports = new ReportOptions();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
@@ -39,32 +48,46 @@ final class VerifyCommand extends AnalysisCommand {
     int run(Pipeline pipeline) throws WrongUse {
         AnalysisResult result = pipeline.verify(paths, limits());
         if (result.check().hasErrors()) {
-            return refuse(result.check());
+            Rendering findings = CheckRendering.refused("verify", result.check(), console);
+            reports.write(findings, pipeline, console);
+            return ExitStatus.WRONG_USE;
         }
-        List<Verdict> verdicts = result.answers().stream().map(Answered::verdict).toList();
-        if (isJson()) {
-            List<List<String>> sides =
-                    result.answers().stream().map(a -> List.of(a.left(), a.right())).toList();
-            print(VerdictJson.render(sides, verdicts));
-        } else {
-            printText(result.answers());
-            printLine(ObligationsText.summary(verdicts, console.style()));
-        }
+        List<Answered> answers = result.answers();
+        reports.write((format, style) -> text(answers, format, style), pipeline, console);
         return status(result.answer());
     }
 
+    private String text(List<Answered> answers, ReportFormat format, Style style) {
+        return switch (format) {
+            case text -> text(answers, style) + summary(answers, style);
+            case json -> VerdictJson.render(answers);
+            case sarif -> MachineFormats.of(console).sarif(VerdictFindings.of(answers), false);
+            case github ->
+                    MachineFormats.of(console)
+                            .github(VerdictFindings.of(answers), summary(answers, style));
+            case junit -> JunitXml.render("arcomat verify", VerdictCases.of(answers));
+        };
+    }
+
     /** A line for each, then the failures at length. */
-    private void printText(List<Answered> answers) {
+    private static String text(List<Answered> answers, Style style) {
+        StringBuilder out = new StringBuilder();
         for (Answered each : answers) {
-            print(ObligationsText.line(each.left(), each.right(), each.verdict(), console.style()));
+            out.append(ObligationsText.line(each.left(), each.right(), each.verdict(), style));
         }
         for (Answered each : answers) {
             if (each.verdict().answer() == Answer.FAILS) {
-                printLine("");
-                print(
-                        VerdictText.render(
-                                each.left(), each.right(), each.verdict(), console.style()));
+                out.append('\n')
+                        .append(
+                                VerdictText.render(
+                                        each.left(), each.right(), each.verdict(), style));
             }
         }
+        return out.toString();
+    }
+
+    private static String summary(List<Answered> answers, Style style) {
+        List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
+        return ObligationsText.summary(verdicts, style) + "\n";
     }
 }

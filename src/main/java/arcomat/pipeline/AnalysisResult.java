@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Verdict.Answer;
 
 import java.util.List;

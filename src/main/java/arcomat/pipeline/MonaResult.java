@@ -1,5 +1,7 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Answered;
+
 import java.util.Optional;
 
 /**

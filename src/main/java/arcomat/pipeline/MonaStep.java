@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.MonaRefinement;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict;
@@ -42,7 +43,11 @@ final class MonaStep {
         MonaRefinement refinement = MonaRefinement.of(left, right, request.limits().budget());
         if (refinement.settled().isPresent()) {
             Answered answered =
-                    new Answered(left.title(), right.title(), refinement.settled().get());
+                    new Answered(
+                            left.title(),
+                            right.title(),
+                            left.component().span(),
+                            refinement.settled().get());
             return new MonaResult(checked.result(), Optional.of(answered), Optional.empty());
         }
         String text = MonaText.render(refinement.formula());

@@ -4,6 +4,8 @@ import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
 import arcomat.brick.api.BrickTable;
 import arcomat.check.Profile;
+import arcomat.report.Baseline;
+import arcomat.source.Diagnostic;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -47,6 +49,25 @@ public final class Pipeline {
     public CheckResult check(List<String> paths, boolean executable) {
         Profile profile = executable ? Profile.EXECUTABLE : Profile.REQUIREMENTS;
         return CheckedModels.check(paths, profile, names, progress).result();
+    }
+
+    /**
+     * Tells findings that are new from those that a baseline knows.
+     *
+     * @param file the baseline, as the user wrote it
+     * @throws WrongUse where it cannot be read
+     */
+    public Baseline.Comparison compareWithBaseline(CheckResult check, String file) throws WrongUse {
+        return new BaselineFile(file, names).compare(check);
+    }
+
+    /**
+     * Writes a baseline that knows all findings.
+     *
+     * @throws WrongUse where it cannot be written
+     */
+    public void writeBaseline(List<Diagnostic> findings, String file) throws WrongUse {
+        writeFile(file, new BaselineFile(file, names).text(findings));
     }
 
     /**

@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Certification;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Refinement;
@@ -28,7 +29,10 @@ final class RefinesStep {
         progress.step("comparing");
         Verdict verdict = verdict(left, right, request, names);
         return new AnalysisResult(
-                checked.result(), List.of(new Answered(left.title(), right.title(), verdict)));
+                checked.result(),
+                List.of(
+                        new Answered(
+                                left.title(), right.title(), left.component().span(), verdict)));
     }
 
     private static Verdict verdict(

@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Obligation;
 import arcomat.analysis.Obligations;
 import arcomat.analysis.Refinement;
@@ -34,15 +35,17 @@ final class VerifyStep {
             progress.step("comparing " + left + " with " + right);
             Verdict verdict =
                     Refinement.check(obligation.left(), obligation.right(), limits.budget());
-            answers.add(new Answered(left, right, verdict));
+            answers.add(new Answered(left, right, obligation.place(), verdict));
         }
-        all.open().forEach(name -> answers.add(takesArguments(name)));
+        all.open()
+                .forEach(name -> answers.add(takesArguments(model.component(name).orElseThrow())));
         return new AnalysisResult(checked.result(), answers);
     }
 
-    private static Answered takesArguments(String name) {
+    private static Answered takesArguments(Component component) {
+        String name = component.qualifiedName();
         String reason =
                 name + " takes arguments; ask with some: arcomat refines '" + name + "(..)' B PATH";
-        return new Answered(name, "", Verdict.unknown(reason));
+        return new Answered(name, "", component.span(), Verdict.unknown(reason));
     }
 }

@@ -1,16 +1,20 @@
 package arcomat.report;
 
+import arcomat.report.Baseline.Entry;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Position;
 import arcomat.source.Related;
 import arcomat.source.Span;
+import arcomat.source.Suppressed;
 import arcomat.source.TextEdit;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
 
 /**
  * Findings for programs. Lines and columns count from 1 as in the text output; {@code offset}
@@ -19,28 +23,60 @@ import java.util.List;
 public final class FindingsJson {
     private FindingsJson() {}
 
-    public static String render(List<Diagnostic> findings, int files) {
+    public static String render(CheckReport report) {
+        List<Diagnostic> findings = report.findings();
         return Json.text(
                 json -> {
                     json.writeStartObject();
-                    json.writeNumberField("files", files);
+                    json.writeNumberField("files", report.paths().size());
                     json.writeNumberField(
                             "errors", findings.stream().filter(Diagnostic::isError).count());
                     json.writeNumberField(
                             "warnings", findings.stream().filter(d -> !d.isError()).count());
-                    json.writeArrayFieldStart("findings");
-                    for (Diagnostic finding : findings) {
-                        write(json, finding);
+                    write(json, "findings", findings);
+                    write(json, report.suppressed());
+                    if (report.comparison().isPresent()) {
+                        write(json, "known", report.known());
+                        write(json, report.comparison().get().gone());
                     }
-                    json.writeEndArray();
                     json.writeEndObject();
                 });
     }
 
-    private static void write(JsonGenerator json, Diagnostic finding) throws IOException {
-        json.writeStartObject();
-        writeFields(json, finding);
-        json.writeEndObject();
+    private static void write(JsonGenerator json, String field, List<Diagnostic> findings)
+            throws IOException {
+        json.writeArrayFieldStart(field);
+        for (Diagnostic finding : findings) {
+            json.writeStartObject();
+            writeFields(json, finding);
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+
+    private static void write(JsonGenerator json, List<Suppressed> suppressed) throws IOException {
+        json.writeArrayFieldStart("suppressed");
+        for (Suppressed each : suppressed) {
+            json.writeStartObject();
+            writeFields(json, each.finding());
+            json.writeStringField("reason", each.reason());
+            json.writeEndObject();
+        }
+        json.writeEndArray();
+    }
+
+    private static void write(JsonGenerator json, SortedMap<Entry, Integer> gone)
+            throws IOException {
+        json.writeArrayFieldStart("gone");
+        for (Map.Entry<Entry, Integer> each : gone.entrySet()) {
+            json.writeStartObject();
+            json.writeStringField("code", each.getKey().code());
+            json.writeStringField("file", each.getKey().path());
+            json.writeStringField("fingerprint", each.getKey().fingerprint());
+            json.writeNumberField("times", each.getValue());
+            json.writeEndObject();
+        }
+        json.writeEndArray();
     }
 
     /** Into an object that has been started. */

@@ -4,7 +4,6 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Related;
 import arcomat.source.Severity;
 import arcomat.source.Span;
-import arcomat.source.Suppressed;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -61,20 +60,6 @@ public final class FindingsText {
                 .strip();
     }
 
-    /** A line for each: where, what, and why it is meant. */
-    static String suppressed(List<Suppressed> suppressed) {
-        return suppressed.stream()
-                .map(
-                        each ->
-                                place(each.finding().span())
-                                        + ": suppressed "
-                                        + each.finding().code()
-                                        + ": "
-                                        + Printable.escape(each.reason())
-                                        + "\n")
-                .collect(Collectors.joining());
-    }
-
     /** {@code path:line:column}; a file without text has only a path. */
     static String place(Span span) {
         String path = Printable.escape(span.file().path());
@@ -101,6 +86,22 @@ public final class FindingsText {
             text += (errors > 0 ? ", " : "") + style.warning(count(warnings, "warning"));
         }
         return text + in;
+    }
+
+    /** As {@link #summary(List, int, Style)}, with what is not shown; a line for each part. */
+    public static String summary(CheckReport report, Style style) {
+        StringBuilder out = new StringBuilder();
+        out.append(summary(report.findings(), report.paths().size(), style));
+        if (!report.suppressed().isEmpty()) {
+            out.append(", ").append(report.suppressed().size()).append(" suppressed in models");
+        }
+        if (report.comparison().isPresent()) {
+            out.append(", ").append(count(report.known().size(), "known finding"));
+            out.append(" in baseline");
+        }
+        out.append('\n');
+        report.comparison().ifPresent(c -> out.append(BaselineText.gone(c.gone(), style)));
+        return out.toString();
     }
 
     /** {@code 1 file}, {@code 2 files}. */

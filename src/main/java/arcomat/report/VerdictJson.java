@@ -1,5 +1,6 @@
 package arcomat.report;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Moment;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Sentence;
@@ -29,20 +30,16 @@ public final class VerdictJson {
                 });
     }
 
-    /**
-     * Verdicts on many questions, with the names of both sides.
-     *
-     * @param sides two names per verdict
-     */
-    public static String render(List<List<String>> sides, List<Verdict> verdicts) {
+    /** Answers to many questions, with the names of both sides. */
+    public static String render(List<Answered> answers) {
         return Json.text(
                 json -> {
                     json.writeStartArray();
-                    for (int i = 0; i < verdicts.size(); i++) {
+                    for (Answered each : answers) {
                         json.writeStartObject();
-                        json.writeStringField("left", sides.get(i).get(0));
-                        json.writeStringField("right", sides.get(i).get(1));
-                        write(json, verdicts.get(i));
+                        json.writeStringField("left", each.left());
+                        json.writeStringField("right", each.right());
+                        write(json, each.verdict());
                         json.writeEndObject();
                     }
                     json.writeEndArray();

@@ -19,6 +19,13 @@ public record Span(SourceFile file, int start, int end) {
         return new Span(file, start, last.end);
     }
 
+    /** The part on its first line: what to point at where the whole would be too much. */
+    public Span firstLine() {
+        int line = startPosition().line();
+        int lineEnd = file.lineStart(line) + file.line(line).length();
+        return new Span(file, start, Math.max(start, Math.min(end, lineEnd)));
+    }
+
     /** {@code path:line:column}, as editors and terminals link it. */
     @Override
     public String toString() {

@@ -27,9 +27,11 @@ public final class Workspace {
     private final List<DiagramSymbol> diagrams = new ArrayList<>();
     private final List<AutomatonSymbol> bareAutomata = new ArrayList<>();
     private final List<TestSuiteSymbol> testSuites = new ArrayList<>();
+    private final boolean complete;
     private final Delays delays = new Delays();
 
     private Workspace(List<Unit> units, Set<String> brokenFiles) {
+        this.complete = brokenFiles.isEmpty();
         this.units = List.copyOf(units);
         brokenFiles.forEach(index::addBroken);
         this.units.forEach(this::add);
@@ -41,6 +43,11 @@ public final class Workspace {
      */
     public static Workspace of(List<Unit> units, Set<String> brokenFiles) {
         return new Workspace(units, brokenFiles);
+    }
+
+    /** Whether every file has a tree, so that nothing is excused. */
+    public boolean isComplete() {
+        return complete;
     }
 
     private void add(Unit unit) {

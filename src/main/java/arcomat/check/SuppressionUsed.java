@@ -1,0 +1,45 @@
+package arcomat.check;
+
+import arcomat.check.Suppressions.Suppression;
+import arcomat.source.Severity;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * ARC0507: a suppression suppresses something. Asked when all other checks are done, since only
+ * then is known what there was to suppress.
+ */
+final class SuppressionUsed implements Check {
+    @Override
+    public Law law() {
+        return Law.warning("ARC0507");
+    }
+
+    /**
+     * Reports suppressions of laws that hold in a profile but are not broken there. Findings of
+     * analyses are another matter: this room does not know them.
+     *
+     * @param used those that did suppress something
+     */
+    Findings unused(Suppressions all, Collection<Suppression> used, Profile profile) {
+        Findings findings = new Findings(law().code(), Severity.WARNING);
+        Set<String> judged = new TreeSet<>();
+        for (Check check : Checks.ALL) {
+            check.law().severity(profile).ifPresent(s -> judged.add(check.law().code()));
+        }
+        judged.remove(law().code());
+        List<Suppression> idle = all.all().stream().filter(each -> !used.contains(each)).toList();
+        for (Suppression each : idle) {
+            if (judged.contains(each.code())) {
+                findings.report(
+                        each.place(),
+                        "there is no finding %s here to suppress; delete the suppression"
+                                .formatted(each.code()));
+            }
+        }
+        return findings;
+    }
+}

@@ -1,0 +1,30 @@
+package arcomat.cli;
+
+import arcomat.pipeline.Explanations;
+import arcomat.report.GitHubCommands;
+import arcomat.report.Reported;
+import arcomat.report.Sarif;
+import arcomat.report.SourceRoot;
+
+import java.util.List;
+
+/** The formats that show every result as a list of findings. */
+record MachineFormats(SourceRoot root) {
+    static MachineFormats of(Console console) {
+        String directory = console.directory().toAbsolutePath().normalize().toString();
+        return new MachineFormats(new SourceRoot(directory.replace('\\', '/')));
+    }
+
+    /**
+     * @param compared whether findings were compared with a baseline
+     */
+    String sarif(List<Reported> results, boolean compared) {
+        Sarif.Tool tool = new Sarif.Tool(Version.number(), Explanations::page);
+        return Sarif.render(results, compared, tool, root);
+    }
+
+    /** With a line for whoever reads the log. */
+    String github(List<Reported> results, String summary) {
+        return GitHubCommands.render(results, root) + summary;
+    }
+}
