@@ -50,6 +50,8 @@ final class CodeTasks {
 
     private void generate(GenerateArc task) {
         main.readBy(task);
+        // What is wrong with all models is better told first than what is wrong with those of main.
+        task.shouldRunAfter(tasks.named("checkArc"));
         task.getPlatformCode().from(main.platformCode());
         task.getMain().convention(settings.getMain());
         task.getChoose().convention(settings.getChoose());

@@ -1,6 +1,7 @@
 package arcomat.gradle;
 
 import org.gradle.testkit.runner.BuildResult;
+import org.gradle.testkit.runner.BuildTask;
 import org.gradle.testkit.runner.GradleRunner;
 
 import java.io.File;
@@ -12,16 +13,25 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
- * A user's project with one robot, in a folder of its own. It takes plugin, tool and runtime from
- * this build, so that nothing is downloaded, and the Gradle that runs this test.
+ * A user's project, in a folder of its own. It takes plugin, tool and runtime from this build, so
+ * that nothing is downloaded, and the Gradle that runs this test.
  */
 final class ConsumerProject {
-    /** Shared by all tests of a run: the daemon, and the tool's process, stay warm. */
+    /** Shared by all tests: the daemon and the tool's process stay warm. */
     private static final Path TEST_KIT = Path.of("build/testkit").toAbsolutePath();
 
-    static final String BUMPER = "src/main/arc/shop/Bumper.arc";
+    private static final String TOOL_OF_THIS_BUILD =
+            """
+
+            dependencies {
+                arcomat files(%s)
+                arcomatRuntime files(%s)
+            }
+            """
+                    .formatted(files("tool"), files("runtime"));
 
     private final Path folder;
 
@@ -29,74 +39,36 @@ final class ConsumerProject {
         this.folder = folder;
     }
 
-    /** A project in an empty folder, with a robot that stops at walls, and its test. */
-    static ConsumerProject in(Path folder) {
-        ConsumerProject project = new ConsumerProject(folder);
-        project.write("settings.gradle", "rootProject.name = 'shop'\n");
-        project.write("build.gradle", script(""));
-        project.write(
-                BUMPER,
-                """
-                package shop;
-
-                import shop.Shop.*;
-
-                /** Stops at walls. */
-                component Bumper {
-                    port in Boolean wall, out Command wheels;
-
-                    automaton {
-                        state driving, standing;
-
-                        initial driving / {wheels = go};
-
-                        driving -> standing {wall == true} / {wheels = halt};
-                        standing -> driving {wall == false} / {wheels = go};
-                    }
-                }
-                """);
-        project.write(
-                "src/main/arc/shop/Shop.cd",
-                """
-                package shop;
-
-                classdiagram Shop {
-                    enum Command { go, halt; }
-                }
-                """);
-        project.write(
-                "src/test/arc/shop/BumperTest.mt",
-                """
-                package shop;
-
-                testsuite BumperTest for shop.Bumper {
-                    test stops {
-                        input {
-                            wall: <true, 2*Tk>;
-                        }
-                        expect {
-                            wheels: <go, Tk, halt, Tk>;
-                        }
-                    }
-                }
-                """);
+    /** The smallest project with a robot, of {@code src/test/projects/shop}. */
+    static ConsumerProject shop(Path folder) {
+        ConsumerProject project = copy(Path.of("src/test/projects/shop"), folder);
+        project.append("build.gradle", TOOL_OF_THIS_BUILD);
         return project;
     }
 
-    /** A build script with the plugin and more lines. */
-    static String script(String lines) {
-        return """
-        plugins {
-            id 'arcomat'
-        }
+    /** The coffee service, of {@code models/coffee}, without what was built there. */
+    static ConsumerProject coffee(Path folder) {
+        Path original = Path.of("../models/coffee");
+        copy(original.resolve("coffee"), folder.resolve("coffee"));
+        ConsumerProject project = new ConsumerProject(folder);
+        project.write("settings.gradle", "rootProject.name = 'coffee'\n");
+        project.write("build.gradle", new ConsumerProject(original).read("build.gradle"));
+        project.append("build.gradle", TOOL_OF_THIS_BUILD);
+        return project;
+    }
 
-        dependencies {
-            arcomat files(%s)
+    /** A copy of a folder, as it is. */
+    static ConsumerProject copy(Path original, Path folder) {
+        try (Stream<Path> files = Files.walk(original)) {
+            for (Path file : files.filter(Files::isRegularFile).toList()) {
+                Path copy = folder.resolve(original.relativize(file).toString());
+                Files.createDirectories(copy.getParent());
+                Files.copy(file, copy);
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
-
-        """
-                        .formatted(files("tool"))
-                + lines;
+        return new ConsumerProject(folder);
     }
 
     private static String files(String property) {
@@ -126,6 +98,10 @@ final class ConsumerProject {
         }
     }
 
+    void append(String name, String text) {
+        write(name, read(name) + text);
+    }
+
     /** Changes a text in a file, which has to be there. */
     void edit(String name, String old, String fresh) {
         String text = read(name);
@@ -143,6 +119,15 @@ final class ConsumerProject {
     /** A build that has to fail. */
     BuildResult fail(String... arguments) {
         return runner(arguments).buildAndFail();
+    }
+
+    /** What became of the tasks of a build, such as {@code :checkArc UP_TO_DATE}. */
+    static List<String> outcomes(BuildResult result) {
+        return result.getTasks().stream().map(ConsumerProject::outcome).toList();
+    }
+
+    private static String outcome(BuildTask task) {
+        return task.getPath() + " " + task.getOutcome();
     }
 
     private GradleRunner runner(String... arguments) {
