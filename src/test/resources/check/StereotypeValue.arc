@@ -15,8 +15,17 @@
   }
 }
 
+//// Reasons.arc
+<<breaks, breaks = " ", replaces = "p.Old", replaces = "p.Old: ">> component Reasons {
+//~~~~~~ error ARC0502: stereotype 'breaks' needs a reason, as in <<breaks = "reason">>
+//        ~~~~~~~~~~~~ error ARC0502
+//                      ~~~~~~~~~~~~~~~~~~ error ARC0502: stereotype 'replaces' needs the name of a component that is gone and a reason, as in <<replaces = "p.Robot: reason">>
+//                                          ~~~~~~~~~~~~~~~~~~~~ error ARC0502
+  port in Boolean i;
+}
+
 //// Good.arc
-<<layer = "logic", capacity = "32">> component Good {
+<<layer = "logic", capacity = "32", breaks = "why not", replaces = "p.Old: renamed">> component Good {
   port <<total>> in Boolean i;
   port <<delay = "0">> out Boolean o;
 

@@ -3,10 +3,14 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.model.Component;
 import arcomat.model.Port;
+import arcomat.model.Type;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * Whether two components can be compared at all: the left one has every port of the right one, of
@@ -26,26 +30,29 @@ final class Interfaces {
                             "one of them handles events, the other one works slice by slice",
                             Optional.of(own.span())));
         }
-        for (Port port : other.ports()) {
-            problem(own, port, other).ifPresent(problems::add);
+        Map<String, Port> mine = new HashMap<>();
+        left.ports().forEach(port -> mine.put(port.name(), port));
+        for (Port port : right.ports()) {
+            Optional<Port> found = Optional.ofNullable(mine.get(port.name()));
+            problem(own, found, port, other).ifPresent(problems::add);
         }
         if (!problems.isEmpty()) {
             return Optional.of(Verdict.fails("interface", problems));
         }
         boolean atomic = !left.isComposition() && !right.isComposition();
         for (Port port : other.outputs()) {
-            Port mine = own.port(port.name()).orElseThrow();
-            if (atomic && mine.delay() != port.delay()) {
+            Port namesake = mine.get(port.name());
+            if (atomic && namesake.delay() != port.delay()) {
                 problems.add(
                         new Sentence(
                                 "'%s' has delay %d in %s and delay %d in %s"
                                         .formatted(
                                                 port.name(),
-                                                mine.delay(),
+                                                namesake.delay(),
                                                 own.qualifiedName(),
                                                 port.delay(),
                                                 other.qualifiedName()),
-                                Optional.of(mine.span())));
+                                Optional.of(namesake.span())));
             }
         }
         return problems.isEmpty()
@@ -53,10 +60,10 @@ final class Interfaces {
                 : Optional.of(Verdict.fails("delay", problems));
     }
 
-    private static Optional<Sentence> problem(Component own, Port port, Component other) {
+    private static Optional<Sentence> problem(
+            Component own, Optional<Port> namesake, Port port, Component other) {
         String kind = port.isInput() ? "input" : "output";
-        Optional<Port> found =
-                own.port(port.name()).filter(each -> each.isInput() == port.isInput());
+        Optional<Port> found = namesake.filter(each -> each.isInput() == port.isInput());
         if (found.isEmpty()) {
             return Optional.of(
                     new Sentence(
@@ -74,9 +81,9 @@ final class Interfaces {
                             "'%s' carries %s in %s and %s in %s"
                                     .formatted(
                                             port.name(),
-                                            found.get().type().name(),
+                                            words(found.get().type(), port.type()),
                                             own.qualifiedName(),
-                                            port.type().name(),
+                                            words(port.type(), found.get().type()),
                                             other.qualifiedName()),
                             Optional.of(found.get().span())));
         }
@@ -91,5 +98,23 @@ final class Interfaces {
                             Optional.of(found.get().span())));
         }
         return Optional.empty();
+    }
+
+    /** The name of a type; where another one has the same name, what it consists of, too. */
+    private static String words(Type type, Type other) {
+        return type.name().equals(other.name()) ? contents(type) : type.name();
+    }
+
+    private static String contents(Type type) {
+        if (type instanceof Type.EnumType numbered) {
+            return type.name() + " {" + String.join(", ", numbered.constants()) + "}";
+        }
+        if (type instanceof Type.ClassType object) {
+            return type.name()
+                    + object.attributes().stream()
+                            .map(each -> contents(each.type()) + " " + each.name())
+                            .collect(Collectors.joining("; ", " {", "}"));
+        }
+        return type.name();
     }
 }

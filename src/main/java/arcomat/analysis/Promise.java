@@ -2,9 +2,12 @@ package arcomat.analysis;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
+import arcomat.semantics.Network;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -13,11 +16,18 @@ import java.util.Optional;
  *
  * @param arguments one per parameter
  * @param automata those that count; empty for a composition, which is what its parts make it
+ * @param devices of a composition, whether what its platform components send and receive is looked
+ *     at, too
  */
-public record Promise(Component component, List<Value> arguments, List<Automaton> automata) {
+public record Promise(
+        Component component, List<Value> arguments, List<Automaton> automata, boolean devices) {
     public Promise {
         arguments = List.copyOf(arguments);
         automata = List.copyOf(automata);
+    }
+
+    public Promise(Component component, List<Value> arguments, List<Automaton> automata) {
+        this(component, arguments, automata, false);
     }
 
     /** What a component does. */
@@ -73,6 +83,42 @@ public record Promise(Component component, List<Value> arguments, List<Automaton
 
     boolean isComposition() {
         return component.isComposite() && automata.isEmpty();
+    }
+
+    /** The same with a look at devices. */
+    Promise withDevices() {
+        return new Promise(component, arguments, automata, true);
+    }
+
+    /** What can be seen of it; ports of devices are named by their path, {@code left.value}. */
+    List<Port> ports() {
+        if (!devices || !isComposition()) {
+            return component.ports();
+        }
+        Network network = Network.of(component, arguments);
+        List<Port> ports = new ArrayList<>(component.ports());
+        network.inputs().stream()
+                .skip(component.inputs().size())
+                .map(each -> seen(each, Port.Direction.IN))
+                .forEach(ports::add);
+        network.outputs().stream()
+                .skip(component.outputs().size())
+                .map(each -> seen(each, Port.Direction.OUT))
+                .forEach(ports::add);
+        return ports;
+    }
+
+    /** From the outside a sensor is an input. */
+    private static Port seen(Network.External external, Port.Direction direction) {
+        Port port = external.port();
+        return new Port(
+                external.name(),
+                direction,
+                port.type(),
+                port.total(),
+                port.delay(),
+                port.latched(),
+                port.span());
     }
 
     Behaviour behaviour() {

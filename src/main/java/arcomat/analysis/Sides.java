@@ -14,7 +14,7 @@ record Sides(Side left, Side right, List<Port> observed, Outputs outputs) {
 
     static Sides of(Promise left, Promise right) {
         Outputs outputs = new Outputs();
-        List<Port> observed = right.component().outputs();
+        List<Port> observed = right.ports().stream().filter(port -> !port.isInput()).toList();
         List<String> names = observed.stream().map(Port::name).toList();
         return new Sides(
                 side(left, names, outputs), side(right, names, outputs), observed, outputs);

@@ -21,12 +21,17 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
         CHOICE,
         /** A whole number from 1. */
         COUNT,
+        /** Words. */
+        REASON,
+        /** The name of a component, a colon, and words. */
+        NAME_AND_REASON,
         /** A code and a reason; a law of its own looks at it. */
         TEXT
     }
 
     private static final Set<Carrier> BEHAVIOUR = Set.of(Carrier.AUTOMATON, Carrier.TABLE);
     private static final Set<Carrier> COMPONENT = Set.of(Carrier.COMPONENT);
+    private static final Set<Carrier> PROMISING = Set.of(Carrier.COMPONENT, Carrier.AUTOMATON);
     private static final Set<Carrier> PORT = Set.of(Carrier.PORT);
 
     static final List<KnownStereotype> ALL =
@@ -41,6 +46,8 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
                     flag("deploy", COMPONENT),
                     flag("total", PORT),
                     flag("state", PORT),
+                    new KnownStereotype("breaks", Form.REASON, PROMISING, List.of()),
+                    new KnownStereotype("replaces", Form.NAME_AND_REASON, PROMISING, List.of()),
                     new KnownStereotype(
                             Suppressions.STEREOTYPE,
                             Form.TEXT,

@@ -38,6 +38,15 @@ final class StereotypeValue implements Check.OnStereotypes {
             case FLAG -> checkFlag(stereotype, findings);
             case CHOICE -> checkChoice(stereotype, known, findings);
             case COUNT -> checkCount(stereotype, findings);
+            case REASON ->
+                    checkText(stereotype, "\\s*\\S.*", "a reason, as in <<%s = \"reason\">>", findings);
+            case NAME_AND_REASON ->
+                    checkText(
+                            stereotype,
+                            "\\s*[^:\\s]+\\s*:\\s*\\S.*",
+                            "the name of a component that is gone and a reason, as in"
+                                    + " <<%s = \"p.Robot: reason\">>",
+                            findings);
             case TEXT -> {}
         }
     }
@@ -95,6 +104,18 @@ final class StereotypeValue implements Check.OnStereotypes {
                     "stereotype '"
                             + stereotype.name()
                             + "' needs a whole number from 1 to 999999 as its value");
+        }
+    }
+
+    private static void checkText(
+            Stereotype stereotype, String form, String example, Findings findings) {
+        if (!stereotype.value().map(Name::text).orElse("").matches(form)) {
+            findings.report(
+                    stereotype,
+                    "stereotype '"
+                            + stereotype.name()
+                            + "' needs "
+                            + example.formatted(stereotype.name()));
         }
     }
 

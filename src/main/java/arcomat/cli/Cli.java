@@ -34,6 +34,7 @@ public final class Cli {
         COMMANDS.put("contradictions", ContradictionsCommand::new);
         COMMANDS.put("diff", DiffCommand::new);
         COMMANDS.put("evolution", EvolutionCommand::new);
+        COMMANDS.put("gate", GateCommand::new);
         COMMANDS.put("mona", MonaCommand::new);
         COMMANDS.put("tests", TestsCommand::new);
         COMMANDS.put("monitor", MonitorCommand::new);

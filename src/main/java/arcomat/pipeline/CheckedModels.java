@@ -48,7 +48,20 @@ record CheckedModels(
             Function<Workspace, Collection<ComponentSymbol>> executable,
             PathNames names,
             Progress progress) {
-        LoadedModels loaded = ModelLoader.load(paths, names, progress);
+        return checkToRun(ModelLoader.load(paths, names, progress), executable, progress);
+    }
+
+    /** As {@link #checkToRun}, but stream tests are not looked at. */
+    static CheckedModels checkWithoutTests(
+            List<String> paths, PathNames names, Progress progress) {
+        LoadedModels loaded = ModelLoader.load(paths, names, progress).withoutTests();
+        return checkToRun(loaded, models -> List.of(), progress);
+    }
+
+    private static CheckedModels checkToRun(
+            LoadedModels loaded,
+            Function<Workspace, Collection<ComponentSymbol>> executable,
+            Progress progress) {
         Workspace workspace = workspace(loaded, progress);
         Review review = Checks.review(workspace, Profile.REQUIREMENTS);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * The files behind a set of paths, parsed.
@@ -29,6 +30,20 @@ record LoadedModels(
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);
         needed = Set.copyOf(needed);
+    }
+
+    /** The same but for the stream tests, as if there were none. */
+    LoadedModels withoutTests() {
+        return new LoadedModels(
+                files,
+                units.stream().filter(unit -> !isTest(unit.file().path())).toList(),
+                broken.stream().filter(path -> !isTest(path)).collect(Collectors.toSet()),
+                findings.stream().filter(each -> !isTest(each.span().file().path())).toList(),
+                needed);
+    }
+
+    private static boolean isTest(String path) {
+        return path.endsWith(".mt");
     }
 
     /** The model roots of all files that lie where their package says. */

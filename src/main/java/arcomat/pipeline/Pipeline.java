@@ -216,4 +216,13 @@ public final class Pipeline {
             List<String> versions, List<String> paths, AnalysisLimits limits) throws WrongUse {
         return EvolutionStep.run(versions, paths, limits, names, progress);
     }
+
+    /**
+     * Compares every component with what it was in another model root.
+     *
+     * @throws WrongUse where the base is a part of the new models
+     */
+    public GateResult gate(GateRequest request) throws WrongUse {
+        return GateStep.run(request, names, progress);
+    }
 }

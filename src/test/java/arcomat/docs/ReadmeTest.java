@@ -24,9 +24,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * The README and the pages about platform components, builds and analyses tell the truth: their
- * models are written to files, their commands are run in the order of the page, and the output has
- * to be what the page shows. A line {@code ...} stands for any lines.
+ * The README and the pages about platform components, builds, the gate and analyses tell the truth:
+ * their models are written to files, their commands are run in the order of the page, and the output
+ * has to be what the page shows. A line {@code ...} stands for any lines.
  */
 class ReadmeTest {
     @TempDir Path directory;
@@ -36,6 +36,7 @@ class ReadmeTest {
             List<Path> pages = new ArrayList<>(analyses.sorted().toList());
             pages.add(Path.of("docs/ci.md"));
             pages.add(Path.of("docs/platform.md"));
+            pages.add(Path.of("docs/gate.md"));
             pages.add(Path.of("README.md"));
             return pages.stream();
         }
