@@ -80,8 +80,7 @@ public record Change(Relation relation, List<Witness> witnesses, String reason) 
                 kept.isEmpty()
                         ? backHolds ? Relation.EQUIVALENT : Relation.REFINES
                         : backHolds ? Relation.WIDENS : Relation.INCOMPARABLE;
-        List<Witness> witnesses =
-                Stream.concat(kept.stream(), back.stream()).toList();
+        List<Witness> witnesses = Stream.concat(kept.stream(), back.stream()).toList();
         return new Change(relation, witnesses, "");
     }
 

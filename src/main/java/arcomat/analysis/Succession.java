@@ -123,9 +123,7 @@ public final class Succession {
 
     /** A platform component promises its ports; what it does is not in the model. */
     private static List<Automaton> automata(Component component) {
-        return component.platform()
-                ? List.of()
-                : Promise.of(component, List.of()).automata();
+        return component.platform() ? List.of() : Promise.of(component, List.of()).automata();
     }
 
     private Change.Witness forward(List<Value> arguments, Verdict verdict) {

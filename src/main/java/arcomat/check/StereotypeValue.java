@@ -39,7 +39,11 @@ final class StereotypeValue implements Check.OnStereotypes {
             case CHOICE -> checkChoice(stereotype, known, findings);
             case COUNT -> checkCount(stereotype, findings);
             case REASON ->
-                    checkText(stereotype, "\\s*\\S.*", "a reason, as in <<%s = \"reason\">>", findings);
+                    checkText(
+                            stereotype,
+                            "\\s*\\S.*",
+                            "a reason, as in <<%s = \"reason\">>",
+                            findings);
             case NAME_AND_REASON ->
                     checkText(
                             stereotype,

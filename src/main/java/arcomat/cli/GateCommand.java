@@ -1,14 +1,22 @@
 package arcomat.cli;
 
+import arcomat.analysis.Gate;
 import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.GateRequest;
 import arcomat.pipeline.GateResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.GateCases;
 import arcomat.report.GateJson;
 import arcomat.report.GateText;
+import arcomat.report.JunitXml;
+import arcomat.report.Reported;
+import arcomat.report.Reported.Standing;
+import arcomat.report.Style;
+import arcomat.source.Diagnostic;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -26,11 +34,14 @@ import java.util.List;
         footer = {
             "  git worktree add ../main main",
             "  arcomat gate --base ../main/models models",
+            "  arcomat gate --base ../main/models --report junit=build/gate.xml models",
             "",
             "Exit status: 0 all keep their promises; 1 one does not; 3 one is unknown; 2 wrong use"
                     + " or models with errors."
         })
-final class GateCommand extends AnalysisCommand {
+final class GateCommand extends LimitedCommand {
+    @Mixin private ReportOptions reports = new ReportOptions();
+
     @Option(
             names = "--base",
             paramLabel = "DIR",
@@ -49,22 +60,45 @@ final class GateCommand extends AnalysisCommand {
     int run(Pipeline pipeline) throws WrongUse {
         GateResult result = pipeline.gate(new GateRequest(base, paths, limits()));
         if (result.gate().isEmpty()) {
-            refuse("the base", String.join(", ", base), result.base());
-            refuse("the new models", String.join(", ", paths), result.check());
+            reports.write((format, style) -> refusal(result, format, style), pipeline, console);
             return ExitStatus.WRONG_USE;
         }
-        print(
-                isJson()
-                        ? GateJson.render(result.gate().get(), result.findings())
-                        : GateText.render(
-                                result.gate().get(), result.findings(), console.style()));
-        return status(result.gate().get().answer());
+        Gate gate = result.gate().get();
+        reports.write(
+                (format, style) -> text(gate, result.findings(), format, style), pipeline, console);
+        return status(gate.answer());
     }
 
-    private void refuse(String side, String where, CheckResult check) {
-        if (check.hasErrors()) {
-            printLine("%s (%s):".formatted(side, where));
-            refuse(check);
+    private String text(Gate gate, List<Diagnostic> findings, ReportFormat format, Style style) {
+        List<Reported> reported =
+                findings.stream()
+                        .map(each -> new Reported(each, Standing.NEW, "", List.of()))
+                        .toList();
+        return switch (format) {
+            case text -> GateText.render(gate, findings, style);
+            case json -> GateJson.render(gate, findings);
+            case sarif -> MachineFormats.of(console).sarif(reported, false);
+            case github ->
+                    MachineFormats.of(console).github(reported, GateText.summary(gate, style));
+            case junit -> JunitXml.render("arcomat gate", GateCases.of(gate));
+        };
+    }
+
+    /** What keeps the sides from being compared: for people, which side it is. */
+    private String refusal(GateResult result, ReportFormat format, Style style) {
+        if (format == ReportFormat.text) {
+            return refusal("the base", base, result.base(), style)
+                    + refusal("the new models", paths, result.check(), style);
         }
+        CheckResult both = result.base().and(result.check());
+        return CheckRendering.refused("gate", both, console).text(format, style);
+    }
+
+    private String refusal(String side, List<String> where, CheckResult check, Style style) {
+        return check.hasErrors()
+                ? "%s (%s):\n".formatted(side, String.join(", ", where))
+                        + CheckRendering.refused("gate", check, console)
+                                .text(ReportFormat.text, style)
+                : "";
     }
 }

@@ -3,6 +3,7 @@ package arcomat.pipeline;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -28,6 +29,18 @@ public record CheckResult(
     /** The same with other findings. */
     CheckResult with(List<Diagnostic> others) {
         return new CheckResult(others, suppressed, paths);
+    }
+
+    /** What checking both found. */
+    public CheckResult and(CheckResult more) {
+        List<Diagnostic> all = new ArrayList<>(findings);
+        all.addAll(more.findings);
+        all.sort(Diagnostic.ORDER);
+        List<Suppressed> meant = new ArrayList<>(suppressed);
+        meant.addAll(more.suppressed);
+        List<String> files = new ArrayList<>(paths);
+        files.addAll(more.paths);
+        return new CheckResult(all, meant, files);
     }
 
     public boolean hasErrors() {

@@ -52,8 +52,7 @@ record CheckedModels(
     }
 
     /** As {@link #checkToRun}, but stream tests are not looked at. */
-    static CheckedModels checkWithoutTests(
-            List<String> paths, PathNames names, Progress progress) {
+    static CheckedModels checkWithoutTests(List<String> paths, PathNames names, Progress progress) {
         LoadedModels loaded = ModelLoader.load(paths, names, progress).withoutTests();
         return checkToRun(loaded, models -> List.of(), progress);
     }

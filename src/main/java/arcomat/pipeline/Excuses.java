@@ -46,8 +46,7 @@ final class Excuses {
                 String text = value(each);
                 int colon = text.indexOf(':');
                 String gone = text.substring(0, colon).strip();
-                replacements.add(
-                        new Replacement(each, gone, text.substring(colon + 1).strip()));
+                replacements.add(new Replacement(each, gone, text.substring(colon + 1).strip()));
             }
         }
     }

@@ -42,9 +42,7 @@ final class GateCauses {
 
     private boolean asksForOne(String name) {
         Gate.Entry entry = entries.get(name);
-        return entry != null
-                && entry.change().relation().isDoubtful()
-                && entry.excuse().isEmpty();
+        return entry != null && entry.change().relation().isDoubtful() && entry.excuse().isEmpty();
     }
 
     /** Whether something new was found; the parts of a part may have been looked at later. */

@@ -100,10 +100,8 @@ final class GateFindings {
     /** Where another break asks for a new reason, that has been said. */
     private void unneeded(Map.Entry<String, GateSide.Declared> component) {
         boolean fails =
-                findings.stream()
-                        .anyMatch(each -> each.span().equals(component.getValue().name()));
-        for (Excuses.Unneeded each :
-                excuses.unneeded(component.getKey(), component.getValue())) {
+                findings.stream().anyMatch(each -> each.span().equals(component.getValue().name()));
+        for (Excuses.Unneeded each : excuses.unneeded(component.getKey(), component.getValue())) {
             if (fails && each.spent()) {
                 continue;
             }

@@ -25,8 +25,8 @@ record GateSide(CheckedModels checked, Model model, SortedMap<String, Declared> 
      * @param span all of it
      * @param name the place of its name
      * @param stereotypes on it and on its automata
-     * @param instantiations by qualified name; just one, of its own name, if it is not generic, none
-     *     if it is and nobody gives it arguments
+     * @param instantiations by qualified name; just one, of its own name, if it is not generic,
+     *     none if it is and nobody gives it arguments
      */
     record Declared(
             Span span,
@@ -63,8 +63,7 @@ record GateSide(CheckedModels checked, Model model, SortedMap<String, Declared> 
                         .findFirst()
                         .orElseThrow();
         Span name = symbol.node().name().map(Name::span).orElse(component.span());
-        return new Declared(
-                component.span(), name, symbol.node().stereotypes(), new TreeMap<>());
+        return new Declared(component.span(), name, symbol.node().stereotypes(), new TreeMap<>());
     }
 
     /** Without type arguments. */

@@ -37,8 +37,7 @@ final class GateStep {
         this.excuses = new Excuses(base, fresh);
     }
 
-    static GateResult run(GateRequest request, PathNames names, Progress progress)
-            throws WrongUse {
+    static GateResult run(GateRequest request, PathNames names, Progress progress) throws WrongUse {
         refuseBaseInside(request, names);
         CheckedModels old = CheckedModels.checkWithoutTests(request.base(), names, progress);
         CheckedModels now = CheckedModels.checkWithoutTests(request.paths(), names, progress);

@@ -35,7 +35,7 @@ record LoadedModels(
     /** The same but for the stream tests, as if there were none. */
     LoadedModels withoutTests() {
         return new LoadedModels(
-                files,
+                named.stream().filter(path -> !isTest(path)).toList(),
                 units.stream().filter(unit -> !isTest(unit.file().path())).toList(),
                 broken.stream().filter(path -> !isTest(path)).collect(Collectors.toSet()),
                 findings.stream().filter(each -> !isTest(each.span().file().path())).toList(),

@@ -20,8 +20,7 @@ public final class GateJson {
         return Json.text(
                 json -> {
                     json.writeStartObject();
-                    json.writeStringField(
-                            "verdict", gate.answer().name().toLowerCase(Locale.ROOT));
+                    json.writeStringField("verdict", gate.answer().name().toLowerCase(Locale.ROOT));
                     json.writeArrayFieldStart("components");
                     for (Gate.Entry entry : gate.entries()) {
                         write(json, entry);

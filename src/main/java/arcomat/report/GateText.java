@@ -41,7 +41,8 @@ public final class GateText {
         return out.append(out.isEmpty() ? "" : "\n").append(summary(gate, style)).toString();
     }
 
-    private static String line(Gate.Entry entry, Style style) {
+    /** {@code refines p.Lift}, with what it has more. */
+    static String line(Gate.Entry entry, Style style) {
         String word = word(entry.change().relation());
         String reason =
                 entry.cause().map(part -> "; by its part " + part).orElse("")
@@ -127,7 +128,8 @@ public final class GateText {
         return entry.answer() != Answer.HOLDS && place.equals(Optional.of(finding.span()));
     }
 
-    private static String summary(Gate gate, Style style) {
+    /** How many became what. */
+    public static String summary(Gate gate, Style style) {
         List<String> counts = new ArrayList<>();
         for (Relation relation : Relation.values()) {
             long number =

@@ -25,8 +25,8 @@ import java.util.stream.Stream;
 
 /**
  * The README and the pages about platform components, builds, the gate and analyses tell the truth:
- * their models are written to files, their commands are run in the order of the page, and the output
- * has to be what the page shows. A line {@code ...} stands for any lines.
+ * their models are written to files, their commands are run in the order of the page, and the
+ * output has to be what the page shows. A line {@code ...} stands for any lines.
  */
 class ReadmeTest {
     @TempDir Path directory;

@@ -111,23 +111,23 @@ class GateTest {
 
     private static String component(int number) {
         return """
-                package p;
+        package p;
 
-                component C%d {
-                    port in Integer[0..7] a, in Boolean b, out Integer[0..7] o;
+        component C%d {
+            port in Integer[0..7] a, in Boolean b, out Integer[0..7] o;
 
-                    <<completion = "ignore">> automaton {
-                        variable Integer[0..7] n = 0;
-                        state idle, busy, done;
+            <<completion = "ignore">> automaton {
+                variable Integer[0..7] n = 0;
+                state idle, busy, done;
 
-                        initial idle;
+                initial idle;
 
-                        idle -> busy [n < %d] {b == true} / {o = n};
-                        busy -> done {a == %d, b == true} / {o = a, n = a};
-                        done -> idle {b == false} / {o = 3};
-                    }
-                }
-                """
+                idle -> busy [n < %d] {b == true} / {o = n};
+                busy -> done {a == %d, b == true} / {o = a, n = a};
+                done -> idle {b == false} / {o = 3};
+            }
+        }
+        """
                 .formatted(number, number % 7 + 1, number % 7);
     }
 
