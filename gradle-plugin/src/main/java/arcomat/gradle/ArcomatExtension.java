@@ -1,6 +1,7 @@
 package arcomat.gradle;
 
 import org.gradle.api.file.DirectoryProperty;
+import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.ListProperty;
 import org.gradle.api.provider.Property;
 
@@ -29,6 +30,9 @@ public abstract class ArcomatExtension {
 
     /** Whether warnings fail the build; they do not if absent. */
     public abstract Property<Boolean> getWarningsFail();
+
+    /** Findings that are known, which {@code baselineArc} writes; none if absent. */
+    public abstract RegularFileProperty getBaseline();
 
     /** The folder of leJOS NXJ; that of the environment's {@code NXJ_HOME} if absent. */
     public abstract DirectoryProperty getNxjHome();

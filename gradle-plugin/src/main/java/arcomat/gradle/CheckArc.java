@@ -1,8 +1,14 @@
 package arcomat.gradle;
 
+import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.Input;
+import org.gradle.api.tasks.InputFile;
+import org.gradle.api.tasks.Optional;
+import org.gradle.api.tasks.OutputFile;
+import org.gradle.api.tasks.PathSensitive;
+import org.gradle.api.tasks.PathSensitivity;
 import org.gradle.api.tasks.TaskAction;
 
 import java.util.ArrayList;
@@ -19,13 +25,26 @@ public abstract class CheckArc extends ReportTask {
     @Input
     public abstract Property<Boolean> getWarningsFail();
 
+    /** Findings that are known and told no more. */
+    @InputFile
+    @Optional
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract RegularFileProperty getBaseline();
+
+    /** The findings for code scanning. */
+    @OutputFile
+    public abstract RegularFileProperty getSarif();
+
     @TaskAction
     final void check() {
         List<String> command = new ArrayList<>(List.of("check", "--profile", getProfile().get()));
         if (getWarningsFail().get()) {
             command.add("--strict");
         }
-        ToolResult result = report(command);
+        if (getBaseline().isPresent()) {
+            command.addAll(List.of("--baseline", shown(getBaseline().get().getAsFile())));
+        }
+        ToolResult result = report(command, "sarif", getSarif());
         if (result.hasDetails()) {
             getLogger().warn(result.out().stripTrailing());
         }

@@ -2,6 +2,7 @@ package arcomat.gradle;
 
 import org.gradle.api.Project;
 import org.gradle.api.file.Directory;
+import org.gradle.api.file.RegularFile;
 import org.gradle.api.provider.Provider;
 import org.gradle.api.tasks.TaskContainer;
 import org.gradle.api.tasks.TaskProvider;
@@ -14,6 +15,7 @@ final class ModelTasks {
     private final ModelSources test;
     private final TaskContainer tasks;
     private final Provider<Directory> build;
+    private final Provider<String> logFormat;
 
     ModelTasks(Project project, ArcomatExtension settings, ModelSources main, ModelSources test) {
         this.settings = settings;
@@ -21,15 +23,28 @@ final class ModelTasks {
         this.test = test;
         this.tasks = project.getTasks();
         this.build = project.getLayout().getBuildDirectory();
+        this.logFormat =
+                project.getProviders()
+                        .environmentVariable("GITHUB_ACTIONS")
+                        .map("true"::equals)
+                        .orElse(false)
+                        .map(github -> github ? "github" : "text");
     }
 
     void register() {
-        tasks.withType(ReportTask.class).configureEach(this::reportToFile);
+        tasks.withType(ReportTask.class)
+                .configureEach(
+                        task -> {
+                            task.getReport().convention(report(task, "txt"));
+                            task.getLogFormat().convention(logFormat);
+                        });
         partOfCheck(checkArc());
         partOfCheck(verifyArc());
         partOfCheck(testArc());
         register("formatArc", FormatArc.class, "Rewrites the models in canonical form.");
-        register("checkArcFormat", CheckArcFormat.class, "Fails when a model is not formatted.");
+        register("checkArcFormat", CheckArcFormat.class, "Fails when a model is not formatted.")
+                .configure(task -> task.getReport().convention(report(task, "txt")));
+        baselineArc();
         simulateArc();
     }
 
@@ -40,24 +55,35 @@ final class ModelTasks {
                 task -> {
                     task.getProfile().convention(settings.getProfile());
                     task.getWarningsFail().convention(settings.getWarningsFail());
+                    task.getBaseline().convention(settings.getBaseline());
+                    task.getSarif().convention(report(task, "sarif"));
                 });
         return provider;
     }
 
     private TaskProvider<VerifyArc> verifyArc() {
-        return register("verifyArc", VerifyArc.class, "Proves all that the models say they keep.");
+        TaskProvider<VerifyArc> provider =
+                register("verifyArc", VerifyArc.class, "Proves all that the models say they keep.");
+        provider.configure(task -> task.getSarif().convention(report(task, "sarif")));
+        return provider;
     }
 
     private TaskProvider<TestArc> testArc() {
         TaskProvider<TestArc> provider =
                 register("testArc", TestArc.class, "Runs the stream tests of the models.");
+        String results = "test-results/testArc/TEST-arc.xml";
         provider.configure(
-                task ->
-                        task.getJunitXml()
-                                .convention(
-                                        build.map(
-                                                d -> d.file("test-results/testArc/TEST-arc.xml"))));
+                task -> task.getJunitXml().convention(build.map(folder -> folder.file(results))));
         return provider;
+    }
+
+    private void baselineArc() {
+        register("baselineArc", BaselineArc.class, "Writes down what is found today as known.")
+                .configure(
+                        task -> {
+                            task.getProfile().convention(settings.getProfile());
+                            task.getBaseline().convention(settings.getBaseline());
+                        });
     }
 
     private void simulateArc() {
@@ -81,9 +107,9 @@ final class ModelTasks {
                 });
     }
 
-    private void reportToFile(ReportTask task) {
-        String file = "reports/arcomat/" + task.getName() + ".txt";
-        task.getReport().convention(build.map(directory -> directory.file(file)));
+    private Provider<RegularFile> report(ModelTask task, String ending) {
+        String file = "reports/arcomat/" + task.getName() + "." + ending;
+        return build.map(folder -> folder.file(file));
     }
 
     private void partOfCheck(TaskProvider<?> task) {

@@ -31,8 +31,7 @@ public abstract class TestArc extends ReportTask {
 
     @TaskAction
     final void test() {
-        String junit = "junit=" + shown(getJunitXml().get().getAsFile());
-        ToolResult result = report(List.of("test", "--report", junit));
+        ToolResult result = report(List.of("test"), "junit", getJunitXml());
         getLogger().info(result.out().stripTrailing());
     }
 }

@@ -76,6 +76,9 @@ class ShopTest {
     @Test
     void saysWhatIsWrongAndWhere() {
         shop.append("build.gradle", "arcomat.warningsFail = project.hasProperty('strict')\n");
+        shop.append(
+                "build.gradle",
+                "if (project.hasProperty('known')) arcomat.baseline = file('known.txt')\n");
         shop.edit(BUMPER, "port in Boolean", "port <<totl>> in  Boolean");
 
         BuildResult warned = shop.build("checkArc");
@@ -89,7 +92,13 @@ class ShopTest {
                         "Execution failed for task ':checkArc'.\n> 1 warning in 5 files",
                         "would change src/main/arc/shop/Bumper.arc",
                         "Execution failed for task ':checkArcFormat'.\n"
-                            + "> 1 of 5 files would change");
+                                + "> 1 of 5 files would change");
+
+        assertThat(shop.read("build/reports/arcomat/checkArc.sarif")).contains("\"ARC0501\"");
+        shop.build("baselineArc", "-Pknown");
+        assertThat(shop.read("known.txt")).contains("ARC0501");
+        assertThat(outcomes(shop.build("checkArc", "-Pstrict", "-Pknown")))
+                .contains(":checkArc SUCCESS");
 
         shop.edit(BUMPER, "wheels = halt", "wheels = hald");
         BuildResult failed = shop.fail("check");

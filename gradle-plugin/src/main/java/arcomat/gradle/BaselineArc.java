@@ -1,0 +1,40 @@
+package arcomat.gradle;
+
+import org.gradle.api.GradleException;
+import org.gradle.api.file.RegularFileProperty;
+import org.gradle.api.provider.Property;
+import org.gradle.api.tasks.Internal;
+import org.gradle.api.tasks.TaskAction;
+import org.gradle.api.tasks.UntrackedTask;
+
+import java.util.List;
+
+/** Writes down what is found today, so that checks tell only what is new. */
+@UntrackedTask(because = "Who starts it wants the file written anew.")
+public abstract class BaselineArc extends ModelTask {
+    /** What models must fulfil: {@code requirements} or {@code executable}. */
+    @Internal
+    public abstract Property<String> getProfile();
+
+    /** The file to write, which is to be committed. */
+    @Internal
+    public abstract RegularFileProperty getBaseline();
+
+    @TaskAction
+    final void write() {
+        if (!getBaseline().isPresent()) {
+            throw new GradleException("say where: arcomat { baseline = file('known.txt') }");
+        }
+        String file = shown(getBaseline().get().getAsFile());
+        ToolResult result =
+                runOnModels(
+                        List.of(
+                                "check",
+                                "--profile",
+                                getProfile().get(),
+                                "--write-baseline",
+                                file));
+        result.require(getLogger());
+        getLogger().lifecycle(result.out().stripTrailing());
+    }
+}
