@@ -14,12 +14,14 @@ import arcomat.report.Reported;
 import arcomat.report.Reported.Standing;
 import arcomat.report.Style;
 import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** {@code arcomat gate}: whether components still keep what they promised. */
@@ -63,25 +65,32 @@ final class GateCommand extends LimitedCommand {
             reports.write((format, style) -> refusal(result, format, style), pipeline, console);
             return ExitStatus.WRONG_USE;
         }
-        Gate gate = result.gate().get();
-        reports.write(
-                (format, style) -> text(gate, result.findings(), format, style), pipeline, console);
-        return status(gate.answer());
+        reports.write((format, style) -> text(result, format, style), pipeline, console);
+        return status(result.gate().get().answer());
     }
 
-    private String text(Gate gate, List<Diagnostic> findings, ReportFormat format, Style style) {
-        List<Reported> reported =
-                findings.stream()
-                        .map(each -> new Reported(each, Standing.NEW, "", List.of()))
-                        .toList();
+    private String text(GateResult result, ReportFormat format, Style style) {
+        Gate gate = result.gate().orElseThrow();
+        List<Diagnostic> findings = result.findings();
         return switch (format) {
             case text -> GateText.render(gate, findings, style);
             case json -> GateJson.render(gate, findings);
-            case sarif -> MachineFormats.of(console).sarif(reported, false);
+            case sarif -> MachineFormats.of(console).sarif(reported(result), false);
             case github ->
-                    MachineFormats.of(console).github(reported, GateText.summary(gate, style));
+                    MachineFormats.of(console).github(reported(result), GateText.summary(gate, style));
             case junit -> JunitXml.render("arcomat gate", GateCases.of(gate));
         };
+    }
+
+    private static List<Reported> reported(GateResult result) {
+        List<Reported> all = new ArrayList<>();
+        for (Diagnostic finding : result.findings()) {
+            all.add(new Reported(finding, Standing.NEW, "", List.of()));
+        }
+        for (Suppressed each : result.meant()) {
+            all.add(new Reported(each.finding(), Standing.SUPPRESSED, each.reason(), List.of()));
+        }
+        return all;
     }
 
     /** What keeps the sides from being compared: for people, which side it is. */

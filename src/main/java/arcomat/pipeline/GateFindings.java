@@ -4,8 +4,10 @@ import arcomat.analysis.Change;
 import arcomat.analysis.Gate;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 
@@ -19,41 +21,64 @@ final class GateFindings {
     private final GateSide fresh;
     private final Excuses excuses;
     private final List<Diagnostic> findings = new ArrayList<>();
+    private final List<Suppressed> meant = new ArrayList<>();
 
     private GateFindings(GateSide fresh, Excuses excuses) {
         this.fresh = fresh;
         this.excuses = excuses;
     }
 
-    static List<Diagnostic> of(Gate gate, GateSide fresh, Excuses excuses) {
+    static GateFindings of(Gate gate, GateSide fresh, Excuses excuses) {
         GateFindings all = new GateFindings(fresh, excuses);
-        for (Gate.Entry entry : gate.entries()) {
-            switch (entry.answer()) {
-                case HOLDS -> {}
-                case FAILS -> all.fails(entry);
-                case UNKNOWN -> all.unknown(entry);
-            }
-        }
+        gate.entries().stream()
+                .filter(entry -> entry.change().relation().isDoubtful())
+                .forEach(all::add);
         fresh.components().entrySet().stream()
                 .filter(each -> fresh.isNamedByUser(each.getValue()))
                 .forEach(all::unneeded);
         all.findings.sort(Diagnostic.ORDER);
-        return all.findings;
+        all.meant.sort(Comparator.comparing(Suppressed::finding, Diagnostic.ORDER));
+        return all;
     }
 
-    private void fails(Gate.Entry entry) {
-        if (entry.change().relation() == Change.Relation.GONE) {
-            findings.add(
-                    Diagnostic.error(
-                            GONE,
-                            entry.old().orElseThrow(),
-                            "'"
-                                    + entry.name()
-                                    + "' is gone; keep it, or say why with <<replaces = \""
-                                    + entry.name()
-                                    + ": reason\">> on a component"));
-            return;
-        }
+    /** What nobody gives a reason for. */
+    List<Diagnostic> findings() {
+        return findings;
+    }
+
+    /** What the models give a reason for. */
+    List<Suppressed> meant() {
+        return meant;
+    }
+
+    private void add(Gate.Entry entry) {
+        Diagnostic finding = finding(entry);
+        entry.excuse()
+                .ifPresentOrElse(
+                        reason -> meant.add(new Suppressed(finding, reason)),
+                        () -> findings.add(finding));
+    }
+
+    private Diagnostic finding(Gate.Entry entry) {
+        return switch (entry.change().relation()) {
+            case GONE -> gone(entry);
+            case UNKNOWN -> unknown(entry);
+            default -> notKept(entry);
+        };
+    }
+
+    private static Diagnostic gone(Gate.Entry entry) {
+        return Diagnostic.error(
+                GONE,
+                entry.old().orElseThrow(),
+                "'"
+                        + entry.name()
+                        + "' is gone; keep it, or say why with <<replaces = \""
+                        + entry.name()
+                        + ": reason\">> on a component");
+    }
+
+    private Diagnostic notKept(Gate.Entry entry) {
         Diagnostic finding =
                 Diagnostic.error(NOT_KEPT, entry.fresh().orElseThrow(), message(entry));
         for (Sentence sentence : entry.change().witnesses().get(0).verdict().explanation()) {
@@ -61,7 +86,17 @@ final class GateFindings {
                 finding = finding.withRelated(sentence.place().get(), sentence.text());
             }
         }
-        findings.add(finding);
+        return finding;
+    }
+
+    private static Diagnostic unknown(Gate.Entry entry) {
+        return Diagnostic.warning(
+                UNKNOWN,
+                entry.fresh().orElseThrow(),
+                "whether '"
+                        + entry.name()
+                        + "' keeps what it promised is unknown: "
+                        + entry.change().reason());
     }
 
     private String message(Gate.Entry entry) {
@@ -84,17 +119,6 @@ final class GateFindings {
                 ? "; the reason that it has is in the base, too: it was given for an earlier"
                         + " change"
                 : "";
-    }
-
-    private void unknown(Gate.Entry entry) {
-        findings.add(
-                Diagnostic.warning(
-                        UNKNOWN,
-                        entry.fresh().orElseThrow(),
-                        "whether '"
-                                + entry.name()
-                                + "' keeps what it promised is unknown: "
-                                + entry.change().reason()));
     }
 
     /** Where another break asks for a new reason, that has been said. */

@@ -42,18 +42,17 @@ final class GateStep {
         CheckedModels old = CheckedModels.checkWithoutTests(request.base(), names, progress);
         CheckedModels now = CheckedModels.checkWithoutTests(request.paths(), names, progress);
         if (old.hasErrors() || now.hasErrors()) {
-            return new GateResult(old.result(), now.result(), Optional.empty(), List.of());
+            return new GateResult(
+                    old.result(), now.result(), Optional.empty(), List.of(), List.of());
         }
         GateScope scope = new GateScope(old, now, request.paths(), names);
         GateSide base = GateSide.of(old, progress);
         GateSide fresh = GateSide.of(now, progress);
         GateStep step = new GateStep(request, base, fresh, progress);
         Gate gate = step.compare(scope);
+        GateFindings found = GateFindings.of(gate, fresh, step.excuses);
         return new GateResult(
-                old.result(),
-                now.result(),
-                Optional.of(gate),
-                GateFindings.of(gate, fresh, step.excuses));
+                old.result(), now.result(), Optional.of(gate), found.findings(), found.meant());
     }
 
     /** The base would be searched as a part of the new models. */
