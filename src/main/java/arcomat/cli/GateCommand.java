@@ -77,7 +77,8 @@ final class GateCommand extends LimitedCommand {
             case json -> GateJson.render(gate, findings);
             case sarif -> MachineFormats.of(console).sarif(reported(result), false);
             case github ->
-                    MachineFormats.of(console).github(reported(result), GateText.summary(gate, style));
+                    MachineFormats.of(console)
+                            .github(reported(result), GateText.summary(gate, style));
             case junit -> JunitXml.render("arcomat gate", GateCases.of(gate));
         };
     }
