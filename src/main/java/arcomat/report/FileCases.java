@@ -1,14 +1,16 @@
 package arcomat.report;
 
 import arcomat.report.Case.Outcome;
+import arcomat.report.Reported.Standing;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.SortedSet;
-import java.util.TreeSet;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Files that were checked as cases, one each, with what was found in them.
@@ -20,14 +22,22 @@ public record FileCases(CheckReport report, boolean strict) {
 
     /** All files, those without findings too. */
     public List<Case> all() {
-        SortedSet<String> paths = new TreeSet<>(report.paths());
-        report.findings().forEach(finding -> paths.add(finding.span().file().path()));
-        return paths.stream().map(this::of).toList();
+        SortedMap<String, List<Reported>> byFile = new TreeMap<>();
+        report.paths().forEach(path -> byFile.put(path, new ArrayList<>()));
+        for (Reported each : report.reported()) {
+            byFile.computeIfAbsent(each.finding().span().file().path(), p -> new ArrayList<>())
+                    .add(each);
+        }
+        return byFile.entrySet().stream().map(e -> of(e.getKey(), e.getValue())).toList();
     }
 
-    private Case of(String path) {
-        List<Diagnostic> own = report.findings().stream().filter(f -> isIn(path, f)).toList();
-        Optional<Diagnostic> failure = own.stream().filter(f -> strict || f.isError()).findFirst();
+    private Case of(String path, List<Reported> own) {
+        List<Diagnostic> open =
+                own.stream()
+                        .filter(each -> each.standing() == Standing.NEW)
+                        .map(Reported::finding)
+                        .toList();
+        Optional<Diagnostic> failure = open.stream().filter(f -> strict || f.isError()).findFirst();
         Span beginning = new SourceFile(path, "").span(0, 0);
         return new Case(
                 GROUP,
@@ -35,19 +45,17 @@ public record FileCases(CheckReport report, boolean strict) {
                 Optional.of(failure.map(Diagnostic::span).orElse(beginning)),
                 failure.isPresent() ? Outcome.FAILED : Outcome.PASSED,
                 failure.map(f -> f.code() + ": " + f.message()).orElse(""),
-                FindingsText.render(own, Style.PLAIN) + notShown(path));
+                FindingsText.render(open, Style.PLAIN) + closed(own));
     }
 
     /** A line for each finding that nobody has to look at. */
-    private String notShown(String path) {
+    private static String closed(List<Reported> own) {
         StringBuilder lines = new StringBuilder();
-        for (Reported each : report.reported()) {
-            if (isIn(path, each.finding())) {
-                switch (each.standing()) {
-                    case NEW -> {}
-                    case SUPPRESSED -> append(lines, each, "suppressed: " + each.reason());
-                    case KNOWN -> append(lines, each, "known, in baseline");
-                }
+        for (Reported each : own) {
+            switch (each.standing()) {
+                case NEW -> {}
+                case SUPPRESSED -> append(lines, each, "suppressed: " + each.reason());
+                case KNOWN -> append(lines, each, "known, in baseline");
             }
         }
         return lines.toString();
@@ -60,9 +68,5 @@ public record FileCases(CheckReport report, boolean strict) {
                 .append(' ')
                 .append(why)
                 .append('\n');
-    }
-
-    private static boolean isIn(String path, Diagnostic finding) {
-        return finding.span().file().path().equals(path);
     }
 }

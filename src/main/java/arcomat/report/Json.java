@@ -29,6 +29,28 @@ final class Json {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return out.append('\n').toString();
+        return escapeHalfPairs(out.append('\n').toString());
+    }
+
+    /** Half of a surrogate pair, which models may send, has no encoding but an escape. */
+    private static String escapeHalfPairs(String json) {
+        if (json.codePoints().noneMatch(Json::isHalfPair)) {
+            return json;
+        }
+        StringBuilder escaped = new StringBuilder();
+        json.codePoints()
+                .forEach(
+                        c -> {
+                            if (isHalfPair(c)) {
+                                escaped.append(String.format("\\u%04x", c));
+                            } else {
+                                escaped.appendCodePoint(c);
+                            }
+                        });
+        return escaped.toString();
+    }
+
+    private static boolean isHalfPair(int codePoint) {
+        return Character.getType(codePoint) == Character.SURROGATE;
     }
 }

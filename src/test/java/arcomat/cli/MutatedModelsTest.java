@@ -2,6 +2,7 @@ package arcomat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.report.SarifSchema;
 import arcomat.report.Style;
 
 import net.jqwik.api.ForAll;
@@ -21,16 +22,20 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 
+import javax.xml.parsers.DocumentBuilderFactory;
+
 /** Good models with something changed in one file: no command ever fails by itself. */
 class MutatedModelsTest {
     private static final Path MODELS = Path.of("models/coffee");
 
     private static Path directory;
+    private static Path reports;
     private static List<Path> files;
 
     @BeforeContainer
     static void copyModels() throws IOException {
         directory = Files.createTempDirectory("arcomat-mutated");
+        reports = Files.createTempDirectory("arcomat-reports");
         try (Stream<Path> paths = Files.walk(MODELS)) {
             files =
                     paths.filter(p -> p.toString().matches(".*\\.(arc|cd|mt)"))
@@ -47,19 +52,20 @@ class MutatedModelsTest {
     @AfterContainer
     static void removeModels() throws IOException {
         Folders.delete(directory);
+        Folders.delete(reports);
     }
 
     @Property(seed = "1", tries = 60)
     void aPieceIsMissing(
             @ForAll int file, @ForAll int start, @ForAll @IntRange(max = 40) int length)
-            throws IOException {
+            throws Exception {
         mutate(file, start, length, new byte[0]);
     }
 
     @Property(seed = "2", tries = 40)
     void aPieceIsInserted(
             @ForAll int file, @ForAll int start, @ForAll @IntRange(max = 24) int token)
-            throws IOException {
+            throws Exception {
         String[] tokens = {
             "{",
             "}",
@@ -91,12 +97,12 @@ class MutatedModelsTest {
     }
 
     @Property(seed = "3", tries = 40)
-    void theFileIsCut(@ForAll int file, @ForAll int start) throws IOException {
+    void theFileIsCut(@ForAll int file, @ForAll int start) throws Exception {
         mutate(file, start, Integer.MAX_VALUE, new byte[0]);
     }
 
     private static void mutate(int chosen, int start, int length, byte[] inserted)
-            throws IOException {
+            throws Exception {
         Path file = directory.resolve(files.get(Math.floorMod(chosen, files.size())));
         byte[] good = Files.readAllBytes(file);
         int from = Math.floorMod(start, good.length + 1);
@@ -107,11 +113,21 @@ class MutatedModelsTest {
         System.arraycopy(good, to, bad, from + inserted.length, good.length - to);
         try {
             Files.write(file, bad);
-            runsWithoutInternalError("check", ".");
+            checkReports();
             runsWithoutInternalError("format", "--check", file.toString());
         } finally {
             Files.write(file, good);
         }
+    }
+
+    /** Whatever is wrong with the models, reports about it are in order. */
+    private static void checkReports() throws Exception {
+        Path sarif = reports.resolve("check.sarif");
+        Path junit = reports.resolve("check.xml");
+        runsWithoutInternalError(
+                "check", "--report", "sarif=" + sarif, "--report", "junit=" + junit, ".");
+        assertThat(SarifSchema.problems(Files.readString(sarif))).isEmpty();
+        DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(junit.toFile());
     }
 
     private static void runsWithoutInternalError(String... arguments) {
