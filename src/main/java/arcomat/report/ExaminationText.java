@@ -1,8 +1,10 @@
 package arcomat.report;
 
 import arcomat.analysis.Moment;
+import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
+import arcomat.analysis.automaton.Unexamined;
 import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.source.Diagnostic;
@@ -31,6 +33,13 @@ public final class ExaminationText {
                 .append(summary(examination, style))
                 .append('\n')
                 .toString();
+    }
+
+    /** A line on a component that was not looked at. */
+    public static String render(Unexamined unexamined, Style style) {
+        return VerdictText.answer(Answer.UNKNOWN, style)
+                + ": "
+                + Printable.escape(unexamined.component() + " " + unexamined.reason());
     }
 
     /** A line on findings that are declared to be meant. */
