@@ -2,6 +2,7 @@ package arcomat.analysis;
 
 import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.engine.AtomicSide;
+import arcomat.analysis.engine.Comparison;
 import arcomat.analysis.engine.CompositeSide;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.Side;
@@ -12,18 +13,27 @@ import java.util.List;
 /** Both sides of a comparison, ready to be explored. */
 record Sides(Side left, Side right, List<Port> observed, Outputs outputs) {
 
-    static Sides of(Promise left, Promise right) {
+    static Sides of(Promise left, Promise right, Budget budget) {
         Outputs outputs = new Outputs();
         List<Port> observed = right.component().outputs();
         List<String> names = observed.stream().map(Port::name).toList();
         return new Sides(
-                side(left, names, outputs), side(right, names, outputs), observed, outputs);
+                side(left, names, outputs, budget),
+                side(right, names, outputs, budget),
+                observed,
+                outputs);
     }
 
-    private static Side side(Promise promise, List<String> observed, Outputs outputs) {
+    private static Side side(
+            Promise promise, List<String> observed, Outputs outputs, Budget budget) {
         return promise.isComposition()
-                ? new CompositeSide(promise.component(), promise.arguments(), observed, outputs)
-                : new AtomicSide(promise.behaviour(), observed, outputs);
+                ? new CompositeSide(
+                        promise.component(), promise.arguments(), observed, outputs, budget)
+                : new AtomicSide(promise.behaviour(), observed, outputs, budget);
+    }
+
+    Comparison comparison(Budget budget) {
+        return new Comparison(left, right, observed, outputs, budget);
     }
 
     Explored explored(long pairs) {

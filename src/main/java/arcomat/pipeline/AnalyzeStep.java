@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
@@ -39,10 +40,11 @@ final class AnalyzeStep {
         if (promises.isEmpty() && unexamined.isEmpty()) {
             throw new WrongUse("there is no automaton in " + String.join(", ", paths));
         }
+        Budget budget = request.limits().budget();
         List<Examination> examinations = new ArrayList<>();
         for (Promise promise : promises) {
             progress.step("examining " + promise.title());
-            examinations.addAll(Analyses.examine(promise, request.limits().budget()));
+            examinations.addAll(Analyses.examine(promise, budget));
         }
         return withoutMeant(examinations, unexamined, checked);
     }

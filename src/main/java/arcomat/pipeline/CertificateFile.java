@@ -1,18 +1,17 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.Certification;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.Certificate;
-import arcomat.analysis.engine.TooManyMessages;
 import arcomat.report.CertificateText;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 
 /** The proof of a refinement as a file, for whoever doubts the tool. */
 final class CertificateFile {
@@ -35,17 +34,17 @@ final class CertificateFile {
     }
 
     /** Holds, or unknown where the file proves nothing. */
-    static Verdict verify(String file, Promise left, Promise right, PathNames names)
+    static Verdict verify(
+            String file, Promise left, Promise right, AnalysisLimits limits, PathNames names)
             throws WrongUse {
         List<Certificate> certificates = read(file, names.resolve(file));
-        try {
-            Optional<String> problem = Certification.problem(left, right, certificates);
-            return problem.isPresent()
-                    ? Verdict.unknown("'" + file + "' is no proof: " + problem.get())
-                    : Verdict.proved(certificates);
-        } catch (TooManyMessages problem) {
-            return Verdict.unknown(problem.getMessage());
-        }
+        Budget budget = limits.budget();
+        return Budget.within(
+                () ->
+                        Certification.problem(left, right, certificates, budget)
+                                .map(why -> Verdict.unknown("'" + file + "' is no proof: " + why))
+                                .orElseGet(() -> Verdict.proved(certificates)),
+                Verdict::unknown);
     }
 
     private static List<Certificate> read(String file, Path path) throws WrongUse {

@@ -40,7 +40,8 @@ final class RefinesStep {
             return MonaStep.verdict(left, right, request, names);
         }
         if (request.doubted().isPresent()) {
-            return CertificateFile.verify(request.doubted().get(), left, right, names);
+            return CertificateFile.verify(
+                    request.doubted().get(), left, right, request.limits(), names);
         }
         if (request.certificate().isPresent()) {
             Certification certification = Certification.of(left, right, request.limits().budget());

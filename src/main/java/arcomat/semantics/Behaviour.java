@@ -96,12 +96,20 @@ public final class Behaviour {
 
     /** All beginnings, in text order of the first automaton, then the second, and so on. */
     public List<JointStart> starts() {
+        return starts(() -> {});
+    }
+
+    /**
+     * @param between called before each combination; may throw to give up, where there are many
+     */
+    public List<JointStart> starts(Runnable between) {
         Output open = StepRelation.atStart(component, anything());
         List<JointStart> joint = List.of(new JointStart(List.of(), open));
         for (StepRelation relation : relations) {
             List<JointStart> longer = new ArrayList<>();
             for (JointStart prefix : joint) {
                 for (Start start : relation.starts()) {
+                    between.run();
                     Optional<Output> output = prefix.output.meet(start.output());
                     output.ifPresent(
                             o -> longer.add(new JointStart(plus(prefix.starts, start), o)));
@@ -119,6 +127,14 @@ public final class Behaviour {
      * @throws Fault where a right-hand side goes wrong
      */
     public List<JointReaction> reactions(List<Configuration> before, Input input) {
+        return reactions(before, input, () -> {});
+    }
+
+    /**
+     * @param between called before each combination; may throw to give up, where there are many
+     */
+    public List<JointReaction> reactions(
+            List<Configuration> before, Input input, Runnable between) {
         if (relations.size() == 1) {
             return single(before.get(0), input);
         }
@@ -128,6 +144,7 @@ public final class Behaviour {
             List<JointReaction> longer = new ArrayList<>();
             for (JointReaction prefix : joint) {
                 for (Reaction reaction : reactions) {
+                    between.run();
                     Optional<Output> output = prefix.output.meet(reaction.output());
                     output.ifPresent(
                             o ->

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -30,6 +31,7 @@ public final class AtomicSide implements Side {
     private final List<Port> inputs;
     private final int[] observed;
     private final Outputs outputs;
+    private final Budget budget;
 
     private final Map<List<Configuration>, Integer> numbers = new HashMap<>();
     private final List<List<Configuration>> configurations = new ArrayList<>();
@@ -41,7 +43,8 @@ public final class AtomicSide implements Side {
     /**
      * @param observed names of the output ports that are compared; the others are projected away
      */
-    public AtomicSide(Behaviour behaviour, List<String> observed, Outputs outputs) {
+    public AtomicSide(Behaviour behaviour, List<String> observed, Outputs outputs, Budget budget) {
+        this.budget = budget;
         this.behaviour = behaviour;
         this.inputs = behaviour.component().inputs();
         this.outputs = outputs;
@@ -67,7 +70,7 @@ public final class AtomicSide implements Side {
     @Override
     public Steps openings() {
         StepCollector collector = new StepCollector();
-        for (JointStart start : behaviour.starts()) {
+        for (JointStart start : behaviour.starts(budget::insist)) {
             List<Configuration> begin =
                     start.starts().stream().map(each -> each.configuration()).toList();
             collector.add(
@@ -119,13 +122,14 @@ public final class AtomicSide implements Side {
         }
         List<JointReaction> reactions;
         try {
-            reactions = behaviour.reactions(before, Input.of(letter));
+            reactions = behaviour.reactions(before, Input.of(letter), budget::insist);
         } catch (Fault fault) {
             Output nothing = new Output(List.of());
             collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
             return collector.steps();
         }
         for (JointReaction reaction : reactions) {
+            budget.insist();
             List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
             List<Trace.Cause> causes = reaction.reactions().stream().map(Reaction::cause).toList();
             boolean error = after.contains(Configuration.ERROR);

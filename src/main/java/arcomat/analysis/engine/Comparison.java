@@ -28,24 +28,23 @@ public final class Comparison {
     public Comparison(Side left, Side right, List<Port> observed, Outputs outputs, Budget budget) {
         this.leftOutputs = left.outputs();
         this.observed = observed.stream().map(Port::name).toList();
-        this.pairing = new Pairing(left, right, observed, outputs);
+        this.pairing = new Pairing(left, right, observed, outputs, budget);
         this.inclusion = new Inclusion(pairing, budget);
     }
 
-    /**
-     * @throws TooManyMessages where all messages of a port matter that has too many
-     */
+    /** Ends with the first failure, or where time, memory or letters are too much. */
     public Inclusion.Result run() {
         return inclusion.search();
     }
 
-    /**
-     * As {@link #run}, but goes on behind failures.
-     *
-     * @throws TooManyMessages where all messages of a port matter that has too many
-     */
+    /** As {@link #run}, but goes on behind failures. */
     public Inclusion.Result runOn() {
         return inclusion.search(true);
+    }
+
+    /** How many pairs were explored so far. */
+    public long pairs() {
+        return inclusion.pairs();
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -45,10 +46,14 @@ public final class CompositeSide implements Side {
      * @param compared names of the output ports that are compared
      */
     public CompositeSide(
-            Component component, List<Value> arguments, List<String> compared, Outputs outputs) {
+            Component component,
+            List<Value> arguments,
+            List<String> compared,
+            Outputs outputs,
+            Budget budget) {
         this.network = Network.of(component, arguments);
         this.wiring = new Wiring(network, compared);
-        this.parts = new Parts(network, wiring);
+        this.parts = new Parts(network, wiring, budget);
         this.outputs = outputs;
         this.inputs = network.inputs().stream().map(CompositeSide::named).toList();
         this.observed = new Network.External[compared.size()];

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Look;
@@ -25,9 +26,11 @@ import java.util.List;
 final class Parts {
     private final Network network;
     private final Wiring wiring;
+    private final Budget budget;
     private final List<Behaviour> behaviours = new ArrayList<>();
 
-    Parts(Network network, Wiring wiring) {
+    Parts(Network network, Wiring wiring, Budget budget) {
+        this.budget = budget;
         this.network = network;
         this.wiring = wiring;
         for (Network.Instance instance : network.instances()) {
@@ -45,7 +48,7 @@ final class Parts {
         for (int part = 0; part < behaviours.size(); part++) {
             List<Slice> longer = new ArrayList<>();
             for (Slice slice : slices) {
-                for (JointStart start : behaviours.get(part).starts()) {
+                for (JointStart start : behaviours.get(part).starts(budget::insist)) {
                     Slice copy = slice.copy();
                     copy.after.add(start.starts().stream().map(s -> s.configuration()).toList());
                     send(copy, part, start.output().ports(), longer);
@@ -85,6 +88,7 @@ final class Parts {
             List<Slice> divided = new ArrayList<>();
             for (Slice each : settled) {
                 for (Sent sent : samples(signal, slice.visible[signal], before)) {
+                    budget.insist();
                     Slice copy = each.copy();
                     copy.visible[signal] = sent;
                     divided.add(copy);
@@ -123,7 +127,9 @@ final class Parts {
 
     private void react(Slice slice, Whole before, int part, List<Slice> next) {
         List<JointReaction> reactions =
-                behaviours.get(part).reactions(before.parts().get(part), input(slice, part));
+                behaviours
+                        .get(part)
+                        .reactions(before.parts().get(part), input(slice, part), budget::insist);
         for (JointReaction reaction : reactions) {
             Slice copy = slice.copy();
             copy.after.add(reaction.reactions().stream().map(Reaction::next).toList());
@@ -158,6 +164,7 @@ final class Parts {
             List<Slice> longer = new ArrayList<>();
             for (Slice each : slices) {
                 for (Sent option : options(signal, sent.get(i))) {
+                    budget.insist();
                     Slice copy = each.copy();
                     (wiring.delayed[signal] ? copy.registers : copy.visible)[signal] = option;
                     longer.add(copy);

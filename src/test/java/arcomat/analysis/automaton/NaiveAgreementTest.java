@@ -119,7 +119,8 @@ class NaiveAgreementTest {
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         Subject subject = Subject.of(component, automaton, List.of());
         Seen seen = new Seen();
-        Exploration explored = Exploration.run(subject, List.of(seen), Budget.ofMemory());
+        Exploration explored = new Exploration(subject, List.of(seen), Budget.ofMemory());
+        explored.run();
         assertThat(explored.isComplete()).isTrue();
         Walk walk = new Walk(subject, new Stepper(subject));
         NaiveExploration naive = NaiveExploration.of(component);
