@@ -76,3 +76,16 @@ component GoodSum {
     adding {more == 0} / {sum = total};
   }
 }
+
+//// GoodShare.arc
+/** By a number that is not known before: what divides is smaller than what is divided. */
+component GoodShare {
+  port in Integer[0..100000] whole, in Integer[0..100000] parts, out Integer[0..100000] share,
+       out Integer[0..99999] rest;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only [parts > 0] {whole == ?} / {share = whole / parts, rest = whole % parts};
+  }
+}
