@@ -2,6 +2,7 @@ package arcomat.analysis.engine;
 
 import arcomat.analysis.GivenUp;
 import arcomat.model.Port;
+import arcomat.model.Type;
 
 /** There are too many letters to try. */
 public final class TooManyMessages extends GivenUp {
@@ -18,9 +19,14 @@ public final class TooManyMessages extends GivenUp {
                         + port.name()
                         + "' matters, and "
                         + port.type().name()
-                        + " has too many to try; give it a range of at most "
-                        + SmallType.MOST
-                        + " values");
+                        + " has too many to try"
+                        + advice(port.type()));
+    }
+
+    private static String advice(Type type) {
+        return type instanceof Type.IntegerType
+                ? "; give it a range of at most " + SmallType.MOST + " values"
+                : "";
     }
 
     /** What matters of several ports is too much together. */
