@@ -111,10 +111,14 @@ public final class CompositeSide implements Side {
         return known;
     }
 
-    /** A message that passes through to the outside matters as a whole. */
+    /** A message that passes through to the outside matters as a whole. An error reads nothing. */
     private Attention attention(Whole whole) {
         Look[] looks = new Look[inputs.size()];
         for (int i = 0; i < looks.length; i++) {
+            looks[i] = new Attention.Unseen();
+            if (isError(whole.parts())) {
+                continue;
+            }
             int signal = network.inputs().get(i).signal();
             looks[i] = wiring.observed[signal] ? new Attention.Whole() : new Attention.Unseen();
             for (Wiring.Reader reader : wiring.readers.get(signal)) {

@@ -153,8 +153,8 @@ final class Parts {
     }
 
     /**
-     * Puts what a part sends on its signals. A message that is left open, and that both a part and
-     * the outside will see, has to be the same for both: it is divided here.
+     * Puts what a part sends on its signals. A message that is left open, and that the outside will
+     * see and somebody else too, has to be the same for both: it is divided here.
      */
     private void send(Slice slice, int part, List<Sent> sent, List<Slice> found) {
         List<Slice> slices = List.of(slice);
@@ -176,8 +176,7 @@ final class Parts {
     }
 
     private List<Sent> options(int signal, Sent sent) {
-        boolean shared = wiring.observed[signal] && !wiring.readers.get(signal).isEmpty();
-        if (sent instanceof Sent.Messages || !shared) {
+        if (sent instanceof Sent.Messages || !wiring.shared[signal]) {
             return List.of(sent);
         }
         Look whole = new arcomat.semantics.Attention.Whole();

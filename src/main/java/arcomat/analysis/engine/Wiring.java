@@ -20,6 +20,9 @@ final class Wiring {
     /** Per signal, whether the outside sees it too. */
     final boolean[] observed;
 
+    /** Per signal, whether the outside sees it, and a part or another port of the outside too. */
+    final boolean[] shared;
+
     /** Per signal the port that sends it. */
     final Port[] sender;
 
@@ -29,6 +32,7 @@ final class Wiring {
     Wiring(Network network, List<String> compared) {
         delayed = new boolean[network.signals()];
         observed = new boolean[network.signals()];
+        shared = new boolean[network.signals()];
         sender = new Port[network.signals()];
         for (int i = 0; i < network.signals(); i++) {
             readers.add(new ArrayList<>());
@@ -39,7 +43,9 @@ final class Wiring {
         }
         for (Network.External output : network.outputs()) {
             if (output.signal() != Network.UNCONNECTED && compared.contains(output.name())) {
-                observed[output.signal()] = true;
+                int signal = output.signal();
+                shared[signal] = observed[signal] || !readers.get(signal).isEmpty();
+                observed[signal] = true;
             }
         }
     }
