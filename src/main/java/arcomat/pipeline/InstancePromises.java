@@ -68,7 +68,7 @@ final class InstancePromises {
 
     private static String valuesMissing(Component component) {
         String name = component.qualifiedName();
-        return "takes %s, and no part gives it any; give some with --component '%s%s'"
+        return "takes %s, which no part fixes; give them with --component '%s%s'"
                 .formatted(
                         MainComponent.signature(component.parameters()),
                         name,
