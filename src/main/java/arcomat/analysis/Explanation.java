@@ -53,10 +53,15 @@ final class Explanation {
         return sentences;
     }
 
+    /** Ports that are left open are only mentioned where all are. */
     static String words(Map<String, Sent> sent) {
+        if (!sent.isEmpty() && sent.values().stream().allMatch(Sent.Anything.class::isInstance)) {
+            return "anything";
+        }
         String words =
                 sent.entrySet().stream()
                         .filter(each -> !each.getValue().equals(Sent.SILENCE))
+                        .filter(each -> !(each.getValue() instanceof Sent.Anything))
                         .map(each -> each.getKey() + " = " + each.getValue())
                         .collect(Collectors.joining(", "));
         return words.isEmpty() ? "nothing" : words;
