@@ -139,7 +139,7 @@ public final class VerdictText {
         return out.toString();
     }
 
-    private static String explored(Verdict verdict) {
+    static String explored(Verdict verdict) {
         return "explored %,d pairs of %,d and %,d configurations%s"
                 .formatted(
                         verdict.explored().pairs(),
