@@ -29,9 +29,10 @@ final class Explanation {
                                 .formatted(
                                         when,
                                         left.title(),
-                                        forbidden.error()
-                                                ? "ends in an error"
-                                                : "sends " + words(forbidden.sent()),
+                                        forbidden
+                                                .error()
+                                                .map(error -> "ends in an " + error)
+                                                .orElse("sends " + words(forbidden.sent())),
                                         by(left, forbidden.left(), forbidden.causes())),
                         place(left, forbidden.causes())));
         for (Allowed allowed : forbidden.right()) {

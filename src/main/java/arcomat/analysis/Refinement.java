@@ -5,8 +5,9 @@ import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.engine.Certificate;
 import arcomat.analysis.engine.Comparison;
+import arcomat.analysis.engine.CompositeSide;
 import arcomat.analysis.engine.Inclusion;
-import arcomat.model.Component;
+import arcomat.analysis.engine.Side;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -37,19 +38,13 @@ public final class Refinement {
     /** The verdict where there is nothing to explore. */
     static Optional<Verdict> comparable(Promise left, Promise right) {
         return Interfaces.compare(left, right)
-                .or(
-                        () ->
-                                handlesEvents(left)
-                                                && (left.isComposition() || right.isComposition())
-                                        ? Optional.of(
-                                                Verdict.unknown(
-                                                        "compositions of components that handle"
-                                                                + " events are not compared"))
-                                        : Optional.empty());
+                .or(() -> obstacle(left).or(() -> obstacle(right)).map(Verdict::unknown));
     }
 
-    private static boolean handlesEvents(Promise promise) {
-        return promise.component().profile() == Component.Profile.EVENT_DRIVEN;
+    private static Optional<String> obstacle(Promise promise) {
+        return promise.isComposition()
+                ? CompositeSide.obstacle(promise.component(), promise.arguments())
+                : Optional.empty();
     }
 
     /** Fails as briefly as possible; holds only if all do. */
@@ -105,14 +100,23 @@ public final class Refinement {
         Inclusion.Result result = comparison.run();
         Explored explored = sides.explored(result.pairs());
         if (result.failure().isPresent()) {
-            return failure(left, right, comparison, result.failure().get(), explored);
+            Verdict failure = failure(left, right, comparison, result.failure().get(), explored);
+            return unlessLeftOut(sides.right(), failure);
         }
-        if (result.stopped().isPresent()) {
-            return Verdict.unknown(result.stopped().get(), explored);
+        Optional<String> stopped = result.stopped().or(sides.left()::leftOut);
+        if (stopped.isPresent()) {
+            return Verdict.unknown(stopped.get(), explored);
         }
         proof.accept(comparison::certificate);
         List<String> notes = Vacuity.notes(right, sides.right(), result);
         return Verdict.holds(result.simulation(), notes, explored);
+    }
+
+    /** What is forbidden by the steps that are known may be allowed by one that is left out. */
+    private static Verdict unlessLeftOut(Side right, Verdict failure) {
+        return right.leftOut()
+                .map(reason -> Verdict.unknown(reason, failure.explored()))
+                .orElse(failure);
     }
 
     /**
@@ -146,9 +150,12 @@ public final class Refinement {
         Explored explored = sides.explored(result.pairs());
         List<Verdict> found = new ArrayList<>();
         for (Inclusion.Failure each : comparison.failures()) {
-            found.add(failure(left, right, comparison, each, explored));
+            Verdict failure = failure(left, right, comparison, each, explored);
+            found.add(unlessLeftOut(sides.right(), failure));
         }
-        result.stopped().ifPresent(why -> found.add(Verdict.unknown(why, explored)));
+        result.stopped()
+                .or(sides.left()::leftOut)
+                .ifPresent(why -> found.add(Verdict.unknown(why, explored)));
         return found;
     }
 

@@ -4,6 +4,7 @@ import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Comparison;
 import arcomat.analysis.engine.CompositeSide;
+import arcomat.analysis.engine.HeldInputs;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.Side;
 import arcomat.model.Port;
@@ -18,7 +19,7 @@ record Sides(Side left, Side right, List<Port> observed, Outputs outputs) {
         List<Port> observed = right.component().outputs();
         List<String> names = observed.stream().map(Port::name).toList();
         return new Sides(
-                side(left, names, outputs, budget),
+                HeldInputs.of(side(left, names, outputs, budget)),
                 side(right, names, outputs, budget),
                 observed,
                 outputs);

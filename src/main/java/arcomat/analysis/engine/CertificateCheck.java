@@ -57,7 +57,7 @@ public final class CertificateCheck {
             budget.insist();
             verify(open.remove());
         }
-        return Optional.ofNullable(problem);
+        return Optional.ofNullable(problem).or(pairing.left::leftOut);
     }
 
     private void verify(Pair pair) {

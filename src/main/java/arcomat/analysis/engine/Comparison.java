@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Compares two sides, and tells a failure moment by moment. */
 public final class Comparison {
@@ -62,7 +63,7 @@ public final class Comparison {
      *
      * @param causes what the left side did; empty for a beginning
      * @param sent what it sent
-     * @param error whether its run ended in an error instead
+     * @param error what its run ended in instead, in words; empty if it goes on
      * @param left the configuration before, in words
      * @param right what the right side may be in before, and what each step of it allows
      */
@@ -70,7 +71,7 @@ public final class Comparison {
             Letter input,
             List<Trace.Cause> causes,
             Map<String, Sent> sent,
-            boolean error,
+            Optional<String> error,
             String left,
             List<Allowed> right) {}
 
@@ -206,11 +207,13 @@ public final class Comparison {
                         allowed);
             }
         }
+        boolean error = failure.sent().sample() == null;
+        int after = failure.steps().next()[failure.step()];
         return new Forbidden(
                 input,
                 failure.steps().causes().get(failure.step()),
                 sent(failure.steps().whole().get(failure.step()), failure.sent().sample()),
-                failure.sent().sample() == null,
+                error ? Optional.of(pairing.left.describe(after)) : Optional.empty(),
                 before,
                 allowed);
     }

@@ -14,6 +14,7 @@ final class Wiring {
     /** An input port of a part. */
     record Reader(int part, int port) {}
 
+    private final Network network;
     final boolean[] delayed;
     final List<List<Reader>> readers = new ArrayList<>();
 
@@ -30,6 +31,7 @@ final class Wiring {
      * @param compared names of the outputs that the outside looks at
      */
     Wiring(Network network, List<String> compared) {
+        this.network = network;
         delayed = new boolean[network.signals()];
         observed = new boolean[network.signals()];
         shared = new boolean[network.signals()];
@@ -63,6 +65,10 @@ final class Wiring {
                 readers.get(signal).add(new Reader(part, i));
             }
         }
+    }
+
+    Port port(Reader reader) {
+        return network.instances().get(reader.part()).component().inputs().get(reader.port());
     }
 
     Sent[] silence() {

@@ -1,0 +1,302 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointReaction;
+import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
+import arcomat.semantics.Input;
+import arcomat.semantics.Network;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+import arcomat.semantics.StepRelation;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The parts of an event-driven network: how one of them takes an event, and where its messages go.
+ * A message that is left open, and that a part will read, is divided into all its values.
+ */
+final class EventParts {
+    private final Network network;
+    private final Wiring wiring;
+    private final List<Behaviour> behaviours = new ArrayList<>();
+
+    /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
+    private final int[][] held;
+
+    /** By signal, how many external outputs that are compared show it. */
+    private final int[] shown;
+
+    private String leftOut;
+
+    /**
+     * @param compared names of the outputs that the outside looks at
+     */
+    EventParts(Network network, Wiring wiring, List<String> compared) {
+        this.network = network;
+        this.wiring = wiring;
+        this.held = new int[network.instances().size()][];
+        this.shown = new int[network.signals()];
+        int[] latchedInputs = latchedInputs(network);
+        for (int part = 0; part < held.length; part++) {
+            Network.Instance instance = network.instances().get(part);
+            behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
+            held[part] =
+                    instance.inputSignals().stream()
+                            .mapToInt(s -> s < 0 ? EventRun.INSIDE : latchedInputs[s])
+                            .toArray();
+        }
+        for (Network.External output : network.outputs()) {
+            if (output.signal() >= 0 && compared.contains(output.name())) {
+                shown[output.signal()]++;
+            }
+        }
+    }
+
+    private static int[] latchedInputs(Network network) {
+        int[] positions = new int[network.signals()];
+        Arrays.fill(positions, EventRun.INSIDE);
+        for (int i = 0; i < network.inputs().size(); i++) {
+            if (network.inputs().get(i).port().latched()) {
+                positions[network.inputs().get(i).signal()] = i;
+            }
+        }
+        return positions;
+    }
+
+    List<Behaviour> behaviours() {
+        return behaviours;
+    }
+
+    /** The latched external input that a port of a part reads, else {@code INSIDE}. */
+    int held(int part, int port) {
+        return held[part][port];
+    }
+
+    Optional<String> leftOut() {
+        return Optional.ofNullable(leftOut);
+    }
+
+    /** Notes that not all runs are followed; the first reason is kept. */
+    void leaveOut(String reason) {
+        leftOut = leftOut == null ? reason : leftOut;
+    }
+
+    /** All ways in which a part begins. */
+    void start(EventRun run, int part, List<EventRun> next, List<Outcome> errors) {
+        for (JointStart start : behaviours.get(part).starts()) {
+            List<Configuration> begin =
+                    start.starts().stream().map(each -> each.configuration()).toList();
+            EventRun longer = run.longer();
+            longer.set(part, begin);
+            finish(longer, part, start.output().ports(), next, errors);
+        }
+    }
+
+    /**
+     * All ways in which the part whose turn it is takes its next event.
+     *
+     * @param looks by external input, widened by what the part looks at; null if nobody asks
+     */
+    void react(EventRun run, Look[] looks, List<EventRun> next, List<Outcome> errors) {
+        int part = run.nextPart();
+        EventRun.Event event = run.first(part);
+        if (looks != null) {
+            look(run.part(part), part, event, looks);
+        }
+        List<JointReaction> reactions =
+                reactions(run, part, Input.of(run.messages(part, event)), errors);
+        for (JointReaction reaction : reactions) {
+            EventRun longer = run.longer();
+            longer.take(part);
+            reaction.reactions().forEach(each -> longer.note(each.cause()));
+            longer.set(part, reaction.reactions().stream().map(Reaction::next).toList());
+            if (reactions.size() > 1) {
+                longer.setAlternative();
+            }
+            finish(longer, part, reaction.output().ports(), next, errors);
+        }
+    }
+
+    private void finish(
+            EventRun run, int part, List<Sent> output, List<EventRun> next, List<Outcome> errors) {
+        if (run.part(part).contains(Configuration.ERROR)) {
+            errors.add(error(run, part, "its automaton forbids this event"));
+            return;
+        }
+        List<List<Sent>> settled = settled(part, output);
+        for (List<Sent> sent : settled) {
+            EventRun own = settled.size() == 1 ? run : run.twin();
+            send(own, part, sent, next, errors);
+        }
+    }
+
+    /** Of one automaton each transition on its own: one that goes wrong spares the others. */
+    private List<JointReaction> reactions(
+            EventRun run, int part, Input input, List<Outcome> errors) {
+        List<Configuration> before = run.part(part);
+        List<StepRelation> relations = behaviours.get(part).relations();
+        List<JointReaction> reactions = new ArrayList<>();
+        try {
+            if (relations.size() != 1) {
+                return behaviours.get(part).reactions(before, input);
+            }
+            StepRelation relation = relations.get(0);
+            List<Trace.Taken> enabled = relation.enabled(before.get(0), input);
+            if (enabled.isEmpty()) {
+                reactions.add(joint(relation.complete(before.get(0))));
+            }
+            for (Trace.Taken taken : enabled) {
+                take(run, part, taken, input, errors).ifPresent(reactions::add);
+            }
+        } catch (Fault fault) {
+            errors.add(error(run, part, fault.getMessage()));
+        }
+        return reactions;
+    }
+
+    private Optional<JointReaction> take(
+            EventRun run, int part, Trace.Taken taken, Input input, List<Outcome> errors) {
+        StepRelation relation = behaviours.get(part).relations().get(0);
+        try {
+            return Optional.of(joint(relation.take(taken, run.part(part).get(0), input)));
+        } catch (Fault fault) {
+            errors.add(error(run, part, fault.getMessage()));
+            return Optional.empty();
+        }
+    }
+
+    private static JointReaction joint(Reaction reaction) {
+        return new JointReaction(List.of(reaction), reaction.output());
+    }
+
+    private Outcome error(EventRun run, int part, String problem) {
+        return Outcome.error(path(part) + ": " + problem, run.causes());
+    }
+
+    private String path(int part) {
+        return network.instances().get(part).path();
+    }
+
+    /** Only messages from outside are looked at: those from inside are known. */
+    private void look(
+            List<Configuration> configurations, int part, EventRun.Event event, Look[] looks) {
+        List<StepRelation> relations = behaviours.get(part).relations();
+        for (int i = 0; i < configurations.size(); i++) {
+            Attention attention = relations.get(i).attention(configurations.get(i));
+            for (int port = 0; port < held[part].length; port++) {
+                int origin = port == event.port() ? event.origin() : held[part][port];
+                if (origin != EventRun.INSIDE) {
+                    looks[origin] = looks[origin].and(attention.looks().get(port));
+                }
+            }
+        }
+    }
+
+    private void send(
+            EventRun run,
+            int part,
+            List<Sent> sent,
+            List<EventRun> next,
+            List<Outcome> errors) {
+        List<Integer> signals = network.instances().get(part).outputSignals();
+        for (int i = 0; i < sent.size(); i++) {
+            Optional<String> problem =
+                    sent.get(i) instanceof Sent.Messages messages
+                            ? deliver(run, signals.get(i), messages.values(), EventRun.INSIDE)
+                            : open(run, signals.get(i), sent.get(i));
+            if (problem.isPresent()) {
+                errors.add(Outcome.error(problem.get(), run.causes()));
+                return;
+            }
+        }
+        next.add(run);
+    }
+
+    private static Optional<String> open(EventRun run, int signal, Sent sent) {
+        run.note(signal, sent);
+        return Optional.empty();
+    }
+
+    /**
+     * Puts messages on a signal: each into the latches and queues of all its readers.
+     *
+     * @return what goes wrong
+     */
+    Optional<String> deliver(EventRun run, int signal, List<Value> messages, int origin) {
+        for (Value message : messages) {
+            run.note(signal, new Sent.Messages(List.of(message)));
+            for (Wiring.Reader reader : wiring.readers.get(signal)) {
+                if (wiring.port(reader).latched()) {
+                    run.latch(reader.part(), reader.port(), message);
+                } else if (run.waiting(reader.part()) >= capacity(reader)) {
+                    return Optional.of(
+                            "%s: the queue is full, %d events wait, another on %s does not fit"
+                                    .formatted(
+                                            path(reader.part()),
+                                            capacity(reader),
+                                            wiring.port(reader).name()));
+                } else {
+                    run.enqueue(
+                            reader.part(), new EventRun.Event(reader.port(), message, origin));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private int capacity(Wiring.Reader reader) {
+        return network.instances().get(reader.part()).component().queueCapacity();
+    }
+
+    /** All ways to settle what somebody reads of an output; the rest stays open. */
+    private List<List<Sent>> settled(int part, List<Sent> output) {
+        List<List<Sent>> settled = List.of(List.of());
+        for (int i = 0; i < output.size(); i++) {
+            List<List<Sent>> longer = new ArrayList<>();
+            for (Sent option : options(part, i, output.get(i))) {
+                for (List<Sent> each : settled) {
+                    List<Sent> copy = new ArrayList<>(each);
+                    copy.add(option);
+                    longer.add(copy);
+                }
+            }
+            settled = longer;
+        }
+        return settled;
+    }
+
+    private List<Sent> options(int part, int output, Sent sent) {
+        int signal = network.instances().get(part).outputSignals().get(output);
+        List<Wiring.Reader> readers = wiring.readers.get(signal);
+        if (sent instanceof Sent.Messages || readers.isEmpty() && shown[signal] < 2) {
+            return List.of(sent);
+        }
+        boolean all = sent instanceof Sent.AnyMessage;
+        if (!all && (shown[signal] > 0 || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
+            leaveOut(
+                    "%s leaves open what it sends on '%s', %s; %s"
+                            .formatted(
+                                    path(part),
+                                    wiring.sender[signal].name(),
+                                    readers.isEmpty()
+                                            ? "and two ports show it"
+                                            : "and parts read it",
+                                    "decide with transitions, or with another completion"));
+            return List.of(Sent.SILENCE);
+        }
+        Kinds kinds = Kinds.of(wiring.sender[signal], all, new Attention.Whole());
+        return kinds.samples().stream()
+                .<Sent>map(v -> v == null ? Sent.SILENCE : new Sent.Messages(List.of(v)))
+                .toList();
+    }
+}
