@@ -26,6 +26,7 @@ final class RandomCompositions {
     private final Random random;
     private final boolean circles;
     private final List<String> files = new ArrayList<>();
+    private Random dropped;
     private final List<List<String>> inputs = new ArrayList<>();
 
     private RandomCompositions(long seed, boolean circles) {
@@ -37,12 +38,23 @@ final class RandomCompositions {
         return new RandomCompositions(seed, circles).component();
     }
 
+    /** The same, but one transition of a part is missing. */
+    static Component edited(long seed) {
+        RandomCompositions edited = new RandomCompositions(seed, false);
+        edited.dropped = new Random(seed);
+        return edited.component();
+    }
+
     private Component component() {
         int count = 2 + random.nextInt(2);
         for (int part = 0; part < count; part++) {
             files.add(part(part));
         }
         files.add(whole(count));
+        if (dropped != null) {
+            int part = dropped.nextInt(count);
+            files.set(part, withoutOne(files.get(part)));
+        }
         List<Unit> units = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
             String name = i < count ? "P" + i : "Whole";
@@ -61,6 +73,13 @@ final class RandomCompositions {
                             throw new AssertionError(f + String.join("\n", files));
                         });
         return Lowering.lower(workspace).component("load.Whole").orElseThrow();
+    }
+
+    private String withoutOne(String part) {
+        List<String> lines = new ArrayList<>(part.lines().toList());
+        List<String> transitions = lines.stream().filter(line -> line.contains("{x ==") || line.contains("{w ==")).toList();
+        lines.remove(transitions.get(dropped.nextInt(transitions.size())));
+        return String.join("\n", lines) + "\n";
     }
 
     private boolean chance(int percent) {
