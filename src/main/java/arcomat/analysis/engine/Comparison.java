@@ -157,12 +157,13 @@ public final class Comparison {
 
     private Moment moment(
             Value[] letter, Steps mine, int step, Split.Case sent, List<String> right) {
+        boolean error = sent.sample() == null;
         return new Moment(
                 letter == null ? Letter.SILENCE : letter(letter),
                 sent(mine.whole().get(step), sent.sample()),
-                pairing.left.describe(mine.next()[step]),
+                error ? "error" : pairing.left.describe(mine.next()[step]),
                 right,
-                sent.sample() == null);
+                error);
     }
 
     private Letter letter(Value[] messages) {

@@ -130,7 +130,8 @@ final class EventParts {
     private void finish(
             EventRun run, int part, List<Sent> output, List<EventRun> next, List<Outcome> errors) {
         if (run.part(part).contains(Configuration.ERROR)) {
-            errors.add(error(run, part, "its automaton forbids this event"));
+            String problem = "the automaton of %s forbids this event".formatted(path(part));
+            errors.add(Outcome.error(problem, run.causes()));
             return;
         }
         List<List<Sent>> settled = settled(part, output);
@@ -159,7 +160,7 @@ final class EventParts {
                 take(run, part, taken, input, errors).ifPresent(reactions::add);
             }
         } catch (Fault fault) {
-            errors.add(error(run, part, fault.getMessage()));
+            errors.add(error(run, part, fault));
         }
         return reactions;
     }
@@ -170,7 +171,7 @@ final class EventParts {
         try {
             return Optional.of(joint(relation.take(taken, run.part(part).get(0), input)));
         } catch (Fault fault) {
-            errors.add(error(run, part, fault.getMessage()));
+            errors.add(error(run, part, fault));
             return Optional.empty();
         }
     }
@@ -179,8 +180,10 @@ final class EventParts {
         return new JointReaction(List.of(reaction), reaction.output());
     }
 
-    private Outcome error(EventRun run, int part, String problem) {
-        return Outcome.error(path(part) + ": " + problem, run.causes());
+    private Outcome error(EventRun run, int part, Fault fault) {
+        List<Trace.Cause> causes = run.causes();
+        fault.taken().ifPresent(causes::add);
+        return Outcome.error(path(part) + ": " + fault.getMessage(), causes);
     }
 
     private String path(int part) {
@@ -240,11 +243,11 @@ final class EventParts {
                     run.latch(reader.part(), reader.port(), message);
                 } else if (run.waiting(reader.part()) >= capacity(reader)) {
                     return Optional.of(
-                            "%s: the queue is full, %d events wait, another on %s does not fit"
+                            "%s has no room for another event on '%s' (capacity %d)"
                                     .formatted(
                                             path(reader.part()),
-                                            capacity(reader),
-                                            wiring.port(reader).name()));
+                                            wiring.port(reader).name(),
+                                            capacity(reader)));
                 } else {
                     run.enqueue(
                             reader.part(), new EventRun.Event(reader.port(), message, origin));
