@@ -97,7 +97,7 @@ class EventCompositionsTest {
     private void compare(long seed, boolean circles, int words) {
         Component whole = RandomCompositions.of(seed, circles);
         List<String> outputs = whole.outputs().stream().map(Port::name).toList();
-        Side side = new CompositeSide(whole, List.of(), outputs, new Outputs());
+        Side side = new CompositeSide(whole, List.of(), outputs, new Outputs(), Budget.ofMemory());
         Random random = new Random(seed);
         for (int word = 0; word < words; word++) {
             List<Value[]> letters = word(whole, random);

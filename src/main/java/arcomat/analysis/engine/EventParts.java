@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -26,6 +27,7 @@ import java.util.Optional;
  * A message that is left open, and that a part will read, is divided into all its values.
  */
 final class EventParts {
+    private final Budget budget;
     private final Network network;
     private final Wiring wiring;
     private final List<Behaviour> behaviours = new ArrayList<>();
@@ -33,19 +35,13 @@ final class EventParts {
     /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
     private final int[][] held;
 
-    /** By signal, how many external outputs that are compared show it. */
-    private final int[] shown;
-
     private String leftOut;
 
-    /**
-     * @param compared names of the outputs that the outside looks at
-     */
-    EventParts(Network network, Wiring wiring, List<String> compared) {
+    EventParts(Network network, Wiring wiring, Budget budget) {
+        this.budget = budget;
         this.network = network;
         this.wiring = wiring;
         this.held = new int[network.instances().size()][];
-        this.shown = new int[network.signals()];
         int[] latchedInputs = latchedInputs(network);
         for (int part = 0; part < held.length; part++) {
             Network.Instance instance = network.instances().get(part);
@@ -54,11 +50,6 @@ final class EventParts {
                     instance.inputSignals().stream()
                             .mapToInt(s -> s < 0 ? EventRun.INSIDE : latchedInputs[s])
                             .toArray();
-        }
-        for (Network.External output : network.outputs()) {
-            if (output.signal() >= 0 && compared.contains(output.name())) {
-                shown[output.signal()]++;
-            }
         }
     }
 
@@ -93,7 +84,7 @@ final class EventParts {
 
     /** All ways in which a part begins. */
     void start(EventRun run, int part, List<EventRun> next, List<Outcome> errors) {
-        for (JointStart start : behaviours.get(part).starts()) {
+        for (JointStart start : behaviours.get(part).starts(budget::insist)) {
             List<Configuration> begin =
                     start.starts().stream().map(each -> each.configuration()).toList();
             EventRun longer = run.longer();
@@ -149,7 +140,7 @@ final class EventParts {
         List<JointReaction> reactions = new ArrayList<>();
         try {
             if (relations.size() != 1) {
-                return behaviours.get(part).reactions(before, input);
+                return behaviours.get(part).reactions(before, input, budget::insist);
             }
             StepRelation relation = relations.get(0);
             List<Trace.Taken> enabled = relation.enabled(before.get(0), input);
@@ -268,6 +259,7 @@ final class EventParts {
             List<List<Sent>> longer = new ArrayList<>();
             for (Sent option : options(part, i, output.get(i))) {
                 for (List<Sent> each : settled) {
+                    budget.insist();
                     List<Sent> copy = new ArrayList<>(each);
                     copy.add(option);
                     longer.add(copy);
@@ -281,11 +273,11 @@ final class EventParts {
     private List<Sent> options(int part, int output, Sent sent) {
         int signal = network.instances().get(part).outputSignals().get(output);
         List<Wiring.Reader> readers = wiring.readers.get(signal);
-        if (sent instanceof Sent.Messages || readers.isEmpty() && shown[signal] < 2) {
+        if (sent instanceof Sent.Messages || readers.isEmpty() && !wiring.shared[signal]) {
             return List.of(sent);
         }
         boolean all = sent instanceof Sent.AnyMessage;
-        if (!all && (shown[signal] > 0 || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
+        if (!all && (wiring.observed[signal] || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
             leaveOut(
                     "%s leaves open what it sends on '%s', %s; %s"
                             .formatted(

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
@@ -31,6 +32,7 @@ final class EventUnfolding implements Unfolding {
     /** As many reactions to one event are tried, all its runs together. */
     private static final int MOST_REACTIONS = 50_000;
 
+    private final Budget budget;
     private final Network network;
     private final Wiring wiring;
     private final EventParts parts;
@@ -43,10 +45,11 @@ final class EventUnfolding implements Unfolding {
     /**
      * @param compared names of the outputs that the outside looks at
      */
-    EventUnfolding(Network network, List<String> compared) {
+    EventUnfolding(Network network, List<String> compared, Budget budget) {
+        this.budget = budget;
         this.network = network;
         this.wiring = new Wiring(network, compared);
-        this.parts = new EventParts(network, wiring, compared);
+        this.parts = new EventParts(network, wiring, budget);
         this.inputs = network.inputs().stream().map(Network.External::port).toList();
         this.firstLooks = firstLooks();
         for (int part = 0; part < network.instances().size(); part++) {
@@ -188,6 +191,7 @@ final class EventUnfolding implements Unfolding {
         Deque<EventRun> open = new ArrayDeque<>(runs);
         int reactions = 0;
         while (!open.isEmpty()) {
+            budget.insist();
             EventRun run = open.pop();
             if (run.isComplete()) {
                 outcomes.add(outcome(run));

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
@@ -21,10 +22,10 @@ final class SliceUnfolding implements Unfolding {
     private final Wiring wiring;
     private final Parts parts;
 
-    SliceUnfolding(Network network, List<String> compared) {
+    SliceUnfolding(Network network, List<String> compared, Budget budget) {
         this.network = network;
         this.wiring = new Wiring(network, compared);
-        this.parts = new Parts(network, wiring);
+        this.parts = new Parts(network, wiring, budget);
     }
 
     @Override
