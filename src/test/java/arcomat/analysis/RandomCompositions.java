@@ -62,7 +62,8 @@ final class RandomCompositions {
             Parsed parsed = Parser.parse(file);
             units.add(
                     parsed.unit()
-                            .orElseThrow(() -> new AssertionError(parsed.findings() + file.text())));
+                            .orElseThrow(
+                                    () -> new AssertionError(parsed.findings() + file.text())));
         }
         Workspace workspace = Workspace.of(units, Set.of());
         Checks.run(workspace, Profile.REQUIREMENTS).stream()
@@ -77,7 +78,10 @@ final class RandomCompositions {
 
     private String withoutOne(String part) {
         List<String> lines = new ArrayList<>(part.lines().toList());
-        List<String> transitions = lines.stream().filter(line -> line.contains("{x ==") || line.contains("{w ==")).toList();
+        List<String> transitions =
+                lines.stream()
+                        .filter(line -> line.contains("{x ==") || line.contains("{w =="))
+                        .toList();
         lines.remove(transitions.get(dropped.nextInt(transitions.size())));
         return String.join("\n", lines) + "\n";
     }
@@ -138,9 +142,7 @@ final class RandomCompositions {
                                 latched ? " [h == %s]".formatted(one(VALUES)) : "",
                                 latched ? " [h == --]" : ""));
         String item =
-                event
-                        + " == "
-                        + one(List.of("?", "?", "alt {0, 1}", one(VALUES), one(VALUES)));
+                event + " == " + one(List.of("?", "?", "alt {0, 1}", one(VALUES), one(VALUES)));
         List<String> effects = new ArrayList<>();
         if (chance(60)) {
             effects.add("y = " + sent(event, latched && guard.contains("h == ") ? "1" : event));
@@ -162,8 +164,7 @@ final class RandomCompositions {
     }
 
     private String sent(String event, String other) {
-        return one(
-                List.of(one(VALUES), event, other, "[%s, %s]".formatted(one(VALUES), event)));
+        return one(List.of(one(VALUES), event, other, "[%s, %s]".formatted(one(VALUES), event)));
     }
 
     private String whole(int count) {

@@ -64,7 +64,8 @@ public final class Replay {
             letters.add(new Letter(own));
         }
         int most = 0;
-        for (SimulatedRuns.Run run : SimulatedRuns.of(side.component(), side.arguments(), letters)) {
+        for (SimulatedRuns.Run run :
+                SimulatedRuns.of(side.component(), side.arguments(), letters)) {
             int moments = 0;
             while (moments < run.outputs().size()
                     && shows(side, run.outputs().get(moments), trace.get(moments))) {
@@ -76,8 +77,7 @@ public final class Replay {
         return most;
     }
 
-    private static boolean shows(
-            Promise side, Map<String, List<Value>> outputs, Moment moment) {
+    private static boolean shows(Promise side, Map<String, List<Value>> outputs, Moment moment) {
         return !moment.error()
                 && side.component().outputs().stream()
                         .map(Port::name)

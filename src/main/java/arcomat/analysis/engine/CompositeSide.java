@@ -122,8 +122,7 @@ public final class CompositeSide implements Side {
         }
         Whole before = wholes.get(configuration);
         return known.add(
-                kind,
-                steps(before.isError() ? List.of() : unfolding.reactions(before, letter)));
+                kind, steps(before.isError() ? List.of() : unfolding.reactions(before, letter)));
     }
 
     private Steps steps(List<Outcome> outcomes) {
@@ -188,7 +187,8 @@ public final class CompositeSide implements Side {
                 words.add(
                         network.instances().get(i).path()
                                 + ": "
-                                + Descriptions.of(unfolding.behaviours().get(i), whole.parts().get(i)));
+                                + Descriptions.of(
+                                        unfolding.behaviours().get(i), whole.parts().get(i)));
             }
         }
         return String.join(", ", words);

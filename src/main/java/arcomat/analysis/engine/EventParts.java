@@ -1,7 +1,6 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
-import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
@@ -197,11 +196,7 @@ final class EventParts {
     }
 
     private void send(
-            EventRun run,
-            int part,
-            List<Sent> sent,
-            List<EventRun> next,
-            List<Outcome> errors) {
+            EventRun run, int part, List<Sent> sent, List<EventRun> next, List<Outcome> errors) {
         List<Integer> signals = network.instances().get(part).outputSignals();
         for (int i = 0; i < sent.size(); i++) {
             Optional<String> problem =
@@ -240,8 +235,7 @@ final class EventParts {
                                             wiring.port(reader).name(),
                                             capacity(reader)));
                 } else {
-                    run.enqueue(
-                            reader.part(), new EventRun.Event(reader.port(), message, origin));
+                    run.enqueue(reader.part(), new EventRun.Event(reader.port(), message, origin));
                 }
             }
         }
@@ -277,7 +271,9 @@ final class EventParts {
             return List.of(sent);
         }
         boolean all = sent instanceof Sent.AnyMessage;
-        if (!all && (wiring.observed[signal] || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
+        if (!all
+                && (wiring.observed[signal]
+                        || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
             leaveOut(
                     "%s leaves open what it sends on '%s', %s; %s"
                             .formatted(

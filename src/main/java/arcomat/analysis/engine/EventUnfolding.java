@@ -141,8 +141,7 @@ final class EventUnfolding implements Unfolding {
         List<Look> before;
         do {
             before = List.of(looks);
-            for (Value[] letter :
-                    Letters.of(Component.Profile.EVENT_DRIVEN, inputs, before)) {
+            for (Value[] letter : Letters.of(Component.Profile.EVENT_DRIVEN, inputs, before)) {
                 run(whole, letter, looks);
             }
         } while (!before.equals(Arrays.asList(looks)));
