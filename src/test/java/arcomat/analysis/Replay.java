@@ -9,8 +9,8 @@ import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
@@ -121,15 +121,11 @@ public final class Replay {
         Set<List<Configuration>> next = new LinkedHashSet<>();
         Input input = input(behaviour, moment.input());
         for (List<Configuration> each : before) {
-            List<JointReaction> reactions = new ArrayList<>();
-            try {
-                reactions.addAll(behaviour.reactions(each, input));
-            } catch (Fault fault) {
-                if (moment.error()) {
-                    next.add(List.of(Configuration.ERROR));
-                }
+            Prospect prospect = behaviour.prospect(each, input, () -> {});
+            if (moment.error() && !prospect.faults().isEmpty()) {
+                next.add(List.of(Configuration.ERROR));
             }
-            for (JointReaction reaction : reactions) {
+            for (JointReaction reaction : prospect.reactions()) {
                 List<Configuration> after =
                         reaction.reactions().stream().map(Reaction::next).toList();
                 boolean error = after.contains(Configuration.ERROR);

@@ -9,8 +9,8 @@ import arcomat.semantics.Attention;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
@@ -120,15 +120,8 @@ public final class AtomicSide implements Side {
         if (before.contains(Configuration.ERROR)) {
             return collector.steps();
         }
-        List<JointReaction> reactions;
-        try {
-            reactions = behaviour.reactions(before, Input.of(letter), budget::insist);
-        } catch (Fault fault) {
-            Output nothing = new Output(List.of());
-            collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
-            return collector.steps();
-        }
-        for (JointReaction reaction : reactions) {
+        Prospect prospect = behaviour.prospect(before, Input.of(letter), budget::insist);
+        for (JointReaction reaction : prospect.reactions()) {
             budget.insist();
             List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
             List<Trace.Cause> causes = reaction.reactions().stream().map(Reaction::cause).toList();
@@ -138,6 +131,10 @@ public final class AtomicSide implements Side {
                     number(error ? List.of(Configuration.ERROR) : after),
                     causes,
                     reaction.output());
+        }
+        if (!prospect.faults().isEmpty()) {
+            Output nothing = new Output(List.of());
+            collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
         }
         return collector.steps();
     }

@@ -8,6 +8,7 @@ import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
@@ -103,8 +104,10 @@ final class EventParts {
         if (looks != null) {
             look(run.part(part), part, event, looks);
         }
-        List<JointReaction> reactions =
-                reactions(run, part, Input.of(run.messages(part, event)), errors);
+        Input input = Input.of(run.messages(part, event));
+        Prospect prospect = behaviours.get(part).prospect(run.part(part), input, budget::insist);
+        prospect.faults().forEach(fault -> errors.add(error(run, part, fault)));
+        List<JointReaction> reactions = prospect.reactions();
         for (JointReaction reaction : reactions) {
             EventRun longer = run.longer();
             longer.take(part);
@@ -129,45 +132,6 @@ final class EventParts {
             EventRun own = settled.size() == 1 ? run : run.twin();
             send(own, part, sent, next, errors);
         }
-    }
-
-    /** Of one automaton each transition on its own: one that goes wrong spares the others. */
-    private List<JointReaction> reactions(
-            EventRun run, int part, Input input, List<Outcome> errors) {
-        List<Configuration> before = run.part(part);
-        List<StepRelation> relations = behaviours.get(part).relations();
-        List<JointReaction> reactions = new ArrayList<>();
-        try {
-            if (relations.size() != 1) {
-                return behaviours.get(part).reactions(before, input, budget::insist);
-            }
-            StepRelation relation = relations.get(0);
-            List<Trace.Taken> enabled = relation.enabled(before.get(0), input);
-            if (enabled.isEmpty()) {
-                reactions.add(joint(relation.complete(before.get(0))));
-            }
-            for (Trace.Taken taken : enabled) {
-                take(run, part, taken, input, errors).ifPresent(reactions::add);
-            }
-        } catch (Fault fault) {
-            errors.add(error(run, part, fault));
-        }
-        return reactions;
-    }
-
-    private Optional<JointReaction> take(
-            EventRun run, int part, Trace.Taken taken, Input input, List<Outcome> errors) {
-        StepRelation relation = behaviours.get(part).relations().get(0);
-        try {
-            return Optional.of(joint(relation.take(taken, run.part(part).get(0), input)));
-        } catch (Fault fault) {
-            errors.add(error(run, part, fault));
-            return Optional.empty();
-        }
-    }
-
-    private static JointReaction joint(Reaction reaction) {
-        return new JointReaction(List.of(reaction), reaction.output());
     }
 
     private Outcome error(EventRun run, int part, Fault fault) {

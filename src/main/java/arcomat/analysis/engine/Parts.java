@@ -8,7 +8,9 @@ import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 import arcomat.semantics.Reaction;
@@ -65,6 +67,10 @@ final class Parts {
         for (int part = 0; part < behaviours.size(); part++) {
             List<Slice> longer = new ArrayList<>();
             for (Slice slice : slices) {
+                if (slice.isOver()) {
+                    longer.add(slice);
+                    continue;
+                }
                 for (Slice settled : settled(slice, before, part)) {
                     react(settled, before, part, longer);
                 }
@@ -126,11 +132,17 @@ final class Parts {
     }
 
     private void react(Slice slice, Whole before, int part, List<Slice> next) {
-        List<JointReaction> reactions =
+        Prospect prospect =
                 behaviours
                         .get(part)
-                        .reactions(before.parts().get(part), input(slice, part), budget::insist);
-        for (JointReaction reaction : reactions) {
+                        .prospect(before.parts().get(part), input(slice, part), budget::insist);
+        for (Fault fault : prospect.faults()) {
+            Slice copy = slice.copy();
+            copy.after.add(List.of(Configuration.ERROR));
+            fault.taken().ifPresent(copy.causes::add);
+            next.add(copy);
+        }
+        for (JointReaction reaction : prospect.reactions()) {
             Slice copy = slice.copy();
             copy.after.add(reaction.reactions().stream().map(Reaction::next).toList());
             reaction.reactions().forEach(r -> copy.causes.add(r.cause()));

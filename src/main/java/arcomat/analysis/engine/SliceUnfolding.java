@@ -5,7 +5,6 @@ import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Behaviour;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
 
@@ -54,13 +53,9 @@ final class SliceUnfolding implements Unfolding {
 
     @Override
     public List<Outcome> reactions(Whole before, Value[] letter) {
-        try {
-            return parts.reactions(before, beginning(before, letter)).stream()
-                    .map(this::outcome)
-                    .toList();
-        } catch (Fault fault) {
-            return List.of(Outcome.error("", List.of()));
-        }
+        return parts.reactions(before, beginning(before, letter)).stream()
+                .map(this::outcome)
+                .toList();
     }
 
     private Slice beginning(Whole before, Value[] letter) {
