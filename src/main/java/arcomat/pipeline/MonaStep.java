@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.MonaRefinement;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict;
@@ -71,11 +72,16 @@ final class MonaStep {
     /** The program's answer to the question. */
     static Verdict verdict(Promise left, Promise right, RefinesRequest request, PathNames names)
             throws WrongUse {
-        MonaRefinement refinement = MonaRefinement.of(left, right, request.limits().budget());
+        Budget budget = request.limits().budget();
+        MonaRefinement refinement = MonaRefinement.of(left, right, budget);
         if (refinement.settled().isPresent()) {
             return refinement.settled().get();
         }
         String text = MonaText.render(refinement.formula());
+        String spent = budget.exhausted(0);
+        if (spent != null) {
+            return refinement.unknown(spent);
+        }
         MonaAnswer answer =
                 MonaProgram.find(request.mona().orElseThrow(), names)
                         .decide(text, request.limits().seconds().orElse(PATIENCE));
