@@ -7,6 +7,7 @@ import arcomat.semantics.Behaviour;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * One side of a comparison: a component, or some automata on it.
@@ -79,10 +80,18 @@ public record Promise(Component component, List<Value> arguments, List<Automaton
         return Behaviour.of(component, automata, arguments);
     }
 
-    /** The component's name, and the automaton's where it is one of several. */
+    /** The component's name, its arguments, and the automaton's where it is one of several. */
     public String title() {
         boolean part = automata.size() == 1 && automataOf(component).size() > 1;
         String name = part ? automata.get(0).name() : "";
-        return component.qualifiedName() + (name.isEmpty() ? "" : "#" + name);
+        return component.qualifiedName() + listed() + (name.isEmpty() ? "" : "#" + name);
+    }
+
+    private String listed() {
+        return arguments.isEmpty()
+                ? ""
+                : arguments.stream()
+                        .map(Value::toString)
+                        .collect(Collectors.joining(", ", "(", ")"));
     }
 }

@@ -3,6 +3,7 @@ package arcomat.cli;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.pipeline.AnalysisLimits;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.FindingsJson;
 
 import picocli.CommandLine.Option;
 
@@ -55,9 +56,13 @@ abstract class AnalysisCommand extends Command {
         };
     }
 
-    /** Models with errors cannot be asked anything. */
+    /** Models with errors cannot be asked anything: their findings are the answer. */
     final int refuse(arcomat.pipeline.CheckResult check) {
-        reportErrors(check);
+        if (isJson()) {
+            print(FindingsJson.render(check.findings(), check.files()));
+        } else {
+            reportErrors(check);
+        }
         return ExitStatus.WRONG_USE;
     }
 }

@@ -17,6 +17,24 @@ import java.util.List;
 final class CertificateFile {
     private CertificateFile() {}
 
+    /** Whatever is in the file is lost; it had better be certificates. */
+    static void requireReplaceable(String file, PathNames names) throws WrongUse {
+        Path path = names.resolve(file);
+        if (Files.isDirectory(path)) {
+            throw new WrongUse("'" + file + "' is a folder; --certificate names a file");
+        }
+        if (Files.exists(path)) {
+            try {
+                read(file, path);
+            } catch (WrongUse other) {
+                throw new WrongUse(
+                        "'"
+                                + file
+                                + "' is there and is no file of certificates; name another file");
+            }
+        }
+    }
+
     /** Nothing is written where the refinement does not hold. */
     static void write(
             String file, Promise left, Promise right, Certification proof, PathNames names)

@@ -63,6 +63,10 @@ final class MonaStep {
             throw new WrongUse("'" + out + "' is a folder; --out names a file");
         }
         try {
+            if (Files.exists(file) && !MonaText.isQuestion(Files.readString(file))) {
+                throw new WrongUse(
+                        "'" + out + "' is there and is no question for MONA; name another file");
+            }
             AtomicFile.write(file, text);
         } catch (IOException e) {
             throw new WrongUse("cannot write '" + out + "': " + Failures.reason(e));

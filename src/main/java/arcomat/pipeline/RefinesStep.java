@@ -44,6 +44,7 @@ final class RefinesStep {
                     request.doubted().get(), left, right, request.limits(), names);
         }
         if (request.certificate().isPresent()) {
+            CertificateFile.requireReplaceable(request.certificate().get(), names);
             Certification certification = Certification.of(left, right, request.limits().budget());
             CertificateFile.write(request.certificate().get(), left, right, certification, names);
             return certification.verdict();

@@ -44,7 +44,10 @@ public final class VerdictText {
             out.append("and ").append(more).append(" more\n");
         }
         verdict.notes().forEach(n -> out.append("  ").append(Printable.escape(n)).append('\n'));
-        return out.append(style.quiet(explored(verdict))).append('\n').toString();
+        if (!verdict.explored().isNothing()) {
+            out.append(style.quiet(explored(verdict))).append('\n');
+        }
+        return out.toString();
     }
 
     /** The answer as a word. */
