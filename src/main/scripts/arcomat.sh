@@ -9,7 +9,7 @@ fi
 
 # Commands that are over in a moment do not live to see the optimising compiler pay.
 case ${1-} in
-    simulate | test | generate) compiler= ;;
+    analyze | contradictions | diff | evolution | generate | refines | simulate | test | verify) compiler= ;;
     *) compiler=-XX:TieredStopAtLevel=1 ;;
 esac
 

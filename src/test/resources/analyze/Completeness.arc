@@ -100,3 +100,18 @@ component BadEnd {
     driving -> ended {distance == --} / {drive = false};
   }
 }
+
+//// BadSum.arc
+/** Without bounds: only behind 20 something is missing. */
+component BadSum {
+  port <<total>> in Integer more, out Integer told;
+
+  <<completion = "output">> automaton {
+    state low;
+//        ~~~ warning ARC1002: in low (sum = 20) no transition handles {more = 1}: anything may be sent, and the state stays (completion output)
+    variable Integer sum = 0;
+    initial low;
+    low [more > 0 && more < 8 && sum < 20] / {sum = sum + more};
+    low [more <= 0 || sum < 20 && more >= 8] / {told = sum};
+  }
+}

@@ -43,3 +43,19 @@ component Good {
     on [level > 3 && level < 5] {press == --} / {light = true};
   }
 }
+
+//// BadSum.arc
+/** Without bounds: at most 140. */
+component BadSum {
+  port in Integer more, out Integer told;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer sum = 0;
+    initial adding;
+    adding [more > 0 && more <= 40 && sum <= 100] / {sum = sum + more, told = sum};
+    adding [sum == 140] {more == 0} / {sum = 0, told = 0};
+    adding [sum > 140] {more == 0} / {sum = 0, told = 0};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition adding -> adding can never be taken: no input enables it in any configuration that is reached
+  }
+}

@@ -33,3 +33,31 @@ component GoodShare {
     only [parts != 0] {total == ?} / {share = total / parts};
   }
 }
+
+//// BadSum.arc
+/** Without bounds. */
+component BadSum {
+  port in Integer more, out Integer share;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer total = 0;
+    initial adding;
+    adding [more > 0 && more <= 40 && total <= 100] / {total = total + more};
+    adding {more == 0} / {share = 600 / (total - 137)};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC1008: run error in adding (total = 137) on {more = 0}: division by zero
+  }
+}
+
+//// GoodSum.arc
+component GoodSum {
+  port in Integer more, out Integer share;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer total = 0;
+    initial adding;
+    adding [more > 0 && more <= 40 && total <= 100] / {total = total + more};
+    adding {more == 0} / {share = 600 / (total - 141)};
+  }
+}

@@ -62,3 +62,31 @@ component GoodCounter {
     counting [presses == 20000] {press == true} / {presses = 0, count = presses};
   }
 }
+
+//// BadQuotient.arc
+/** There is one quotient that does not fit. */
+component BadQuotient {
+  port in Integer whole, in Integer[-1..3] parts, out Integer share;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only [parts != 0] {whole == ?} / {share = whole / parts};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {whole = -2147483648, parts = -1} an integer overflows and wraps around; give ports and variables ranges
+  }
+}
+
+//// GoodCountdown.arc
+/** Proved with what nobody asks: the counter never falls below zero. */
+component GoodCountdown {
+  port in Integer[0..9] start, in Boolean tick, out Integer left, out Integer share;
+
+  <<completion = "ignore">> automaton {
+    state counting;
+    variable Integer count = 0;
+    initial counting;
+    counting [count < 100] {start == ?} / {count = count + start, left = count};
+    counting [count > 0] {tick == true, start == --} / {count = count - 1, left = count};
+    counting {tick == false, start == --} / {share = 1000 / (count + 1), left = count % (count + 1)};
+  }
+}

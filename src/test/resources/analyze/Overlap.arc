@@ -74,3 +74,40 @@ component GoodChoice {
     driving {close == true, gap == --} / {speed = 2};
   }
 }
+
+//// BadSum.arc
+/** Without bounds: found by the solver. */
+component BadSum {
+  port in Integer more, out Integer told;
+
+  <<completion = "ignore">> automaton {
+    state low, high;
+    variable Integer sum = 0;
+    initial low;
+    low [more > 0 && more < 8 && sum < 100] / {sum = sum + more, told = more};
+    low [sum > 20] {more == 0} / {told = 1};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001: in low (sum = 21) on {more = 0} two transitions are enabled, and send the same, but lead to different configurations: low (sum = 21) or high (sum = 21)
+    low -> high [sum > 20] {more == 0} / {told = 1};
+    high [more > sum] / {told = 2};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001: in high (sum = 21) on {more = 22} two transitions are enabled, with the same effect: one of them is enough
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001: in high (sum = 21) on {more = 43} two transitions are enabled, and what is sent differs: {told = 2} or {told = 3}
+    high [more >= sum] / {told = 2};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1001: in high (sum = 21) on {more = 43} two transitions are enabled, and what is sent differs: {told = 2} or {told = 3}
+    high -> low [more > 2 * sum] / {told = 3, sum = 0};
+  }
+}
+
+//// GoodSum.arc
+/** Without bounds: proved by the solver. */
+component GoodSum {
+  port in Integer more, out Integer told;
+
+  <<completion = "ignore">> automaton {
+    state low;
+    variable Integer sum = 0;
+    initial low;
+    low [more > sum] / {sum = more, told = more};
+    low [more < sum] / {told = sum};
+    low [more == sum] / {told = 0};
+  }
+}

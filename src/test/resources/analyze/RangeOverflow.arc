@@ -48,3 +48,44 @@ component GoodCounter {
     counting {press == true} / {presses = (presses + 1) % 4, count = presses};
   }
 }
+
+//// BadSum.arc
+/** Without bounds but for what is sent. */
+component BadSum {
+  port in Integer more, out Integer[0..110] sum;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer total = 0;
+    initial adding;
+    adding [more > 0 && more <= 40 && total <= 100] / {total = total + more};
+    adding {more == 0} / {sum = total};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC1007: run error in adding (total = 111) on {more = 0}: sum = 111 is outside Integer[0..110]
+  }
+}
+
+//// GoodSum.arc
+component GoodSum {
+  port in Integer more, out Integer[0..140] sum;
+
+  <<completion = "ignore">> automaton {
+    state adding;
+    variable Integer total = 0;
+    initial adding;
+    adding [more > 0 && more <= 40 && total <= 100] / {total = total + more};
+    adding {more == 0} / {sum = total};
+  }
+}
+
+//// GoodShare.arc
+/** By a number that is not known before: what divides is smaller than what is divided. */
+component GoodShare {
+  port in Integer[0..100000] whole, in Integer[0..100000] parts, out Integer[0..100000] share,
+       out Integer[0..99999] rest;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only [parts > 0] {whole == ?} / {share = whole / parts, rest = whole % parts};
+  }
+}

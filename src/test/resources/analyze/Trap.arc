@@ -77,3 +77,19 @@ component GoodFree {
     only {press == true};
   }
 }
+
+//// GoodEvents.arc
+/** Whatever happened before, a push is answered. */
+component GoodEvents {
+  timing untimed;
+  port in Integer push, <<state>> in Boolean quiet, out Integer sum;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    variable Integer total = 0;
+    initial only;
+    only [total < 1000 && push > 0 && push < 1000] {push == ?} / {total = total + push, sum = total};
+    only [push < 0] {push == ?} / {sum = 0};
+    only [quiet == false && push == 0] {push == ?};
+  }
+}

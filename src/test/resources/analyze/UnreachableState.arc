@@ -32,3 +32,40 @@ component Good {
     on -> off {press == true} / {light = false};
   }
 }
+
+//// BadWindow.arc
+/** Without bounds: the last three readings are positive, which takes three steps to see. */
+component BadWindow {
+  port in Integer reading, out Integer first;
+
+  <<completion = "ignore">> automaton {
+    state running, broken;
+//                 ~~~~~~ warning ARC1003: state broken is never reached: no run carries out a transition that leads to it
+    variable Integer a = 1;
+    variable Integer b = 1;
+    variable Integer c = 1;
+    initial running;
+    running [reading > 0] / {a = b, b = c, c = reading, first = a};
+    running -> broken [a <= 0] / {first = 0};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition running -> broken can never be taken: no input enables it in any configuration that is reached
+    broken {reading == ?} / {first = 1};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition broken -> broken can never be taken: its source broken is never reached
+  }
+}
+
+//// GoodWindow.arc
+/** Without bounds: zero gets through, after three steps. */
+component GoodWindow {
+  port in Integer reading, out Integer first;
+
+  <<completion = "ignore">> automaton {
+    state running, broken;
+    variable Integer a = 1;
+    variable Integer b = 1;
+    variable Integer c = 1;
+    initial running;
+    running [reading >= 0 && a > 0] / {a = b, b = c, c = reading, first = a};
+    running -> broken [a <= 0] / {first = 0};
+    broken {reading == ?} / {first = 1};
+  }
+}

@@ -51,3 +51,19 @@ component GoodOutput {
     driving {close == true} / {drive = false};
   }
 }
+
+//// BadSum.arc
+/** Without bounds: silence is handled up to 50. */
+component BadSum {
+  port in Integer more, out Integer sum;
+
+  automaton {
+    state adding;
+//        ~~~~~~ warning ARC1006: one slice without a message, and nothing is promised any more: silence is not handled in adding (completion chaos)
+    variable Integer total = 0;
+    initial adding;
+    adding [total <= 50] {more == --} / {sum = total};
+    adding [more > 0 && more <= 20 && total <= 100] / {total = total + more};
+    adding [more <= 0 || more > 20 || total > 100] {more == ?} / {sum = total};
+  }
+}

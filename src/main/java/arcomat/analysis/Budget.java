@@ -1,28 +1,84 @@
 package arcomat.analysis;
 
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import java.util.function.Supplier;
 
 /**
- * How much may be explored before the answer is unknown.
+ * How much may be explored before the answer is unknown. Searches ask before each state; long steps
+ * ask on the way, so that no single one outlasts the time by much.
  *
- * @param timeIsUp asked now and then
+ * @param timeIsUp asked very often
+ * @param memoryIsFull asked very often; there is still enough left to end with an answer
  * @param states the most configurations, or pairs of them
  */
-public record Budget(BooleanSupplier timeIsUp, long states) {
+public record Budget(BooleanSupplier timeIsUp, BooleanSupplier memoryIsFull, long states) {
+    static final String TIME = "the time is up";
+    static final String MEMORY = "memory is full";
+
     /** Bytes of heap that one state is assumed to take. */
     private static final long PER_STATE = 400;
 
+    private static final long FEW_STATES = 100_000;
+
+    /** Without an eye on memory. */
+    public Budget(BooleanSupplier timeIsUp, long states) {
+        this(timeIsUp, () -> false, states);
+    }
+
     /** No limit but the memory that there is. */
     public static Budget ofMemory() {
-        return new Budget(
-                () -> false, Math.max(100_000, Runtime.getRuntime().maxMemory() / PER_STATE));
+        return new Budget(() -> false, statesOfHeap());
+    }
+
+    /** As many states as the heap can be expected to hold. */
+    public static long statesOfHeap() {
+        return Math.max(FEW_STATES, Runtime.getRuntime().maxMemory() / PER_STATE);
+    }
+
+    /** The same time and memory for fewer states. */
+    public Budget atMost(long fewer) {
+        return new Budget(timeIsUp, memoryIsFull, Math.min(states, fewer));
     }
 
     /** Why to stop now, or null. */
     public String exhausted(long explored) {
-        if (explored > states) {
-            return "more than " + states + " states";
+        return explored > states ? "more than " + states + " states" : spent();
+    }
+
+    private String spent() {
+        return timeIsUp.getAsBoolean() ? TIME : memoryIsFull.getAsBoolean() ? MEMORY : null;
+    }
+
+    /** Whether time or memory is used up. */
+    public boolean isSpent() {
+        return spent() != null;
+    }
+
+    /**
+     * In the middle of a long step.
+     *
+     * @throws GivenUp where time or memory is used up
+     */
+    public void insist() {
+        String reason = spent();
+        if (reason != null) {
+            throw new GivenUp(reason);
         }
-        return (explored & 0xFF) == 0 && timeIsUp.getAsBoolean() ? "the time is up" : null;
+    }
+
+    /**
+     * The result of a search that may be given up, or for which memory may not suffice.
+     *
+     * @param unknown says the reason instead
+     */
+    public static <T> T within(Supplier<T> search, Function<String, T> unknown) {
+        try {
+            return search.get();
+        } catch (GivenUp stopped) {
+            return unknown.apply(stopped.getMessage());
+        } catch (OutOfMemoryError full) {
+            return unknown.apply(MEMORY);
+        }
     }
 }

@@ -3,7 +3,6 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.Certificate;
 import arcomat.analysis.engine.CertificateCheck;
-import arcomat.analysis.engine.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -33,10 +32,10 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
     /**
      * What is wrong with certificates for a refinement; empty where they prove it.
      *
-     * @throws TooManyMessages where the refinement could not be decided either
+     * @throws GivenUp where the refinement could not be decided either
      */
     public static Optional<String> problem(
-            Promise left, Promise right, List<Certificate> certificates) {
+            Promise left, Promise right, List<Certificate> certificates, Budget budget) {
         List<Promise> promises = right.comparedApart();
         if (certificates.size() != promises.size()) {
             return Optional.of(
@@ -45,14 +44,15 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
         }
         for (int i = 0; i < promises.size(); i++) {
             Promise each = promises.get(i);
-            Sides sides = Sides.of(left, each);
+            Sides sides = Sides.of(left, each, budget);
             CertificateCheck check =
                     new CertificateCheck(
                             sides.left(),
                             sides.right(),
                             sides.observed(),
                             sides.outputs(),
-                            certificates.get(i));
+                            certificates.get(i),
+                            budget);
             Optional<String> problem = check.problem();
             if (problem.isPresent()) {
                 return problem;

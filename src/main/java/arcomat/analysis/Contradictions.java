@@ -3,7 +3,6 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.TooManyMessages;
 import arcomat.analysis.game.Choices;
 import arcomat.analysis.game.Controllers;
 import arcomat.analysis.game.Cores;
@@ -32,6 +31,7 @@ public final class Contradictions {
     private final Budget budget;
     private final Choices choices;
     private final List<Requirement> requirements = new ArrayList<>();
+    private final List<Cores> played = new ArrayList<>();
 
     private Contradictions(Promise promise, boolean all, Budget budget) {
         this.promise = promise;
@@ -40,13 +40,14 @@ public final class Contradictions {
         List<Port> outputs = promise.component().outputs();
         List<String> names = outputs.stream().map(Port::name).toList();
         Outputs numbers = new Outputs();
-        this.choices = new Choices(outputs, numbers);
+        this.choices = new Choices(outputs, numbers, budget);
         for (Promise each : promise.each()) {
             requirements.add(
                     new Requirement(
-                            new AtomicSide(each.behaviour(), names, numbers),
+                            new AtomicSide(each.behaviour(), names, numbers, budget),
                             each.automata().get(0),
-                            choices));
+                            choices,
+                            budget));
         }
     }
 
@@ -64,17 +65,19 @@ public final class Contradictions {
                     List.of("nothing is required: there is no automaton"),
                     0);
         }
-        try {
-            Consistency found = new Contradictions(promise, all, budget).search();
-            return found.answer() == Answer.HOLDS ? Leniency.noted(promise, found, budget) : found;
-        } catch (TooManyMessages problem) {
-            return unknown(problem.getMessage(), 0);
-        }
+        Contradictions question = new Contradictions(promise, all, budget);
+        Consistency found =
+                Budget.within(question::search, why -> unknown(why, question.explored()));
+        return found.answer() == Answer.HOLDS ? Leniency.noted(promise, found, budget) : found;
     }
 
     private static Consistency unknown(String reason, long explored) {
         return new Consistency(
                 Answer.UNKNOWN, reason, List.of(), Optional.empty(), List.of(), explored);
+    }
+
+    private long explored() {
+        return played.stream().mapToLong(Cores::explored).sum();
     }
 
     private Consistency search() {
@@ -90,7 +93,9 @@ public final class Contradictions {
 
     private Cores cores(Groups groups) {
         Component.Profile profile = promise.component().profile();
-        return new Cores(requirements, groups, choices, profile, budget);
+        Cores cores = new Cores(requirements, groups, choices, profile, budget);
+        played.add(cores);
+        return cores;
     }
 
     /** Per requirement the outputs that it does not leave open for good. */

@@ -3,8 +3,10 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.engine.Comparison.Allowed;
 import arcomat.analysis.game.Turn;
+import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 
 /** Says what requirements ask for where they contradict each other. */
@@ -18,17 +20,29 @@ final class Demands {
             for (Allowed allowed : demand.allowed()) {
                 sentences.add(
                         new Sentence(
-                                "%s allows %s%s"
-                                        .formatted(
-                                                requirement.title(),
-                                                Explanation.words(allowed.sent()),
-                                                Explanation.by(
-                                                        requirement,
-                                                        allowed.configuration(),
-                                                        allowed.causes())),
+                                requirement.title()
+                                        + " "
+                                        + words(allowed)
+                                        + Explanation.by(
+                                                requirement,
+                                                allowed.configuration(),
+                                                allowed.causes()),
                                 Explanation.place(requirement, allowed.causes())));
             }
         }
         return new Contradiction.Step(turn.input(), turn.answers(), sentences);
+    }
+
+    private static String words(Allowed allowed) {
+        if (allowed.error()) {
+            return "ends in an error";
+        }
+        Collection<Sent> sent = allowed.sent().values();
+        boolean silent =
+                sent.contains(Sent.SILENCE)
+                        && sent.stream()
+                                .allMatch(
+                                        s -> s.equals(Sent.SILENCE) || s instanceof Sent.Anything);
+        return "allows " + (silent ? "only silence" : Explanation.words(allowed.sent()));
     }
 }

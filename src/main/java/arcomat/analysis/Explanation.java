@@ -29,9 +29,10 @@ final class Explanation {
                                 .formatted(
                                         when,
                                         left.title(),
-                                        forbidden.error()
-                                                ? "ends in an error"
-                                                : "sends " + words(forbidden.sent()),
+                                        forbidden
+                                                .error()
+                                                .map(error -> "ends in an " + error)
+                                                .orElse("sends " + words(forbidden.sent())),
                                         by(left, forbidden.left(), forbidden.causes())),
                         place(left, forbidden.causes())));
         for (Allowed allowed : forbidden.right()) {
@@ -53,10 +54,15 @@ final class Explanation {
         return sentences;
     }
 
+    /** Ports that are left open are only mentioned where all are. */
     static String words(Map<String, Sent> sent) {
+        if (!sent.isEmpty() && sent.values().stream().allMatch(Sent.Anything.class::isInstance)) {
+            return "anything";
+        }
         String words =
                 sent.entrySet().stream()
                         .filter(each -> !each.getValue().equals(Sent.SILENCE))
+                        .filter(each -> !(each.getValue() instanceof Sent.Anything))
                         .map(each -> each.getKey() + " = " + each.getValue())
                         .collect(Collectors.joining(", "));
         return words.isEmpty() ? "nothing" : words;

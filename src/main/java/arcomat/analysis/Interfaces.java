@@ -87,6 +87,13 @@ final class Interfaces {
                                             other.qualifiedName()),
                             Optional.of(found.get().span())));
         }
+        if (found.get().latched() != port.latched()) {
+            return Optional.of(
+                    new Sentence(
+                            "'%s' keeps its value in one of them, and is an event in the other"
+                                    .formatted(port.name()),
+                            Optional.of(found.get().span())));
+        }
         if (port.isInput() && found.get().total() && !port.total()) {
             return Optional.of(
                     new Sentence(

@@ -29,8 +29,18 @@ public record MonaRefinement(
     public static MonaRefinement of(Promise left, Promise right, Budget budget) {
         Optional<Verdict> interfaces = Interfaces.compare(left, right);
         if (interfaces.isPresent()) {
-            return new MonaRefinement(left, right, interfaces, Optional.empty());
+            return settled(left, right, interfaces.get());
         }
+        return Budget.within(
+                () -> asked(left, right, budget),
+                reason -> settled(left, right, Verdict.unknown(reason, Explored.NOTHING)));
+    }
+
+    private static MonaRefinement settled(Promise left, Promise right, Verdict verdict) {
+        return new MonaRefinement(left, right, Optional.of(verdict), Optional.empty());
+    }
+
+    private static MonaRefinement asked(Promise left, Promise right, Budget budget) {
         try {
             refuse(left);
             refuse(right);
@@ -44,8 +54,7 @@ public record MonaRefinement(
                             budget);
             return new MonaRefinement(left, right, Optional.empty(), Optional.of(question));
         } catch (NotForMona problem) {
-            Verdict unknown = Verdict.unknown(problem.getMessage(), Explored.NOTHING);
-            return new MonaRefinement(left, right, Optional.of(unknown), Optional.empty());
+            return settled(left, right, Verdict.unknown(problem.getMessage(), Explored.NOTHING));
         }
     }
 

@@ -10,6 +10,7 @@ import arcomat.semantics.Network;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * One side of a comparison: a component, or some automata on it.
@@ -125,10 +126,18 @@ public record Promise(
         return Behaviour.of(component, automata, arguments);
     }
 
-    /** The component's name, and the automaton's where it is one of several. */
+    /** The component's name, its arguments, and the automaton's where it is one of several. */
     public String title() {
         boolean part = automata.size() == 1 && automataOf(component).size() > 1;
         String name = part ? automata.get(0).name() : "";
-        return component.qualifiedName() + (name.isEmpty() ? "" : "#" + name);
+        return component.qualifiedName() + listed() + (name.isEmpty() ? "" : "#" + name);
+    }
+
+    private String listed() {
+        return arguments.isEmpty()
+                ? ""
+                : arguments.stream()
+                        .map(Value::toString)
+                        .collect(Collectors.joining(", ", "(", ")"));
     }
 }

@@ -5,9 +5,9 @@ import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.engine.Certificate;
 import arcomat.analysis.engine.Comparison;
+import arcomat.analysis.engine.CompositeSide;
 import arcomat.analysis.engine.Inclusion;
-import arcomat.analysis.engine.TooManyMessages;
-import arcomat.model.Component;
+import arcomat.analysis.engine.Side;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -38,19 +38,13 @@ public final class Refinement {
     /** The verdict where there is nothing to explore. */
     static Optional<Verdict> comparable(Promise left, Promise right) {
         return Interfaces.compare(left, right)
-                .or(
-                        () ->
-                                handlesEvents(left)
-                                                && (left.isComposition() || right.isComposition())
-                                        ? Optional.of(
-                                                Verdict.unknown(
-                                                        "compositions of components that handle"
-                                                                + " events are not compared"))
-                                        : Optional.empty());
+                .or(() -> obstacle(left).or(() -> obstacle(right)).map(Verdict::unknown));
     }
 
-    private static boolean handlesEvents(Promise promise) {
-        return promise.component().profile() == Component.Profile.EVENT_DRIVEN;
+    private static Optional<String> obstacle(Promise promise) {
+        return promise.isComposition()
+                ? CompositeSide.obstacle(promise.component(), promise.arguments())
+                : Optional.empty();
     }
 
     /** Fails as briefly as possible; holds only if all do. */
@@ -90,28 +84,39 @@ public final class Refinement {
      */
     static Verdict compare(
             Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
-        Sides sides = Sides.of(left, right);
-        try {
-            Comparison comparison =
-                    new Comparison(
-                            sides.left(), sides.right(), sides.observed(), sides.outputs(), budget);
-            Inclusion.Result result = comparison.run();
-            Explored explored = sides.explored(result.pairs());
-            if (result.stopped().isPresent()) {
-                return Verdict.unknown(result.stopped().get(), explored);
-            }
-            if (result.failure().isPresent()) {
-                Inclusion.Failure failure = result.failure().get();
-                return failure(left, right, comparison, failure, explored);
-            }
-            proof.accept(comparison::certificate);
-            List<String> notes = Vacuity.notes(right, sides.right(), result);
-            return Verdict.holds(result.simulation(), notes, explored);
-        } catch (TooManyMessages problem) {
-            return Verdict.unknown(problem.getMessage(), sides.explored(0));
-        } catch (OutOfMemoryError full) {
-            return Verdict.unknown("memory is full", sides.explored(0));
+        Sides sides = Sides.of(left, right, budget);
+        Comparison comparison = sides.comparison(budget);
+        return Budget.within(
+                () -> verdict(left, right, sides, comparison, proof),
+                reason -> Verdict.unknown(reason, sides.explored(comparison.pairs())));
+    }
+
+    private static Verdict verdict(
+            Promise left,
+            Promise right,
+            Sides sides,
+            Comparison comparison,
+            Consumer<Supplier<Certificate>> proof) {
+        Inclusion.Result result = comparison.run();
+        Explored explored = sides.explored(result.pairs());
+        if (result.failure().isPresent()) {
+            Verdict failure = failure(left, right, comparison, result.failure().get(), explored);
+            return unlessLeftOut(sides.right(), failure);
         }
+        Optional<String> stopped = result.stopped().or(sides.left()::leftOut);
+        if (stopped.isPresent()) {
+            return Verdict.unknown(stopped.get(), explored);
+        }
+        proof.accept(comparison::certificate);
+        List<String> notes = Vacuity.notes(right, sides.right(), result);
+        return Verdict.holds(result.simulation(), notes, explored);
+    }
+
+    /** What is forbidden by the steps that are known may be allowed by one that is left out. */
+    private static Verdict unlessLeftOut(Side right, Verdict failure) {
+        return right.leftOut()
+                .map(reason -> Verdict.unknown(reason, failure.explored()))
+                .orElse(failure);
     }
 
     /**
@@ -132,24 +137,26 @@ public final class Refinement {
     }
 
     private static List<Verdict> allFailures(Promise left, Promise right, Budget budget) {
-        Sides sides = Sides.of(left, right);
-        try {
-            Comparison comparison =
-                    new Comparison(
-                            sides.left(), sides.right(), sides.observed(), sides.outputs(), budget);
-            Inclusion.Result result = comparison.runOn();
-            Explored explored = sides.explored(result.pairs());
-            List<Verdict> found = new ArrayList<>();
-            for (Inclusion.Failure each : comparison.failures()) {
-                found.add(failure(left, right, comparison, each, explored));
-            }
-            result.stopped().ifPresent(why -> found.add(Verdict.unknown(why, explored)));
-            return found;
-        } catch (TooManyMessages problem) {
-            return List.of(Verdict.unknown(problem.getMessage(), sides.explored(0)));
-        } catch (OutOfMemoryError full) {
-            return List.of(Verdict.unknown("memory is full", sides.explored(0)));
+        Sides sides = Sides.of(left, right, budget);
+        Comparison comparison = sides.comparison(budget);
+        return Budget.within(
+                () -> failures(left, right, sides, comparison),
+                reason -> List.of(Verdict.unknown(reason, sides.explored(comparison.pairs()))));
+    }
+
+    private static List<Verdict> failures(
+            Promise left, Promise right, Sides sides, Comparison comparison) {
+        Inclusion.Result result = comparison.runOn();
+        Explored explored = sides.explored(result.pairs());
+        List<Verdict> found = new ArrayList<>();
+        for (Inclusion.Failure each : comparison.failures()) {
+            Verdict failure = failure(left, right, comparison, each, explored);
+            found.add(unlessLeftOut(sides.right(), failure));
         }
+        result.stopped()
+                .or(sides.left()::leftOut)
+                .ifPresent(why -> found.add(Verdict.unknown(why, explored)));
+        return found;
     }
 
     private static Verdict failure(

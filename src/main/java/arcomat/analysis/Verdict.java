@@ -48,6 +48,11 @@ public record Verdict(
     /** How far a search went: pairs that were compared and configurations of both sides. */
     public record Explored(long pairs, int left, int right) {
         static final Explored NOTHING = new Explored(0, 0, 0);
+
+        /** Whether the answer was found without any search. */
+        public boolean isNothing() {
+            return equals(NOTHING);
+        }
     }
 
     /** A sentence about a place in a model. */

@@ -1,5 +1,7 @@
 package arcomat.cli;
 
+import arcomat.pipeline.CheckResult;
+
 import picocli.CommandLine.Option;
 
 /** What the commands that answer questions about models have in common. */
@@ -19,9 +21,13 @@ abstract class AnalysisCommand extends LimitedCommand {
         return format == OutputFormat.json;
     }
 
-    /** Models with errors cannot be asked anything. */
-    final int refuse(arcomat.pipeline.CheckResult check) {
-        reportErrors(check);
+    /** Models with errors cannot be asked anything: their findings are the answer. */
+    final int refuse(CheckResult check) {
+        if (isJson()) {
+            print(CheckRendering.refused("", check, console).text(ReportFormat.json, console.style()));
+        } else {
+            reportErrors(check);
+        }
         return ExitStatus.WRONG_USE;
     }
 }

@@ -18,8 +18,12 @@ import java.util.List;
 @CommandLine.Command(
         name = "analyze",
         description = {
-            "Examines each automaton: transitions enabled together, inputs that are not handled,",
-            "states never reached, transitions never taken, traps, run errors."
+            "Looks in each automaton for overlaps, gaps, dead ends, traps and run errors.",
+            "",
+            "Overlaps are transitions enabled together; gaps are inputs that are not handled; dead"
+                    + " ends",
+            "are states never reached and transitions never taken; in a trap nothing is sent any"
+                    + " more."
         },
         footerHeading = "%nExamples:%n",
         footer = {
@@ -52,9 +56,10 @@ final class AnalyzeCommand extends AnalysisCommand {
             return refuse(result.check());
         }
         if (isJson()) {
-            print(ExaminationJson.render(result.examinations()));
+            print(ExaminationJson.render(result.examinations(), result.unexamined()));
         } else {
             result.examinations().forEach(e -> print(ExaminationText.render(e, console.style())));
+            result.unexamined().forEach(e -> printLine(ExaminationText.render(e, console.style())));
             if (result.meant() > 0) {
                 printLine(ExaminationText.meant(result.meant(), console.style()));
             }

@@ -49,7 +49,9 @@ public final class Cli {
     public static int run(String[] args, Console console) {
         try {
             return commandLine(args, console).execute(args);
-        } catch (StackOverflowError | OutOfMemoryError e) {
+        } catch (OutOfMemoryError full) {
+            return memoryIsFull(console);
+        } catch (StackOverflowError e) {
             return internalError(e, console);
         } finally {
             console.out().flush();
@@ -89,6 +91,19 @@ public final class Cli {
             return ExitStatus.WRONG_USE;
         }
         return internalError(e, console);
+    }
+
+    /** Analyses end before that; reading and writing need what they need. */
+    private static int memoryIsFull(Console console) {
+        long megabytes = Runtime.getRuntime().maxMemory() >> 20;
+        complain(
+                "unknown: memory is full. Java has "
+                        + megabytes
+                        + " MB; JAVA_OPTS=-Xmx"
+                        + 4 * megabytes
+                        + "m gives it more",
+                console);
+        return ExitStatus.UNKNOWN;
     }
 
     private static int internalError(Throwable e, Console console) {

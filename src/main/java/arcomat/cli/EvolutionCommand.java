@@ -30,6 +30,7 @@ final class EvolutionCommand extends AnalysisCommand {
             paramLabel = "Q,Q,..",
             required = true,
             split = ",",
+            hideParamSyntax = true,
             description = "Components, the oldest first.")
     private List<String> versions;
 
@@ -43,7 +44,7 @@ final class EvolutionCommand extends AnalysisCommand {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         if (versions.size() < 2) {
-            throw new WrongUse("--versions names one component; an evolution has at least two");
+            throw new WrongUse("--versions names at least two components, the oldest first");
         }
         EvolutionResult result = pipeline.evolution(versions, paths, limits());
         if (result.evolution().isEmpty()) {

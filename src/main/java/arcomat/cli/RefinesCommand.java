@@ -62,6 +62,11 @@ final class RefinesCommand extends ComparisonCommand {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
+        if (certificate != null && doubted != null) {
+            throw new WrongUse(
+                    "--verify-certificate searches nothing, so there is nothing to write for"
+                            + " --certificate; leave one of them out");
+        }
         AnalysisResult result = pipeline.refines(request(asked()), paths());
         if (result.check().hasErrors()) {
             return refuse(result.check());

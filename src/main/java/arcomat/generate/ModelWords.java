@@ -93,7 +93,9 @@ final class ModelWords {
             return value + "L";
         }
         boolean single = constant.type() instanceof Type.RealType real && real.single();
-        return single ? value + "f" : value.toString();
+        return single
+                ? (float) ((Value.RealValue) constant.value()).value() + "f"
+                : value.toString();
     }
 
     /** An item of an input block: a port carries what one of the patterns says. */

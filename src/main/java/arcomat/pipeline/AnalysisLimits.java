@@ -3,7 +3,6 @@ package arcomat.pipeline;
 import arcomat.analysis.Budget;
 
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 
 /**
  * How long an analysis may take before its answer is unknown.
@@ -15,9 +14,7 @@ public record AnalysisLimits(Optional<Integer> seconds, Optional<Long> states) {
 
     /** A budget that runs from now on. */
     Budget budget() {
-        Budget all = Budget.ofMemory();
-        long start = System.nanoTime();
-        long patience = seconds.map(TimeUnit.SECONDS::toNanos).orElse(Long.MAX_VALUE);
-        return new Budget(() -> System.nanoTime() - start > patience, states.orElse(all.states()));
+        Lookout lookout = Lookout.post(seconds);
+        return new Budget(lookout::isLate, lookout::isFull, states.orElseGet(Budget::statesOfHeap));
     }
 }

@@ -1,9 +1,11 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
+import arcomat.analysis.automaton.Unexamined;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.model.Component;
@@ -25,25 +27,30 @@ final class AnalyzeStep {
         CheckedModels checked =
                 CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
         if (checked.hasErrors()) {
-            return new AnalyzeResult(checked.result(), List.of(), 0);
+            return new AnalyzeResult(checked.result(), List.of(), List.of(), 0);
         }
-        List<Promise> promises = promises(request, checked, checked.lower(progress));
-        if (promises.isEmpty()) {
+        Model model = checked.lower(progress);
+        List<Promise> promises = new ArrayList<>(named(request, checked, model));
+        List<Unexamined> unexamined = new ArrayList<>();
+        if (request.components().isEmpty()) {
+            InstancePromises all = new InstancePromises(model, checked);
+            promises.addAll(all.all());
+            unexamined.addAll(all.withoutArguments());
+        }
+        if (promises.isEmpty() && unexamined.isEmpty()) {
             throw new WrongUse("there is no automaton in " + String.join(", ", paths));
         }
+        Budget budget = request.limits().budget();
         List<Examination> examinations = new ArrayList<>();
         for (Promise promise : promises) {
             progress.step("examining " + promise.title());
-            examinations.addAll(Analyses.examine(promise, request.limits().budget()));
+            examinations.addAll(Analyses.examine(promise, budget));
         }
-        return withoutMeant(examinations, checked);
+        return withoutMeant(examinations, unexamined, checked);
     }
 
-    private static List<Promise> promises(
-            AnalyzeRequest request, CheckedModels checked, Model model) throws WrongUse {
-        if (request.components().isEmpty()) {
-            return InstancePromises.of(model, checked);
-        }
+    private static List<Promise> named(AnalyzeRequest request, CheckedModels checked, Model model)
+            throws WrongUse {
         List<Promise> promises = new ArrayList<>();
         for (String written : request.components()) {
             Promise promise = PromiseReference.parse(written).in(checked, model);
@@ -62,7 +69,7 @@ final class AnalyzeStep {
 
     /** Findings that a model declares to be meant are left out. */
     private static AnalyzeResult withoutMeant(
-            List<Examination> examinations, CheckedModels checked) {
+            List<Examination> examinations, List<Unexamined> unexamined, CheckedModels checked) {
         List<Diagnostic> all =
                 examinations.stream()
                         .flatMap(each -> each.findings().stream())
@@ -78,6 +85,6 @@ final class AnalyzeStep {
                                     .filter(finding -> shown.contains(finding.diagnostic()))
                                     .toList()));
         }
-        return new AnalyzeResult(checked.result(), rest, review.suppressed().size());
+        return new AnalyzeResult(checked.result(), rest, unexamined, review.suppressed().size());
     }
 }

@@ -1,22 +1,39 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.Certification;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.Certificate;
-import arcomat.analysis.engine.TooManyMessages;
 import arcomat.report.CertificateText;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 
 /** The proof of a refinement as a file, for whoever doubts the tool. */
 final class CertificateFile {
     private CertificateFile() {}
+
+    /** Whatever is in the file is lost; it had better be certificates. */
+    static void requireReplaceable(String file, PathNames names) throws WrongUse {
+        Path path = names.resolve(file);
+        if (Files.isDirectory(path)) {
+            throw new WrongUse("'" + file + "' is a folder; --certificate names a file");
+        }
+        if (Files.exists(path)) {
+            try {
+                read(file, path);
+            } catch (WrongUse other) {
+                throw new WrongUse(
+                        "'"
+                                + file
+                                + "' is there and is no file of certificates; name another file");
+            }
+        }
+    }
 
     /** Nothing is written where the refinement does not hold. */
     static void write(
@@ -35,17 +52,17 @@ final class CertificateFile {
     }
 
     /** Holds, or unknown where the file proves nothing. */
-    static Verdict verify(String file, Promise left, Promise right, PathNames names)
+    static Verdict verify(
+            String file, Promise left, Promise right, AnalysisLimits limits, PathNames names)
             throws WrongUse {
         List<Certificate> certificates = read(file, names.resolve(file));
-        try {
-            Optional<String> problem = Certification.problem(left, right, certificates);
-            return problem.isPresent()
-                    ? Verdict.unknown("'" + file + "' is no proof: " + problem.get())
-                    : Verdict.proved(certificates);
-        } catch (TooManyMessages problem) {
-            return Verdict.unknown(problem.getMessage());
-        }
+        Budget budget = limits.budget();
+        return Budget.within(
+                () ->
+                        Certification.problem(left, right, certificates, budget)
+                                .map(why -> Verdict.unknown("'" + file + "' is no proof: " + why))
+                                .orElseGet(() -> Verdict.proved(certificates)),
+                Verdict::unknown);
     }
 
     private static List<Certificate> read(String file, Path path) throws WrongUse {

@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.analysis.Promise;
+import arcomat.analysis.automaton.Unexamined;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
@@ -8,6 +9,8 @@ import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Arguments;
 import arcomat.semantics.Network;
+import arcomat.source.Span;
+import arcomat.symbols.ComponentSymbol;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -21,36 +24,77 @@ import java.util.Set;
  * with its defaults; one without defaults with the arguments of each of its instances.
  */
 final class InstancePromises {
+    private static final String TYPES_MISSING =
+            "is generic, and no part says its type arguments; name a model root with one that does";
+
+    private final Model model;
+    private final CheckedModels checked;
     private final Map<String, Set<List<Value>>> instances = new LinkedHashMap<>();
 
-    private InstancePromises(Model model) {
+    InstancePromises(Model model, CheckedModels checked) {
+        this.model = model;
+        this.checked = checked;
         model.components().stream()
                 .filter(component -> component.isComposite() && hasDefaults(component))
                 .forEach(this::collect);
     }
 
     /** Of the components in files that the user named. */
-    static List<Promise> of(Model model, CheckedModels checked) {
-        InstancePromises known = new InstancePromises(model);
+    List<Promise> all() {
         List<Promise> promises = new ArrayList<>();
-        for (Component component : model.components()) {
-            boolean named = checked.loaded().isNamedByUser(component.span().file().path());
-            if (named && !component.platform()) {
-                promises.addAll(known.of(component));
+        for (Component component : withAutomata()) {
+            for (List<Value> arguments : arguments(component)) {
+                promises.add(new Promise(component, arguments, Promise.automataOf(component)));
             }
         }
         return promises;
     }
 
-    private List<Promise> of(Component component) {
-        if (Promise.automataOf(component).isEmpty()) {
-            return List.of();
+    /** Those that promise nothing definite, since no instance says the arguments. */
+    List<Unexamined> withoutArguments() {
+        List<Unexamined> open = new ArrayList<>();
+        for (Component component : withAutomata()) {
+            if (arguments(component).isEmpty()) {
+                open.add(new Unexamined(component.qualifiedName(), valuesMissing(component)));
+            }
         }
-        List<Promise> promises = new ArrayList<>();
-        for (List<Value> arguments : arguments(component)) {
-            promises.add(new Promise(component, arguments, Promise.automataOf(component)));
+        for (ComponentSymbol symbol : checked.workspace().components()) {
+            if (isGenericWithoutPart(symbol)) {
+                open.add(new Unexamined(symbol.qualifiedName(), TYPES_MISSING));
+            }
         }
-        return promises;
+        return open;
+    }
+
+    private static String valuesMissing(Component component) {
+        String name = component.qualifiedName();
+        return "takes %s, which no part fixes; give them with --component '%s%s'"
+                .formatted(
+                        MainComponent.signature(component.parameters()),
+                        name,
+                        MainComponent.example(component.parameters()));
+    }
+
+    private boolean isGenericWithoutPart(ComponentSymbol symbol) {
+        String specialised = symbol.qualifiedName() + "<";
+        boolean behaves = !symbol.ownAutomata().isEmpty() || !symbol.ownTables().isEmpty();
+        return symbol.isGeneric()
+                && behaves
+                && !symbol.isPlatform()
+                && isNamed(symbol.nameSpan())
+                && model.components().stream()
+                        .noneMatch(each -> each.qualifiedName().startsWith(specialised));
+    }
+
+    private List<Component> withAutomata() {
+        return model.components().stream()
+                .filter(component -> isNamed(component.span()) && !component.platform())
+                .filter(component -> !Promise.automataOf(component).isEmpty())
+                .toList();
+    }
+
+    private boolean isNamed(Span span) {
+        return checked.loaded().isNamedByUser(span.file().path());
     }
 
     private Set<List<Value>> arguments(Component component) {

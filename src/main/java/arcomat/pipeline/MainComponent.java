@@ -142,7 +142,7 @@ record MainComponent(Component component, List<Value> arguments) {
         return Arguments.complete(component, values);
     }
 
-    private static String signature(List<Parameter> parameters) {
+    static String signature(List<Parameter> parameters) {
         if (parameters.isEmpty()) {
             return "no arguments";
         }
@@ -151,7 +151,7 @@ record MainComponent(Component component, List<Value> arguments) {
                 .collect(Collectors.joining(", ", "the arguments (", ")"));
     }
 
-    private static String example(List<Parameter> parameters) {
+    static String example(List<Parameter> parameters) {
         return parameters.isEmpty()
                 ? ""
                 : parameters.stream()

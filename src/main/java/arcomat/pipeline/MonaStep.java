@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.analysis.Answered;
+import arcomat.analysis.Budget;
 import arcomat.analysis.MonaRefinement;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict;
@@ -67,6 +68,10 @@ final class MonaStep {
             throw new WrongUse("'" + out + "' is a folder; --out names a file");
         }
         try {
+            if (Files.exists(file) && !MonaText.isQuestion(Files.readString(file))) {
+                throw new WrongUse(
+                        "'" + out + "' is there and is no question for MONA; name another file");
+            }
             AtomicFile.write(file, text);
         } catch (IOException e) {
             throw new WrongUse("cannot write '" + out + "': " + Failures.reason(e));
@@ -76,11 +81,16 @@ final class MonaStep {
     /** The program's answer to the question. */
     static Verdict verdict(Promise left, Promise right, RefinesRequest request, PathNames names)
             throws WrongUse {
-        MonaRefinement refinement = MonaRefinement.of(left, right, request.limits().budget());
+        Budget budget = request.limits().budget();
+        MonaRefinement refinement = MonaRefinement.of(left, right, budget);
         if (refinement.settled().isPresent()) {
             return refinement.settled().get();
         }
         String text = MonaText.render(refinement.formula());
+        String spent = budget.exhausted(0);
+        if (spent != null) {
+            return refinement.unknown(spent);
+        }
         MonaAnswer answer =
                 MonaProgram.find(request.mona().orElseThrow(), names)
                         .decide(text, request.limits().seconds().orElse(PATIENCE));

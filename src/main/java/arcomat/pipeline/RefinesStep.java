@@ -44,9 +44,11 @@ final class RefinesStep {
             return MonaStep.verdict(left, right, request, names);
         }
         if (request.doubted().isPresent()) {
-            return CertificateFile.verify(request.doubted().get(), left, right, names);
+            return CertificateFile.verify(
+                    request.doubted().get(), left, right, request.limits(), names);
         }
         if (request.certificate().isPresent()) {
+            CertificateFile.requireReplaceable(request.certificate().get(), names);
             Certification certification = Certification.of(left, right, request.limits().budget());
             CertificateFile.write(request.certificate().get(), left, right, certification, names);
             return certification.verdict();

@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.analysis.Answered;
+import arcomat.analysis.Budget;
 import arcomat.analysis.Obligation;
 import arcomat.analysis.Obligations;
 import arcomat.analysis.Refinement;
@@ -28,13 +29,13 @@ final class VerifyStep {
                         .filter(c -> checked.loaded().isNamedByUser(c.span().file().path()))
                         .toList();
         Obligations.All all = Obligations.of(model, components);
+        Budget budget = limits.budget();
         List<Answered> answers = new ArrayList<>();
         for (Obligation obligation : all.obligations()) {
             String left = obligation.left().title();
             String right = obligation.right().title();
             progress.step("comparing " + left + " with " + right);
-            Verdict verdict =
-                    Refinement.check(obligation.left(), obligation.right(), limits.budget());
+            Verdict verdict = Refinement.check(obligation.left(), obligation.right(), budget);
             answers.add(new Answered(left, right, obligation.place(), verdict));
         }
         all.open()

@@ -3,6 +3,7 @@ package arcomat.report;
 import arcomat.analysis.Moment;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
+import arcomat.analysis.automaton.Unexamined;
 import arcomat.model.Letter;
 
 import com.fasterxml.jackson.core.JsonGenerator;
@@ -18,15 +19,40 @@ import java.util.Locale;
 public final class ExaminationJson {
     private ExaminationJson() {}
 
-    public static String render(List<Examination> examinations) {
+    public static String render(List<Examination> examinations, List<Unexamined> unexamined) {
         return Json.text(
                 json -> {
                     json.writeStartArray();
                     for (Examination examination : examinations) {
                         write(json, examination);
                     }
+                    for (Unexamined each : unexamined) {
+                        write(json, each);
+                    }
                     json.writeEndArray();
                 });
+    }
+
+    /** With the same fields as what was examined. */
+    private static void write(JsonGenerator json, Unexamined unexamined) throws IOException {
+        json.writeStartObject();
+        json.writeStringField("component", unexamined.component());
+        json.writeStringField("automaton", "");
+        json.writeStringField("title", unexamined.component());
+        json.writeStringField("verdict", "unknown");
+        json.writeStringField("reason", unexamined.reason());
+        for (String nothing : List.of("findings", "notes")) {
+            json.writeArrayFieldStart(nothing);
+            json.writeEndArray();
+        }
+        writeExplored(json, 0);
+        json.writeEndObject();
+    }
+
+    private static void writeExplored(JsonGenerator json, int configurations) throws IOException {
+        json.writeObjectFieldStart("explored");
+        json.writeNumberField("configurations", configurations);
+        json.writeEndObject();
     }
 
     private static void write(JsonGenerator json, Examination examination) throws IOException {
@@ -46,9 +72,7 @@ public final class ExaminationJson {
             json.writeString(note);
         }
         json.writeEndArray();
-        json.writeObjectFieldStart("explored");
-        json.writeNumberField("configurations", examination.explored());
-        json.writeEndObject();
+        writeExplored(json, examination.explored());
         json.writeEndObject();
     }
 

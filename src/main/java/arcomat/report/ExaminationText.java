@@ -1,14 +1,14 @@
 package arcomat.report;
 
 import arcomat.analysis.Moment;
+import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
+import arcomat.analysis.automaton.Unexamined;
 import arcomat.model.Letter;
-import arcomat.model.Value;
 import arcomat.source.Diagnostic;
 
 import java.util.List;
-import java.util.stream.Collectors;
 
 /** Findings about automata, each with the shortest run to where it is seen. */
 public final class ExaminationText {
@@ -33,6 +33,13 @@ public final class ExaminationText {
                 .toString();
     }
 
+    /** A line on a component that was not looked at. */
+    public static String render(Unexamined unexamined, Style style) {
+        return VerdictText.answer(Answer.UNKNOWN, style)
+                + ": "
+                + Printable.escape(unexamined.component() + " " + unexamined.reason());
+    }
+
     /** A line on findings that are declared to be meant. */
     public static String meant(int findings, Style style) {
         return style.quiet(
@@ -43,14 +50,7 @@ public final class ExaminationText {
 
     /** The component with its arguments, and the automaton where there are several. */
     static String title(Examination examination) {
-        List<Value> arguments = examination.promise().arguments();
-        String listed =
-                arguments.isEmpty()
-                        ? ""
-                        : arguments.stream()
-                                .map(Value::toString)
-                                .collect(Collectors.joining(", ", "(", ")"));
-        return examination.promise().title() + listed;
+        return examination.promise().title();
     }
 
     private static String summary(Examination examination, Style style) {

@@ -3,6 +3,7 @@ package arcomat.report;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** Verdicts on many obligations: a line each, and a summary. */
@@ -14,7 +15,11 @@ public final class ObligationsText {
     /** {@code holds p.New refines p.Old; 5 of 5 transitions of p.Old took part}. */
     public static String line(String left, String right, Verdict verdict, Style style) {
         String blanks = " ".repeat(WIDEST_ANSWER - verdict.answer().name().length());
-        String notes = verdict.notes().isEmpty() ? "" : "; " + String.join("; ", verdict.notes());
+        List<String> remarks = new ArrayList<>(verdict.notes());
+        if (verdict.answer() == Answer.UNKNOWN && verdict.explored().left() > 0) {
+            remarks.add(VerdictText.explored(verdict));
+        }
+        String notes = remarks.isEmpty() ? "" : "; " + String.join("; ", remarks);
         String headline = VerdictText.headline(left, right, verdict);
         return VerdictText.answer(verdict.answer(), style)
                 + blanks

@@ -3,7 +3,7 @@ package arcomat.report;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Columns of text, aligned at the left; the first column, which holds numbers, at the right. */
+/** Columns of text, aligned at the left; the first column at the right, if it holds numbers. */
 final class TextTable {
     private static final String GAP = "  ";
 
@@ -47,11 +47,17 @@ final class TextTable {
         return widths;
     }
 
-    private static String line(List<String> cells, int[] widths) {
+    private boolean isNumbered() {
+        return rows.stream().allMatch(row -> row.get(0).chars().allMatch(Character::isDigit));
+    }
+
+    private String line(List<String> cells, int[] widths) {
+        boolean numbered = isNumbered();
         StringBuilder line = new StringBuilder();
         for (int i = 0; i < cells.size(); i++) {
             String blanks = " ".repeat(widths[i] - cells.get(i).length());
-            line.append(i == 0 ? blanks + cells.get(i) : GAP + cells.get(i) + blanks);
+            line.append(i == 0 ? "" : GAP)
+                    .append(i == 0 && numbered ? blanks + cells.get(i) : cells.get(i) + blanks);
         }
         return line.toString().stripTrailing();
     }

@@ -44,7 +44,10 @@ public final class VerdictText {
             out.append("and ").append(more).append(" more\n");
         }
         verdict.notes().forEach(n -> out.append("  ").append(Printable.escape(n)).append('\n'));
-        return out.append(style.quiet(explored(verdict))).append('\n').toString();
+        if (!verdict.explored().isNothing()) {
+            out.append(style.quiet(explored(verdict))).append('\n');
+        }
+        return out.toString();
     }
 
     /** The answer as a word. */
@@ -139,7 +142,7 @@ public final class VerdictText {
         return out.toString();
     }
 
-    private static String explored(Verdict verdict) {
+    static String explored(Verdict verdict) {
         return "explored %,d pairs of %,d and %,d configurations%s"
                 .formatted(
                         verdict.explored().pairs(),

@@ -12,6 +12,7 @@ import arcomat.semantics.Attention.Whole;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Reads off the transitions out of one state what they look at. Comparisons of a port with a value
@@ -25,7 +26,7 @@ final class Attentions {
      * @param value null where all of the port matters
      * @param fixed whether the value is the same in all configurations
      */
-    private record Probe(int port, Term value, boolean ordered, boolean fixed) {}
+    private record Probe(Port port, Term value, boolean ordered, boolean fixed) {}
 
     private final Scope scope;
     private final int ports;
@@ -63,7 +64,8 @@ final class Attentions {
         Value[] nothing = new Value[ports];
         for (Probe probe : probes) {
             fixed &= probe.fixed;
-            looks[probe.port] = looks[probe.port].and(look(probe, nothing, variables));
+            int port = scope.port(probe.port);
+            looks[port] = looks[port].and(look(probe, nothing, variables));
         }
         Attention attention = new Attention(List.of(looks));
         if (fixed || variables.length == 0) {
@@ -77,7 +79,8 @@ final class Attentions {
             return new Whole();
         }
         try {
-            return new Compared(List.of(probe.value.evaluate(nothing, variables)), probe.ordered);
+            Value value = probe.value.evaluate(nothing, variables);
+            return new Compared(Comparand.in(probe.port.type(), value), probe.ordered);
         } catch (Fault divisionByZero) {
             return new Whole();
         }
@@ -93,8 +96,9 @@ final class Attentions {
             condition(choice.then());
             condition(choice.otherwise());
         } else if (e instanceof Expression.IsIn isIn
-                && isIn.element() instanceof Expression.PortRead read) {
-            isIn.set().forEach(value -> compare(read, value, false));
+                && Comparand.port(isIn.element()).isPresent()) {
+            Port port = Comparand.port(isIn.element()).get();
+            isIn.set().forEach(value -> compare(port, value, false));
         } else if (e instanceof Expression.Binary binary) {
             binary(binary);
         } else {
@@ -115,10 +119,12 @@ final class Attentions {
     }
 
     private void comparison(Expression.Binary binary, boolean ordered) {
-        if (binary.left() instanceof Expression.PortRead read) {
-            compare(read, binary.right(), ordered);
-        } else if (binary.right() instanceof Expression.PortRead read) {
-            compare(read, binary.left(), ordered);
+        Optional<Port> left = Comparand.port(binary.left());
+        Optional<Port> right = Comparand.port(binary.right());
+        if (left.isPresent()) {
+            compare(left.get(), binary.right(), ordered);
+        } else if (right.isPresent()) {
+            compare(right.get(), binary.left(), ordered);
         } else {
             whole(binary);
         }
@@ -127,25 +133,27 @@ final class Attentions {
     private void matches(Expression.PortMatches matches) {
         seen.add(scope.port(matches.port()));
         if (matches.pattern() instanceof Automaton.OneOf oneOf) {
-            Expression.PortRead read = new Expression.PortRead(matches.port(), matches.span());
-            oneOf.values().forEach(value -> compare(read, value, false));
+            oneOf.values().forEach(value -> compare(matches.port(), value, false));
         }
     }
 
-    private void compare(Expression.PortRead read, Expression value, boolean ordered) {
-        if (reads(value).isEmpty()) {
+    private void compare(Port port, Expression value, boolean ordered) {
+        List<Port> others = reads(value);
+        if (others.isEmpty()) {
             Term term = Evaluation.compile(value, scope);
-            probes.add(new Probe(scope.port(read.port()), term, ordered, isFixed(value)));
+            probes.add(new Probe(port, term, ordered, isFixed(value)));
         } else {
-            whole(read);
-            whole(value);
+            whole(port);
+            others.forEach(this::whole);
         }
     }
 
     private void whole(Expression e) {
-        for (Port port : reads(e)) {
-            probes.add(new Probe(scope.port(port), null, false, true));
-        }
+        reads(e).forEach(this::whole);
+    }
+
+    private void whole(Port port) {
+        probes.add(new Probe(port, null, false, true));
     }
 
     /** Whether a value is the same in all configurations. */

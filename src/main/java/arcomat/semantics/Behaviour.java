@@ -3,6 +3,7 @@ package arcomat.semantics;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
+import arcomat.model.Trace;
 import arcomat.model.Value;
 
 import java.util.ArrayList;
@@ -96,12 +97,20 @@ public final class Behaviour {
 
     /** All beginnings, in text order of the first automaton, then the second, and so on. */
     public List<JointStart> starts() {
+        return starts(() -> {});
+    }
+
+    /**
+     * @param between called before each combination; may throw to give up, where there are many
+     */
+    public List<JointStart> starts(Runnable between) {
         Output open = StepRelation.atStart(component, anything());
         List<JointStart> joint = List.of(new JointStart(List.of(), open));
         for (StepRelation relation : relations) {
             List<JointStart> longer = new ArrayList<>();
             for (JointStart prefix : joint) {
                 for (Start start : relation.starts()) {
+                    between.run();
                     Optional<Output> output = prefix.output.meet(start.output());
                     output.ifPresent(
                             o -> longer.add(new JointStart(plus(prefix.starts, start), o)));
@@ -119,6 +128,14 @@ public final class Behaviour {
      * @throws Fault where a right-hand side goes wrong
      */
     public List<JointReaction> reactions(List<Configuration> before, Input input) {
+        return reactions(before, input, () -> {});
+    }
+
+    /**
+     * @param between called before each combination; may throw to give up, where there are many
+     */
+    public List<JointReaction> reactions(
+            List<Configuration> before, Input input, Runnable between) {
         if (relations.size() == 1) {
             return single(before.get(0), input);
         }
@@ -128,6 +145,7 @@ public final class Behaviour {
             List<JointReaction> longer = new ArrayList<>();
             for (JointReaction prefix : joint) {
                 for (Reaction reaction : reactions) {
+                    between.run();
                     Optional<Output> output = prefix.output.meet(reaction.output());
                     output.ifPresent(
                             o ->
@@ -141,13 +159,61 @@ public final class Behaviour {
         return joint;
     }
 
+    /**
+     * All that may happen in a step.
+     *
+     * @param faults each ends the run, where it happens
+     */
+    public record Prospect(List<JointReaction> reactions, List<Fault> faults) {
+        public Prospect {
+            reactions = List.copyOf(reactions);
+            faults = List.copyOf(faults);
+        }
+    }
+
+    /**
+     * All steps, where some transitions may go wrong. Of a sole automaton, a transition that goes
+     * wrong spares those that may be taken instead; a guard that does, or one of several automata,
+     * spares none.
+     *
+     * @param between called before each combination; may throw to give up, where there are many
+     */
+    public Prospect prospect(List<Configuration> before, Input input, Runnable between) {
+        try {
+            return relations.size() == 1
+                    ? prospect(relations.get(0), before.get(0), input)
+                    : new Prospect(reactions(before, input, between), List.of());
+        } catch (Fault fault) {
+            return new Prospect(List.of(), List.of(fault));
+        }
+    }
+
+    private static Prospect prospect(StepRelation relation, Configuration before, Input input) {
+        List<JointReaction> reactions = new ArrayList<>();
+        List<Fault> faults = new ArrayList<>(0);
+        List<Trace.Taken> enabled = relation.enabled(before, input);
+        if (enabled.isEmpty()) {
+            reactions.add(joint(relation.complete(before)));
+        }
+        for (Trace.Taken taken : enabled) {
+            try {
+                reactions.add(joint(relation.take(taken, before, input)));
+            } catch (Fault fault) {
+                faults.add(fault);
+            }
+        }
+        return new Prospect(reactions, faults);
+    }
+
+    private static JointReaction joint(Reaction reaction) {
+        return new JointReaction(List.of(reaction), reaction.output());
+    }
+
     private List<JointReaction> single(Configuration before, Input input) {
         List<Reaction> reactions = relations.get(0).reactions(before, input);
-        if (reactions.size() == 1) {
-            Reaction reaction = reactions.get(0);
-            return List.of(new JointReaction(List.of(reaction), reaction.output()));
-        }
-        return reactions.stream().map(r -> new JointReaction(List.of(r), r.output())).toList();
+        return reactions.size() == 1
+                ? List.of(joint(reactions.get(0)))
+                : reactions.stream().map(Behaviour::joint).toList();
     }
 
     private Output anything() {

@@ -23,7 +23,12 @@ class CertificationTest {
         for (Pair pair : PAIRS) {
             Certification proof = certify(pair);
             if (proof.verdict().answer() == Answer.HOLDS) {
-                assertThat(Certification.problem(pair.left(), pair.right(), proof.certificates()))
+                assertThat(
+                                Certification.problem(
+                                        pair.left(),
+                                        pair.right(),
+                                        proof.certificates(),
+                                        Budget.ofMemory()))
                         .as(pair::toString)
                         .isEmpty();
             }
@@ -42,7 +47,9 @@ class CertificationTest {
                     rest.remove(gap);
                     List<Certificate> damaged = List.of(new Certificate(rest));
                     boolean accepted =
-                            Certification.problem(pair.left(), pair.right(), damaged).isEmpty();
+                            Certification.problem(
+                                            pair.left(), pair.right(), damaged, Budget.ofMemory())
+                                    .isEmpty();
                     refused += accepted ? 0 : 1;
                     all++;
                 }
@@ -59,7 +66,9 @@ class CertificationTest {
         for (Pair pair : PAIRS) {
             if (certify(pair).verdict().answer() == Answer.FAILS) {
                 List<Certificate> everything = List.of(everything(pair));
-                assertThat(Certification.problem(pair.left(), pair.right(), everything))
+                assertThat(
+                                Certification.problem(
+                                        pair.left(), pair.right(), everything, Budget.ofMemory()))
                         .as(pair::toString)
                         .isPresent();
                 failed++;

@@ -1,15 +1,8 @@
 package arcomat.analysis;
 
-import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Behaviour.JointReaction;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -24,22 +17,19 @@ import java.util.Set;
  * simple: it shares nothing with the engine but the step relation. For ports of enums and Booleans.
  */
 final class NaiveInclusion {
-    /** An output that ends the run. */
-    private static final Map<String, Value> ERROR = Map.of("error", new Value.BooleanValue(true));
+    private record Node(Object left, Set<Object> right) {}
 
-    private record Node(List<Configuration> left, Set<List<Configuration>> right) {}
-
-    private final Behaviour left;
-    private final Behaviour right;
+    private final NaiveMachine left;
+    private final NaiveMachine right;
     private final List<Map<String, Value>> inputs;
     private final List<Map<String, Value>> outputs;
 
     NaiveInclusion(Promise left, Promise right) {
-        this.left = left.behaviour();
-        this.right = right.behaviour();
+        this.left = new NumberedMachine(NaiveMachine.of(left));
+        this.right = new NumberedMachine(NaiveMachine.of(right));
         this.inputs = letters(left.component().inputs());
         this.outputs = new ArrayList<>(letters(right.component().outputs()));
-        this.outputs.add(ERROR);
+        this.outputs.add(NaiveMachine.ERROR);
     }
 
     /** The number of inputs after which the left side may do what the right one forbids. */
@@ -47,8 +37,8 @@ final class NaiveInclusion {
         Set<Node> level = new HashSet<>();
         Set<Node> seen = new HashSet<>();
         for (Map<String, Value> output : outputs) {
-            Set<List<Configuration>> mine = starts(left, output);
-            Set<List<Configuration>> theirs = starts(right, output);
+            Set<Object> mine = left.starts(output);
+            Set<Object> theirs = right.starts(output);
             if (!mine.isEmpty() && theirs.isEmpty()) {
                 return OptionalInt.of(0);
             }
@@ -70,11 +60,11 @@ final class NaiveInclusion {
     private boolean fails(Node node, Set<Node> next) {
         for (Map<String, Value> input : inputs) {
             for (Map<String, Value> output : outputs) {
-                Set<List<Configuration>> mine = after(left, Set.of(node.left), input, output);
+                Set<Object> mine = left.after(node.left, input, output);
                 if (mine.isEmpty()) {
                     continue;
                 }
-                Set<List<Configuration>> theirs = after(right, node.right, input, output);
+                Set<Object> theirs = after(node.right, input, output);
                 if (theirs.isEmpty()) {
                     return true;
                 }
@@ -84,62 +74,15 @@ final class NaiveInclusion {
         return false;
     }
 
-    private static Set<List<Configuration>> starts(Behaviour side, Map<String, Value> output) {
-        Set<List<Configuration>> found = new HashSet<>();
-        side.starts().stream()
-                .filter(start -> allows(side, start.output(), output))
-                .forEach(s -> found.add(s.starts().stream().map(b -> b.configuration()).toList()));
+    private Set<Object> after(
+            Set<Object> before, Map<String, Value> input, Map<String, Value> output) {
+        Set<Object> found = new HashSet<>();
+        before.forEach(each -> found.addAll(right.after(each, input, output)));
         return found;
-    }
-
-    private static Set<List<Configuration>> after(
-            Behaviour side,
-            Set<List<Configuration>> before,
-            Map<String, Value> input,
-            Map<String, Value> output) {
-        Set<List<Configuration>> found = new HashSet<>();
-        Map<String, Value> messages = new LinkedHashMap<>(input);
-        messages.values().removeIf(value -> value == null);
-        Input read = Input.of(side.component(), Letter.of(messages));
-        for (List<Configuration> each : before) {
-            for (JointReaction reaction : side.reactions(each, read)) {
-                List<Configuration> next =
-                        reaction.reactions().stream().map(Reaction::next).toList();
-                boolean error = next.contains(Configuration.ERROR);
-                if (each.contains(Configuration.ERROR)) {
-                    continue;
-                }
-                boolean chaos = each.stream().allMatch(one -> one == Configuration.CHAOS);
-                if (output == ERROR
-                        ? error || chaos
-                        : !error && allows(side, reaction.output(), output)) {
-                    found.add(next);
-                }
-            }
-        }
-        return found;
-    }
-
-    /** Ports that the letter does not know are somebody else's business. */
-    private static boolean allows(Behaviour side, Output output, Map<String, Value> letter) {
-        if (letter == ERROR) {
-            return false;
-        }
-        List<Port> ports = side.component().outputs();
-        for (int i = 0; i < ports.size(); i++) {
-            String name = ports.get(i).name();
-            if (letter.containsKey(name)) {
-                Value value = letter.get(name);
-                if (!output.ports().get(i).allows(value == null ? List.of() : List.of(value))) {
-                    return false;
-                }
-            }
-        }
-        return true;
     }
 
     /** Every letter; null is silence. */
-    private static List<Map<String, Value>> letters(List<Port> ports) {
+    static List<Map<String, Value>> letters(List<Port> ports) {
         List<Map<String, Value>> letters = List.of(Map.of());
         for (Port port : ports) {
             List<Map<String, Value>> longer = new ArrayList<>();
@@ -155,7 +98,8 @@ final class NaiveInclusion {
         return letters;
     }
 
-    private static List<Value> values(Port port) {
+    /** Every message, and null where there need not be one. */
+    static List<Value> values(Port port) {
         List<Value> values = new ArrayList<>();
         if (!port.total()) {
             values.add(null);

@@ -3,7 +3,6 @@ package arcomat.analysis;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
-import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
@@ -21,7 +20,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
-import java.util.stream.IntStream;
 
 /**
  * The meaning of requirement sets, step by step and letter by letter, with all inputs and outputs
@@ -112,17 +110,7 @@ final class Outcomes {
         if (!port.total() || !port.isInput() && port.delay() == 0) {
             values.add(null);
         }
-        if (port.type() instanceof Type.BooleanType) {
-            values.add(new Value.BooleanValue(false));
-            values.add(new Value.BooleanValue(true));
-        } else if (port.type() instanceof Type.EnumType type) {
-            IntStream.range(0, type.constants().size())
-                    .forEach(i -> values.add(new Value.EnumValue(type, i)));
-        } else if (port.type() instanceof Type.IntegerType type) {
-            for (long i = type.low(); i <= type.high(); i++) {
-                values.add(new Value.IntegerValue(i));
-            }
-        }
+        values.addAll(SomeValues.of(port.type()));
         return values;
     }
 

@@ -73,7 +73,8 @@ class VerdictsTest {
         if (verdict.answer() == Verdict.Answer.HOLDS) {
             Certification proof = Certification.of(left, right, new Budget(() -> false, 100_000));
             assertThat(proof.verdict().answer()).isEqualTo(Verdict.Answer.HOLDS);
-            assertThat(Certification.problem(left, right, proof.certificates())).isEmpty();
+            assertThat(Certification.problem(left, right, proof.certificates(), Budget.ofMemory()))
+                    .isEmpty();
         }
     }
 

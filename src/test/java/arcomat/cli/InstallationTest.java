@@ -100,6 +100,50 @@ class InstallationTest {
     }
 
     @Test
+    void noAnalysisDiesOfMemory() throws Exception {
+        Files.writeString(
+                temporary.resolve("Big.arc"),
+                """
+                component Big {
+                  port in Boolean a, in Boolean b, out Integer[0..9] o;
+                  <<completion = "ignore">> automaton {
+                    variable Integer[0..1000000] x = 0;
+                    variable Integer[0..1000000] y = 0;
+                    state s;
+                    initial s;
+                    s [x < 1000000] {a == true} / {x = x + 1};
+                    s [y < 1000000] {b == true} / {y = y + 1, o = 2};
+                    s [x == 1000000 && y == 1000000] {a == false} / {x = 0, o = 3};
+                  }
+                }
+                """);
+        List<List<String>> commands =
+                List.of(
+                        List.of("refines", "Big", "Big", "Big.arc"),
+                        List.of("diff", "Big", "Big", "Big.arc"),
+                        List.of("tests", "Big", "--out", "tests", "Big.arc"));
+        for (List<String> command : commands) {
+            Outcome outcome = small(command);
+            assertThat(outcome.status()).as(outcome.output()).isEqualTo(3);
+            assertThat(outcome.output())
+                    .contains("memory is full")
+                    .doesNotContain("OutOfMemoryError");
+        }
+    }
+
+    /** In a heap of 64 MB. */
+    private Outcome small(List<String> arguments) throws Exception {
+        List<String> command = new ArrayList<>(arguments);
+        command.add(0, INSTALLATION.resolve("bin/arcomat").toString());
+        ProcessBuilder builder =
+                new ProcessBuilder(command).directory(temporary.toFile()).redirectErrorStream(true);
+        builder.environment().put("JAVA_OPTS", "-Xmx64m");
+        Process process = builder.start();
+        String output = new String(process.getInputStream().readAllBytes());
+        return new Outcome(process.waitFor(), output);
+    }
+
+    @Test
     void keepsTheOldFilesWhenKilledWhileWriting() throws Exception {
         String[] generate = {"generate", "--target", "jvm", "--out", "out", MODELS};
         long began = System.nanoTime();

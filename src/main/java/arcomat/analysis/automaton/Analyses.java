@@ -54,21 +54,35 @@ public final class Analyses {
         Seen seen = new Seen();
         List<Watcher> watching = new ArrayList<>(analyses);
         watching.add(seen);
-        Exploration explored = Exploration.run(subject, watching, firstBudget(subject, budget));
-        Knowledge knowledge = new Solving(subject, watching, seen, budget).after(explored);
+        Exploration exploration = new Exploration(subject, watching, firstBudget(subject, budget));
+        return Budget.within(
+                () -> {
+                    exploration.run();
+                    Knowledge known =
+                            new Solving(subject, watching, seen, budget).after(exploration);
+                    return examination(promise, subject, analyses, known);
+                },
+                reason ->
+                        new Examination(promise, List.of(), reason, List.of(), exploration.size()));
+    }
+
+    private static Examination examination(
+            Promise promise, Subject subject, List<Analysis> analyses, Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         analyses.forEach(each -> findings.addAll(each.findings(knowledge)));
         findings.sort(ORDER);
         Remainder remainder = new Remainder(subject, knowledge);
         return new Examination(
-                promise, findings, remainder.obstacle(), remainder.notes(), explored.size());
+                promise,
+                findings,
+                remainder.obstacle(),
+                remainder.notes(),
+                knowledge.explored().size());
     }
 
     /** Where there is no end to the values, the solver is asked soon. */
     private static Budget firstBudget(Subject subject, Budget budget) {
-        return subject.isWide()
-                ? new Budget(budget.timeIsUp(), Math.min(budget.states(), FIRST_STATES))
-                : budget;
+        return subject.isWide() ? budget.atMost(FIRST_STATES) : budget;
     }
 
     /** The automaton goes wrong before it reads anything. */

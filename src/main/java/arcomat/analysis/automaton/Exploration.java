@@ -1,9 +1,9 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.GivenUp;
 import arcomat.analysis.automaton.Visit.Place;
 import arcomat.analysis.engine.Letters;
-import arcomat.analysis.engine.TooManyMessages;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Unseen;
@@ -36,7 +36,7 @@ final class Exploration {
     private Map<Place, Visit> next = new LinkedHashMap<>();
     private String obstacle = "";
 
-    private Exploration(Subject subject, List<? extends Watcher> watching, Budget budget) {
+    Exploration(Subject subject, List<? extends Watcher> watching, Budget budget) {
         this.subject = subject;
         this.stepper = new Stepper(subject);
         this.watching = watching;
@@ -45,14 +45,12 @@ final class Exploration {
     }
 
     /** Shows all that can happen to those who watch. */
-    static Exploration run(Subject subject, List<? extends Watcher> watching, Budget budget) {
-        Exploration exploration = new Exploration(subject, watching, budget);
+    void run() {
         for (Start start : subject.relation().starts()) {
             Place place = new Place(start.configuration(), Set.of());
-            exploration.propose(place, null, null, start.output());
+            propose(place, null, null, start.output());
         }
-        exploration.explore();
-        return exploration;
+        explore();
     }
 
     private void explore() {
@@ -78,13 +76,14 @@ final class Exploration {
     private void lookAround(Visit visit) {
         try {
             for (Value[] letter : letters(visit)) {
+                budget.insist();
                 if (isPossible(letter, visit)) {
                     Situation situation = situation(visit, letter);
                     watching.forEach(each -> each.see(situation));
                 }
             }
-        } catch (TooManyMessages tooMany) {
-            obstacle = tooMany.getMessage();
+        } catch (GivenUp stopped) {
+            obstacle = stopped.getMessage();
         }
     }
 

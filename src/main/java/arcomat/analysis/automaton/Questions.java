@@ -7,6 +7,10 @@ import arcomat.semantics.Fault;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** All that may be asked about an automaton, and how to say it. */
 record Questions(Subject subject) {
@@ -25,9 +29,7 @@ record Questions(Subject subject) {
                 all.add(new Question.Wrong(transition, kind));
             }
         }
-        for (int first = 0; first < transitions; first++) {
-            addTogether(first, all);
-        }
+        bySource().values().forEach(leaving -> addTogether(leaving, all));
         if (subject.automaton().completion() != Automaton.Completion.IGNORE) {
             for (int state = 0; state < states; state++) {
                 all.add(new Question.Unhandled(state, false));
@@ -37,12 +39,21 @@ record Questions(Subject subject) {
         return all;
     }
 
-    private void addTogether(int first, List<Question> all) {
-        int source = subject.transition(first).source();
-        for (int second = first + 1; second < subject.automaton().transitions().size(); second++) {
-            if (subject.transition(second).source() == source) {
+    private Map<Integer, List<Integer>> bySource() {
+        return IntStream.range(0, subject.automaton().transitions().size())
+                .boxed()
+                .collect(
+                        Collectors.groupingBy(
+                                transition -> subject.transition(transition).source(),
+                                TreeMap::new,
+                                Collectors.toList()));
+    }
+
+    private static void addTogether(List<Integer> leaving, List<Question> all) {
+        for (int i = 0; i < leaving.size(); i++) {
+            for (int second : leaving.subList(i + 1, leaving.size())) {
                 for (Difference difference : Difference.values()) {
-                    all.add(new Question.Together(first, second, difference));
+                    all.add(new Question.Together(leaving.get(i), second, difference));
                 }
             }
         }

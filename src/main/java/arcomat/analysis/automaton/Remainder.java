@@ -26,7 +26,8 @@ record Remainder(Subject subject, Knowledge knowledge) {
             return words(open);
         }
         return new SureSending(subject, knowledge).isOpen()
-                ? "it is open whether there is a trap, where nothing is sent any more"
+                ? "it is open whether there is a trap, where nothing is sent any more (%s)"
+                        .formatted(knowledge.explored().obstacle())
                 : "";
     }
 

@@ -63,7 +63,7 @@ final class Solving {
 
     private BooleanSupplier patience() {
         long[] asked = {0};
-        return () -> ++asked[0] > PATIENCE || budget.timeIsUp().getAsBoolean();
+        return () -> ++asked[0] > PATIENCE || budget.isSpent();
     }
 
     private List<Question> open(Exploration explored) {

@@ -2,7 +2,6 @@ package arcomat.analysis.automaton;
 
 import arcomat.analysis.smt.Question;
 import arcomat.model.Automaton.Transition;
-import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Guards;
@@ -50,8 +49,7 @@ record SureSending(Subject subject, Knowledge knowledge) {
     /** It was enabled once, so it is whenever the same letter comes; and it goes well. */
     private boolean isSure(int transition) {
         int state = transitions().get(transition).source();
-        boolean timed = subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
-        if (!timed || !knowledge.happens(new Question.Enabled(transition))) {
+        if (!knowledge.happens(new Question.Enabled(transition))) {
             return false;
         }
         boolean fits =
@@ -62,15 +60,24 @@ record SureSending(Subject subject, Knowledge knowledge) {
                             || knowledge.neverHappens(
                                     new Question.Wrong(i, Fault.Kind.DIVISION_BY_ZERO));
         }
-        return fits && !readsVariables(transition);
+        return fits && !dependsOnThePast(transition);
     }
 
-    private boolean readsVariables(int transition) {
+    /** Reads a variable, or a latched port, which never again is as silent as it was. */
+    private boolean dependsOnThePast(int transition) {
         Expression condition =
                 new Guards(subject.component().profile())
                         .enabledWhen(transitions().get(transition));
         boolean[] reads = {false};
-        Rewriting.visit(condition, e -> reads[0] |= e instanceof Expression.VariableRead);
+        Rewriting.visit(
+                condition,
+                e ->
+                        reads[0] |=
+                                e instanceof Expression.VariableRead
+                                        || e instanceof Expression.PortRead read
+                                                && read.port().latched()
+                                        || e instanceof Expression.PortMatches matches
+                                                && matches.port().latched());
         return reads[0];
     }
 }

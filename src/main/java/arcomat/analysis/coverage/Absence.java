@@ -1,5 +1,6 @@
 package arcomat.analysis.coverage;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.coverage.Exploration.Node;
 import arcomat.analysis.coverage.Exploration.Step;
 import arcomat.model.Letter;
@@ -33,8 +34,10 @@ final class Absence {
     private final Exploration exploration;
     private final Behaviour behaviour;
     private final Goal missing;
+    private final Budget budget;
 
-    Absence(Exploration exploration, Behaviour behaviour, Goal missing) {
+    Absence(Exploration exploration, Behaviour behaviour, Goal missing, Budget budget) {
+        this.budget = budget;
         this.exploration = exploration;
         this.behaviour = behaviour;
         this.missing = missing;
@@ -52,7 +55,7 @@ final class Absence {
     List<Step> noticed(List<Step> word) {
         Set<List<Configuration>> places = new LinkedHashSet<>();
         behaviour
-                .starts()
+                .starts(budget::insist)
                 .forEach(
                         start ->
                                 places.add(
@@ -134,6 +137,7 @@ final class Absence {
             List<Partial> longer = new ArrayList<>();
             for (Reaction reaction : reactions(behaviour.relations().get(i), place.get(i), input)) {
                 if (reaction.next() != Configuration.ERROR) {
+                    budget.insist();
                     ways.forEach(way -> way.and(reaction).ifPresent(longer::add));
                 }
             }

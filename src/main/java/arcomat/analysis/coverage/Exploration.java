@@ -1,6 +1,7 @@
 package arcomat.analysis.coverage;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.GivenUp;
 import arcomat.analysis.Promise;
 import arcomat.analysis.coverage.Stimuli.Stimulus;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
@@ -75,6 +76,7 @@ final class Exploration {
             Node to) {}
 
     private final Promise promise;
+    private final Budget budget;
     private final Behaviour behaviour;
     private final Stimuli stimuli;
     private final List<Goal> goals = new ArrayList<>();
@@ -97,13 +99,19 @@ final class Exploration {
                                 goals.add(new Goal(automaton, i));
                             }
                         });
-        explore(budget);
+        this.budget = budget;
+        try {
+            explore();
+        } catch (GivenUp inTheMiddle) {
+            stopped = inTheMiddle.getMessage();
+        }
+        reached.retainAll(goals);
     }
 
-    private void explore(Budget budget) {
+    private void explore() {
         Value[] nothing = new Value[promise.component().inputs().size()];
         Deque<Node> waiting = new ArrayDeque<>();
-        for (JointStart start : behaviour.starts()) {
+        for (JointStart start : behaviour.starts(budget::insist)) {
             List<Configuration> begin =
                     start.starts().stream().map(s -> s.configuration()).toList();
             Node node = node(new Key(begin, Arrays.asList(nothing)));
@@ -112,7 +120,7 @@ final class Exploration {
         }
         Set<Node> seen = new HashSet<>(waiting);
         while (!waiting.isEmpty() && !reached.containsAll(goals)) {
-            stopped = exhausted(budget);
+            stopped = exhausted();
             if (stopped != null) {
                 return;
             }
@@ -123,17 +131,14 @@ final class Exploration {
                 }
             }
         }
-        reached.retainAll(goals);
     }
 
     /** Where not all letters are tried, there is no end to it: some have to be enough. */
-    private String exhausted(Budget budget) {
+    private String exhausted() {
         if (stimuli.sampled().isPresent() && tried > MOST_SAMPLES) {
             return stimuli.sampled().get();
         }
-        return budget.timeIsUp().getAsBoolean()
-                ? "the time is up"
-                : budget.exhausted(nodes.size() + tried / LETTERS_OF_A_STATE);
+        return budget.exhausted(nodes.size() + tried / LETTERS_OF_A_STATE);
     }
 
     private Node node(Key key) {
@@ -142,7 +147,7 @@ final class Exploration {
 
     /** What the component would be without a transition. */
     Absence without(Goal goal) {
-        return new Absence(this, behaviour, goal);
+        return new Absence(this, behaviour, goal, budget);
     }
 
     /** The transitions that are asked for, in text order. */
@@ -183,6 +188,7 @@ final class Exploration {
         obstacles.visited(node.key.configurations);
         Map<Effect, Step> steps = new LinkedHashMap<>();
         for (Stimulus stimulus : stimuli.of(node.key.configurations, node.key.latched)) {
+            budget.insist();
             tried++;
             for (Effect effect : effects(node, stimulus)) {
                 steps.putIfAbsent(
@@ -207,7 +213,7 @@ final class Exploration {
         List<Configuration> before = node.key.configurations;
         List<JointReaction> reactions;
         try {
-            reactions = behaviour.reactions(before, stimulus.input().get());
+            reactions = behaviour.reactions(before, stimulus.input().get(), budget::insist);
         } catch (Fault fault) {
             obstacles.wentWrong(before, stimulus.input().get());
             return List.of();

@@ -99,13 +99,11 @@ public final class TransitionTests {
 
     private Result run() {
         List<Test> tests = new ArrayList<>();
-        while (!open.isEmpty() && !budget.timeIsUp().getAsBoolean()) {
-            tests.add(test());
-        }
+        String spent = Budget.within(() -> cover(tests), reason -> reason);
         List<Uncovered> uncovered = new ArrayList<>();
         for (Goal goal : exploration.goals()) {
             if (open.contains(goal)) {
-                uncovered.add(new Uncovered(goal, "the time is up", false));
+                uncovered.add(new Uncovered(goal, spent, false));
             } else if (!exploration.reached().contains(goal)) {
                 uncovered.add(exploration.whyNot(goal));
             }
@@ -116,6 +114,15 @@ public final class TransitionTests {
                 uncovered,
                 exploration.stopped(),
                 exploration.size());
+    }
+
+    /** Empty where nothing stays open that can be taken. */
+    private String cover(List<Test> tests) {
+        while (!open.isEmpty()) {
+            budget.insist();
+            tests.add(test());
+        }
+        return "";
     }
 
     private Test test() {

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -8,8 +9,8 @@ import arcomat.semantics.Attention;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
@@ -30,6 +31,7 @@ public final class AtomicSide implements Side {
     private final List<Port> inputs;
     private final int[] observed;
     private final Outputs outputs;
+    private final Budget budget;
 
     private final Map<List<Configuration>, Integer> numbers = new HashMap<>();
     private final List<List<Configuration>> configurations = new ArrayList<>();
@@ -41,7 +43,8 @@ public final class AtomicSide implements Side {
     /**
      * @param observed names of the output ports that are compared; the others are projected away
      */
-    public AtomicSide(Behaviour behaviour, List<String> observed, Outputs outputs) {
+    public AtomicSide(Behaviour behaviour, List<String> observed, Outputs outputs, Budget budget) {
+        this.budget = budget;
         this.behaviour = behaviour;
         this.inputs = behaviour.component().inputs();
         this.outputs = outputs;
@@ -67,7 +70,7 @@ public final class AtomicSide implements Side {
     @Override
     public Steps openings() {
         StepCollector collector = new StepCollector();
-        for (JointStart start : behaviour.starts()) {
+        for (JointStart start : behaviour.starts(budget::insist)) {
             List<Configuration> begin =
                     start.starts().stream().map(each -> each.configuration()).toList();
             collector.add(
@@ -117,15 +120,9 @@ public final class AtomicSide implements Side {
         if (before.contains(Configuration.ERROR)) {
             return collector.steps();
         }
-        List<JointReaction> reactions;
-        try {
-            reactions = behaviour.reactions(before, Input.of(letter));
-        } catch (Fault fault) {
-            Output nothing = new Output(List.of());
-            collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
-            return collector.steps();
-        }
-        for (JointReaction reaction : reactions) {
+        Prospect prospect = behaviour.prospect(before, Input.of(letter), budget::insist);
+        for (JointReaction reaction : prospect.reactions()) {
+            budget.insist();
             List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
             List<Trace.Cause> causes = reaction.reactions().stream().map(Reaction::cause).toList();
             boolean error = after.contains(Configuration.ERROR);
@@ -134,6 +131,10 @@ public final class AtomicSide implements Side {
                     number(error ? List.of(Configuration.ERROR) : after),
                     causes,
                     reaction.output());
+        }
+        if (!prospect.faults().isEmpty()) {
+            Output nothing = new Output(List.of());
+            collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
         }
         return collector.steps();
     }

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Certificate.Entry;
 import arcomat.model.Port;
 
@@ -24,14 +25,24 @@ public final class CertificateCheck {
     private record Pair(int left, Set<Integer> right) {}
 
     private final Pairing pairing;
+    private final Budget budget;
     private final Map<String, List<Set<String>>> entries = new HashMap<>();
     private final Deque<Pair> open = new ArrayDeque<>();
     private final Set<Pair> met = new HashSet<>();
     private String problem;
 
+    /**
+     * @param budget of time and memory
+     */
     public CertificateCheck(
-            Side left, Side right, List<Port> observed, Outputs outputs, Certificate certificate) {
-        this.pairing = new Pairing(left, right, observed, outputs);
+            Side left,
+            Side right,
+            List<Port> observed,
+            Outputs outputs,
+            Certificate certificate,
+            Budget budget) {
+        this.budget = budget;
+        this.pairing = new Pairing(left, right, observed, outputs, budget);
         for (Entry entry : certificate.entries()) {
             entries.computeIfAbsent(entry.left(), each -> new ArrayList<>())
                     .add(new HashSet<>(entry.right()));
@@ -43,9 +54,10 @@ public final class CertificateCheck {
         Steps theirs = pairing.right.openings();
         leads("the beginning", pairing.left.openings(), theirs);
         while (problem == null && !open.isEmpty()) {
+            budget.insist();
             verify(open.remove());
         }
-        return Optional.ofNullable(problem);
+        return Optional.ofNullable(problem).or(pairing.left::leftOut);
     }
 
     private void verify(Pair pair) {

@@ -14,6 +14,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** Compares two sides, and tells a failure moment by moment. */
 public final class Comparison {
@@ -28,24 +29,23 @@ public final class Comparison {
     public Comparison(Side left, Side right, List<Port> observed, Outputs outputs, Budget budget) {
         this.leftOutputs = left.outputs();
         this.observed = observed.stream().map(Port::name).toList();
-        this.pairing = new Pairing(left, right, observed, outputs);
+        this.pairing = new Pairing(left, right, observed, outputs, budget);
         this.inclusion = new Inclusion(pairing, budget);
     }
 
-    /**
-     * @throws TooManyMessages where all messages of a port matter that has too many
-     */
+    /** Ends with the first failure, or where time, memory or letters are too much. */
     public Inclusion.Result run() {
         return inclusion.search();
     }
 
-    /**
-     * As {@link #run}, but goes on behind failures.
-     *
-     * @throws TooManyMessages where all messages of a port matter that has too many
-     */
+    /** As {@link #run}, but goes on behind failures. */
     public Inclusion.Result runOn() {
         return inclusion.search(true);
+    }
+
+    /** How many pairs were explored so far. */
+    public long pairs() {
+        return inclusion.pairs();
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */
@@ -63,7 +63,7 @@ public final class Comparison {
      *
      * @param causes what the left side did; empty for a beginning
      * @param sent what it sent
-     * @param error whether its run ended in an error instead
+     * @param error what its run ended in instead, in words; empty if it goes on
      * @param left the configuration before, in words
      * @param right what the right side may be in before, and what each step of it allows
      */
@@ -71,7 +71,7 @@ public final class Comparison {
             Letter input,
             List<Trace.Cause> causes,
             Map<String, Sent> sent,
-            boolean error,
+            Optional<String> error,
             String left,
             List<Allowed> right) {}
 
@@ -157,12 +157,13 @@ public final class Comparison {
 
     private Moment moment(
             Value[] letter, Steps mine, int step, Split.Case sent, List<String> right) {
+        boolean error = sent.sample() == null;
         return new Moment(
                 letter == null ? Letter.SILENCE : letter(letter),
                 sent(mine.whole().get(step), sent.sample()),
-                pairing.left.describe(mine.next()[step]),
+                error ? "error" : pairing.left.describe(mine.next()[step]),
                 right,
-                sent.sample() == null);
+                error);
     }
 
     private Letter letter(Value[] messages) {
@@ -207,11 +208,13 @@ public final class Comparison {
                         allowed);
             }
         }
+        boolean error = failure.sent().sample() == null;
+        int after = failure.steps().next()[failure.step()];
         return new Forbidden(
                 input,
                 failure.steps().causes().get(failure.step()),
                 sent(failure.steps().whole().get(failure.step()), failure.sent().sample()),
-                failure.sent().sample() == null,
+                error ? Optional.of(pairing.left.describe(after)) : Optional.empty(),
                 before,
                 allowed);
     }

@@ -1,37 +1,33 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Network;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
  * A composition of parts, unfolded as far as a search asks for it. Connections that are no ports of
- * the whole are hidden. The reaction to an input is what is visible in the same slice on ports
- * without delay, and in the next one on ports with delay.
+ * the whole are hidden.
  */
 public final class CompositeSide implements Side {
-    private static final Output NOTHING = new Output(List.of());
-
     private final Network network;
-    private final Wiring wiring;
-    private final Parts parts;
+    private final Unfolding unfolding;
     private final List<Port> inputs;
-    private final Network.External[] observed;
+    private final int[] observed;
     private final Outputs outputs;
 
     private final Map<Whole, Integer> numbers = new HashMap<>();
@@ -41,22 +37,31 @@ public final class CompositeSide implements Side {
     private final List<KnownSteps> steps = new ArrayList<>();
 
     /**
-     * @param component a composite, time-synchronous
+     * @param component a composite
      * @param compared names of the output ports that are compared
      */
     public CompositeSide(
-            Component component, List<Value> arguments, List<String> compared, Outputs outputs) {
+            Component component,
+            List<Value> arguments,
+            List<String> compared,
+            Outputs outputs,
+            Budget budget) {
         this.network = Network.of(component, arguments);
-        this.wiring = new Wiring(network, compared);
-        this.parts = new Parts(network, wiring);
+        this.unfolding =
+                profile() == Component.Profile.EVENT_DRIVEN
+                        ? new EventUnfolding(network, compared, budget)
+                        : new SliceUnfolding(network, compared, budget);
         this.outputs = outputs;
         this.inputs = network.inputs().stream().map(CompositeSide::named).toList();
-        this.observed = new Network.External[compared.size()];
-        for (Network.External output : network.outputs()) {
-            if (compared.contains(output.name())) {
-                observed[compared.indexOf(output.name())] = output;
-            }
-        }
+        List<String> names = network.outputs().stream().map(Network.External::name).toList();
+        this.observed = compared.stream().mapToInt(names::indexOf).toArray();
+    }
+
+    /** Why a composite cannot be unfolded; empty if it can. */
+    public static Optional<String> obstacle(Component component, List<Value> arguments) {
+        return component.profile() == Component.Profile.EVENT_DRIVEN
+                ? EventUnfolding.obstacle(Network.of(component, arguments))
+                : Optional.empty();
     }
 
     private static Port named(Network.External external) {
@@ -88,11 +93,7 @@ public final class CompositeSide implements Side {
 
     @Override
     public Steps openings() {
-        StepCollector collector = new StepCollector();
-        for (Slice slice : parts.starts()) {
-            add(slice, collector);
-        }
-        return collector.steps();
+        return steps(unfolding.beginnings());
     }
 
     @Override
@@ -106,89 +107,48 @@ public final class CompositeSide implements Side {
         return known;
     }
 
-    /** A message that passes through to the outside matters as a whole. */
     private Attention attention(Whole whole) {
-        Look[] looks = new Look[inputs.size()];
-        for (int i = 0; i < looks.length; i++) {
-            int signal = network.inputs().get(i).signal();
-            looks[i] = wiring.observed[signal] ? new Attention.Whole() : new Attention.Unseen();
-            for (Wiring.Reader reader : wiring.readers.get(signal)) {
-                looks[i] = looks[i].and(parts.look(whole, reader.part(), reader.port()));
-            }
-        }
-        return new Attention(List.of(looks));
+        return whole.isError()
+                ? new Attention(Collections.nCopies(inputs.size(), new Attention.Unseen()))
+                : unfolding.attention(whole);
     }
 
     @Override
     public Steps steps(int configuration, long kind, Value[] letter) {
         KnownSteps known = steps.get(configuration);
         Steps found = known.find(kind);
-        return found != null ? found : known.add(kind, compute(wholes.get(configuration), letter));
+        if (found != null) {
+            return found;
+        }
+        Whole before = wholes.get(configuration);
+        return known.add(
+                kind, steps(before.isError() ? List.of() : unfolding.reactions(before, letter)));
     }
 
-    private Steps compute(Whole before, Value[] letter) {
+    private Steps steps(List<Outcome> outcomes) {
         StepCollector collector = new StepCollector();
-        if (isError(before.parts())) {
-            return collector.steps();
-        }
-        try {
-            for (Slice slice : parts.reactions(before, beginning(before, letter))) {
-                add(slice, collector);
-            }
-        } catch (Fault fault) {
-            error(List.of(), collector);
+        for (Outcome outcome : outcomes) {
+            boolean error = outcome.next().isError();
+            collector.add(
+                    error ? Outputs.ERROR : outputs.number(compared(outcome.sent())),
+                    number(outcome.next()),
+                    outcome.causes(),
+                    new Output(outcome.sent()));
         }
         return collector.steps();
     }
 
-    private Slice beginning(Whole before, Value[] letter) {
-        Sent[] visible = wiring.silence();
-        for (int signal = 0; signal < visible.length; signal++) {
-            visible[signal] = before.registers().get(signal);
-        }
-        for (int i = 0; i < letter.length; i++) {
-            visible[network.inputs().get(i).signal()] =
-                    letter[i] == null ? Sent.SILENCE : new Sent.Messages(List.of(letter[i]));
-        }
-        return new Slice(visible, visible.length);
-    }
-
-    private void add(Slice slice, StepCollector collector) {
-        if (isError(slice.after)) {
-            error(slice.causes, collector);
-            return;
-        }
-        Whole next = new Whole(slice.after, List.of(slice.registers));
+    private Output compared(List<Sent> sent) {
         List<Sent> compared = new ArrayList<>(observed.length);
-        for (Network.External port : observed) {
-            compared.add(port == null ? new Sent.Anything() : reaction(slice, port));
+        for (int position : observed) {
+            compared.add(position < 0 ? new Sent.Anything() : sent.get(position));
         }
-        List<Sent> all = new ArrayList<>();
-        network.outputs().forEach(port -> all.add(reaction(slice, port)));
-        collector.add(
-                outputs.number(new Output(compared)),
-                number(next),
-                List.copyOf(slice.causes),
-                new Output(all));
+        return new Output(compared);
     }
 
-    private Sent reaction(Slice slice, Network.External port) {
-        if (port.signal() == Network.UNCONNECTED) {
-            return Sent.SILENCE;
-        }
-        return wiring.delayed[port.signal()]
-                ? slice.registers[port.signal()]
-                : slice.visible[port.signal()];
-    }
-
-    private void error(List<Trace.Cause> causes, StepCollector collector) {
-        List<Configuration> error = List.of(Configuration.ERROR);
-        Whole end = new Whole(List.of(error), List.of());
-        collector.add(Outputs.ERROR, number(end), List.copyOf(causes), NOTHING);
-    }
-
-    private static boolean isError(List<List<Configuration>> all) {
-        return all.stream().anyMatch(each -> each.contains(Configuration.ERROR));
+    @Override
+    public Optional<String> leftOut() {
+        return unfolding.leftOut();
     }
 
     private int number(Whole whole) {
@@ -218,8 +178,8 @@ public final class CompositeSide implements Side {
     @Override
     public String describe(int configuration) {
         Whole whole = wholes.get(configuration);
-        if (isError(whole.parts())) {
-            return "error";
+        if (whole.isError()) {
+            return whole.problem().isEmpty() ? "error" : "error: " + whole.problem();
         }
         List<String> words = new ArrayList<>();
         for (int i = 0; i < whole.parts().size(); i++) {
@@ -227,7 +187,8 @@ public final class CompositeSide implements Side {
                 words.add(
                         network.instances().get(i).path()
                                 + ": "
-                                + Descriptions.of(parts.behaviours().get(i), whole.parts().get(i)));
+                                + Descriptions.of(
+                                        unfolding.behaviours().get(i), whole.parts().get(i)));
             }
         }
         return String.join(", ", words);

@@ -1,6 +1,7 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.GivenUp;
 import arcomat.model.Trace;
 
 import com.carrotsearch.hppc.IntArrayList;
@@ -92,6 +93,14 @@ public final class Inclusion {
      * @param on whether to go on behind failures, to find one for each cause
      */
     Result search(boolean on) {
+        try {
+            return levels(on);
+        } catch (GivenUp inTheMiddle) {
+            return result(Optional.of(inTheMiddle.getMessage()));
+        }
+    }
+
+    private Result levels(boolean on) {
         open();
         if (best != null && !on) {
             return result(Optional.empty());
@@ -228,22 +237,15 @@ public final class Inclusion {
             return pairing.right.isChaos(next) ? -1 : pairing.sets.singleton(next);
         }
         int[] members = new int[allowed.length];
-        int count = 0;
-        for (int step : allowed) {
-            theirs.use(step);
-            int next = theirs.next()[step];
-            if (pairing.right.isChaos(next)) {
+        for (int i = 0; i < members.length; i++) {
+            budget.insist();
+            theirs.use(allowed[i]);
+            members[i] = theirs.next()[allowed[i]];
+            if (pairing.right.isChaos(members[i])) {
                 return -1;
             }
-            boolean known = false;
-            for (int i = 0; i < count && !known; i++) {
-                known = members[i] == next;
-            }
-            if (!known) {
-                members[count++] = next;
-            }
         }
-        return pairing.sets.number(java.util.Arrays.copyOf(members, count));
+        return pairing.sets.number(members);
     }
 
     private void add(int parent, int left, int set, int cost, int levelEnd) {
@@ -328,6 +330,10 @@ public final class Inclusion {
 
     int cost(int node) {
         return costs.get(node);
+    }
+
+    long pairs() {
+        return lefts.size();
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */

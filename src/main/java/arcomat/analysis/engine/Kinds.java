@@ -62,8 +62,7 @@ public final class Kinds {
         if (look instanceof Compared compared) {
             return new Kinds(port, total, compared.values(), compared.ordered(), false);
         }
-        List<Value> all =
-                SmallType.values(port.type()).orElseThrow(() -> new TooManyMessages(port));
+        List<Value> all = SmallType.values(port.type()).orElseThrow(() -> TooManyMessages.on(port));
         return new Kinds(port, total, all, false, true);
     }
 

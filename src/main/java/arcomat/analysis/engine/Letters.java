@@ -87,7 +87,7 @@ public final class Letters {
             int most) {
         List<Value> samples = Kinds.of(inputs.get(port), present, looks.get(port)).samples();
         if ((long) letters.size() * samples.size() > most) {
-            throw new TooManyMessages(inputs.get(port));
+            throw TooManyMessages.together(most);
         }
         List<Value[]> longer = new ArrayList<>(letters.size() * samples.size());
         for (Value[] letter : letters) {

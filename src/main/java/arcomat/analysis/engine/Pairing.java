@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -28,6 +29,7 @@ final class Pairing {
 
     private final List<Port> observed;
     private final Split split;
+    private final Budget budget;
     private final int[] leftPositions;
     private final int[] rightPositions;
     private final Map<List<Integer>, Integer> focusLists = new HashMap<>();
@@ -40,12 +42,14 @@ final class Pairing {
     /**
      * @param observed the output ports that both have, as cubes name them
      */
-    Pairing(Side left, Side right, List<Port> observed, Outputs outputs) {
+    Pairing(Side left, Side right, List<Port> observed, Outputs outputs, Budget budget) {
+        this.budget = budget;
         this.left = left;
         this.right = right;
         this.outputs = outputs;
         this.observed = observed;
-        this.split = new Split(observed, outputs, left.profile() == Component.Profile.EVENT_DRIVEN);
+        boolean events = left.profile() == Component.Profile.EVENT_DRIVEN;
+        this.split = new Split(observed, outputs, events, budget);
         List<String> names = left.inputs().stream().map(Port::name).toList();
         leftPositions = java.util.stream.IntStream.range(0, names.size()).toArray();
         rightPositions =
@@ -117,6 +121,7 @@ final class Pairing {
         if (known == null) {
             known = new Steps[alphabet.size()];
             for (int letter = 0; letter < known.length; letter++) {
+                budget.insist();
                 known[letter] =
                         left.steps(
                                 configuration, alphabet.kind(0, letter), alphabet.letter(letter));
@@ -133,6 +138,7 @@ final class Pairing {
             known = new Steps[alphabet.size()];
             int focus = focusIndex(set, member);
             for (int letter = 0; letter < known.length; letter++) {
+                budget.insist();
                 Value[] own = rightLetter(alphabet.letter(letter));
                 known[letter] =
                         isUnseenEvent(own)

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Look;
@@ -7,7 +8,9 @@ import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
+import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 import arcomat.semantics.Reaction;
@@ -25,9 +28,11 @@ import java.util.List;
 final class Parts {
     private final Network network;
     private final Wiring wiring;
+    private final Budget budget;
     private final List<Behaviour> behaviours = new ArrayList<>();
 
-    Parts(Network network, Wiring wiring) {
+    Parts(Network network, Wiring wiring, Budget budget) {
+        this.budget = budget;
         this.network = network;
         this.wiring = wiring;
         for (Network.Instance instance : network.instances()) {
@@ -45,7 +50,7 @@ final class Parts {
         for (int part = 0; part < behaviours.size(); part++) {
             List<Slice> longer = new ArrayList<>();
             for (Slice slice : slices) {
-                for (JointStart start : behaviours.get(part).starts()) {
+                for (JointStart start : behaviours.get(part).starts(budget::insist)) {
                     Slice copy = slice.copy();
                     copy.after.add(start.starts().stream().map(s -> s.configuration()).toList());
                     send(copy, part, start.output().ports(), longer);
@@ -62,6 +67,10 @@ final class Parts {
         for (int part = 0; part < behaviours.size(); part++) {
             List<Slice> longer = new ArrayList<>();
             for (Slice slice : slices) {
+                if (slice.isOver()) {
+                    longer.add(slice);
+                    continue;
+                }
                 for (Slice settled : settled(slice, before, part)) {
                     react(settled, before, part, longer);
                 }
@@ -85,6 +94,7 @@ final class Parts {
             List<Slice> divided = new ArrayList<>();
             for (Slice each : settled) {
                 for (Sent sent : samples(signal, slice.visible[signal], before)) {
+                    budget.insist();
                     Slice copy = each.copy();
                     copy.visible[signal] = sent;
                     divided.add(copy);
@@ -122,9 +132,17 @@ final class Parts {
     }
 
     private void react(Slice slice, Whole before, int part, List<Slice> next) {
-        List<JointReaction> reactions =
-                behaviours.get(part).reactions(before.parts().get(part), input(slice, part));
-        for (JointReaction reaction : reactions) {
+        Prospect prospect =
+                behaviours
+                        .get(part)
+                        .prospect(before.parts().get(part), input(slice, part), budget::insist);
+        for (Fault fault : prospect.faults()) {
+            Slice copy = slice.copy();
+            copy.after.add(List.of(Configuration.ERROR));
+            fault.taken().ifPresent(copy.causes::add);
+            next.add(copy);
+        }
+        for (JointReaction reaction : prospect.reactions()) {
             Slice copy = slice.copy();
             copy.after.add(reaction.reactions().stream().map(Reaction::next).toList());
             reaction.reactions().forEach(r -> copy.causes.add(r.cause()));
@@ -147,8 +165,8 @@ final class Parts {
     }
 
     /**
-     * Puts what a part sends on its signals. A message that is left open, and that both a part and
-     * the outside will see, has to be the same for both: it is divided here.
+     * Puts what a part sends on its signals. A message that is left open, and that the outside will
+     * see and somebody else too, has to be the same for both: it is divided here.
      */
     private void send(Slice slice, int part, List<Sent> sent, List<Slice> found) {
         List<Slice> slices = List.of(slice);
@@ -158,6 +176,7 @@ final class Parts {
             List<Slice> longer = new ArrayList<>();
             for (Slice each : slices) {
                 for (Sent option : options(signal, sent.get(i))) {
+                    budget.insist();
                     Slice copy = each.copy();
                     (wiring.delayed[signal] ? copy.registers : copy.visible)[signal] = option;
                     longer.add(copy);
@@ -169,8 +188,7 @@ final class Parts {
     }
 
     private List<Sent> options(int signal, Sent sent) {
-        boolean shared = wiring.observed[signal] && !wiring.readers.get(signal).isEmpty();
-        if (sent instanceof Sent.Messages || !shared) {
+        if (sent instanceof Sent.Messages || !wiring.shared[signal]) {
             return List.of(sent);
         }
         Look whole = new arcomat.semantics.Attention.Whole();

@@ -41,13 +41,13 @@ public final class Sets {
     }
 
     /**
-     * @param members without duplicates; sorted here
+     * @param some may come in any order, and more than once; sorted here
      */
-    public int number(int[] members) {
+    public int number(int[] some) {
+        int[] members = distinct(some);
         if (members.length == 1) {
             return singleton(members[0]);
         }
-        Arrays.sort(members);
         Key key = new Key(members);
         Integer known = numbers.get(key);
         if (known == null) {
@@ -56,6 +56,17 @@ public final class Sets {
             numbers.put(key, known);
         }
         return known;
+    }
+
+    private static int[] distinct(int[] members) {
+        Arrays.sort(members);
+        int count = 0;
+        for (int i = 0; i < members.length; i++) {
+            if (i == 0 || members[i] != members[i - 1]) {
+                members[count++] = members[i];
+            }
+        }
+        return count == members.length ? members : Arrays.copyOf(members, count);
     }
 
     public int[] members(int number) {

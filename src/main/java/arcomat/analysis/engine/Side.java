@@ -6,6 +6,7 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -44,6 +45,14 @@ public interface Side {
 
     /** What made the steps that a search has needed. */
     Set<Trace.Cause> used();
+
+    /**
+     * Why some of the steps that have been asked for are left out; those that are there, are
+     * possible. Empty where none is left out.
+     */
+    default Optional<String> leftOut() {
+        return Optional.empty();
+    }
 
     /** How many configurations have been met. */
     int size();

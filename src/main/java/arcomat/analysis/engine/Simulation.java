@@ -1,6 +1,7 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;
@@ -88,15 +89,18 @@ final class Simulation {
     private int explore(int left, int right) {
         int first = lefts.size();
         int pair = pair(left, right);
-        for (int open = first; open < lefts.size(); open++) {
-            if (lefts.size() > MOST_PAIRS || budget.exhausted(lefts.size()) != null) {
-                exhausted = true;
-                return pair;
+        try {
+            for (int open = first; open < lefts.size() && !exhausted; open++) {
+                exhausted = lefts.size() > MOST_PAIRS || budget.exhausted(lefts.size()) != null;
+                demand(open);
             }
-            demand(open);
+        } catch (GivenUp inTheMiddle) {
+            exhausted = true;
         }
-        refute();
-        closed = lefts.size();
+        if (!exhausted) {
+            refute();
+            closed = lefts.size();
+        }
         return pair;
     }
 

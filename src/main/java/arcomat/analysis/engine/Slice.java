@@ -33,6 +33,11 @@ final class Slice {
         this.causes = new ArrayList<>(other.causes);
     }
 
+    /** Whether the part that has reacted last has ended the run. */
+    boolean isOver() {
+        return !after.isEmpty() && after.get(after.size() - 1).contains(Configuration.ERROR);
+    }
+
     Slice copy() {
         return new Slice(this);
     }

@@ -1,5 +1,6 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.Budget;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -30,12 +31,14 @@ public final class Split {
     private final List<Port> ports;
     private final Outputs outputs;
     private final boolean events;
+    private final Budget budget;
 
     /**
      * @param ports the observed output ports
      * @param events whether a port may send several messages at once
      */
-    Split(List<Port> ports, Outputs outputs, boolean events) {
+    Split(List<Port> ports, Outputs outputs, boolean events, Budget budget) {
+        this.budget = budget;
         this.events = events;
         this.ports = ports;
         this.outputs = outputs;
@@ -52,6 +55,7 @@ public final class Split {
             List<List<Sent>> longer = new ArrayList<>();
             for (Sent option : options(cube.ports().get(port), port, others)) {
                 for (List<Sent> letter : letters) {
+                    budget.insist();
                     List<Sent> copy = new ArrayList<>(letter);
                     copy.add(option);
                     longer.add(copy);
@@ -61,6 +65,7 @@ public final class Split {
         }
         List<Case> cases = new ArrayList<>();
         for (List<Sent> letter : letters) {
+            budget.insist();
             Output sample = new Output(letter);
             cases.add(new Case(sample, messages(sample), positions(others, sample)));
         }

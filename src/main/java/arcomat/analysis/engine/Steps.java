@@ -3,6 +3,8 @@ package arcomat.analysis.engine;
 import arcomat.model.Trace;
 import arcomat.semantics.Output;
 
+import com.carrotsearch.hppc.IntArrayList;
+
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
@@ -35,6 +37,11 @@ public record Steps(
                 && Arrays.equals(next, other.next)
                 && causes.equals(other.causes)
                 && whole.equals(other.whole);
+    }
+
+    /** Equal for steps that are the same. */
+    List<Object> content() {
+        return List.of(IntArrayList.from(outputs), IntArrayList.from(next), causes, whole);
     }
 
     /** Notes that a search needs a step. */

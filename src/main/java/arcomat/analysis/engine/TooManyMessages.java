@@ -1,19 +1,37 @@
 package arcomat.analysis.engine;
 
+import arcomat.analysis.GivenUp;
 import arcomat.model.Port;
+import arcomat.model.Type;
 
-/** All messages of a port matter, and there are too many to try: the answer is unknown. */
-public final class TooManyMessages extends RuntimeException {
+/** There are too many letters to try. */
+public final class TooManyMessages extends GivenUp {
     private static final long serialVersionUID = 1L;
 
-    TooManyMessages(Port port) {
-        super(
+    private TooManyMessages(String reason) {
+        super(reason);
+    }
+
+    /** All messages of a port matter. */
+    static TooManyMessages on(Port port) {
+        return new TooManyMessages(
                 "every value of port '"
                         + port.name()
                         + "' matters, and "
                         + port.type().name()
-                        + " has too many to try; give it a range of at most "
-                        + SmallType.MOST
-                        + " values");
+                        + " has too many to try"
+                        + advice(port.type()));
+    }
+
+    private static String advice(Type type) {
+        return type instanceof Type.IntegerType
+                ? "; give it a range of at most " + SmallType.MOST + " values"
+                : "";
+    }
+
+    /** What matters of several ports is too much together. */
+    static TooManyMessages together(int most) {
+        return new TooManyMessages(
+                "one configuration tells more than " + most + " inputs apart, too many to try");
     }
 }

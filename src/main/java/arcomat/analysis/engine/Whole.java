@@ -9,11 +9,30 @@ import java.util.List;
  * Where a composition is.
  *
  * @param parts one configuration per automaton of each part
- * @param registers what is visible in the next slice, one per signal with delay
+ * @param registers what has been sent and can still be read: in slices one per signal with delay,
+ *     with events one per latched port
+ * @param problem what ended the run in an error; else empty
  */
-record Whole(List<List<Configuration>> parts, List<Sent> registers) {
+record Whole(List<List<Configuration>> parts, List<Sent> registers, String problem) {
     Whole {
         parts = List.copyOf(parts);
         registers = List.copyOf(registers);
+    }
+
+    Whole(List<List<Configuration>> parts, List<Sent> registers) {
+        this(parts, registers, "");
+    }
+
+    /** The end of a run. */
+    static Whole error(String problem) {
+        return new Whole(List.of(List.of(Configuration.ERROR)), List.of(), problem);
+    }
+
+    boolean isError() {
+        return isError(parts);
+    }
+
+    static boolean isError(List<List<Configuration>> parts) {
+        return parts.stream().anyMatch(each -> each.contains(Configuration.ERROR));
     }
 }

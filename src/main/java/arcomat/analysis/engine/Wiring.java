@@ -14,11 +14,15 @@ final class Wiring {
     /** An input port of a part. */
     record Reader(int part, int port) {}
 
+    private final Network network;
     final boolean[] delayed;
     final List<List<Reader>> readers = new ArrayList<>();
 
     /** Per signal, whether the outside sees it too. */
     final boolean[] observed;
+
+    /** Per signal, whether the outside sees it, and a part or another port of the outside too. */
+    final boolean[] shared;
 
     /** Per signal the port that sends it. */
     final Port[] sender;
@@ -27,8 +31,10 @@ final class Wiring {
      * @param compared names of the outputs that the outside looks at
      */
     Wiring(Network network, List<String> compared) {
+        this.network = network;
         delayed = new boolean[network.signals()];
         observed = new boolean[network.signals()];
+        shared = new boolean[network.signals()];
         sender = new Port[network.signals()];
         for (int i = 0; i < network.signals(); i++) {
             readers.add(new ArrayList<>());
@@ -39,7 +45,9 @@ final class Wiring {
         }
         for (Network.External output : network.outputs()) {
             if (output.signal() != Network.UNCONNECTED && compared.contains(output.name())) {
-                observed[output.signal()] = true;
+                int signal = output.signal();
+                shared[signal] = observed[signal] || !readers.get(signal).isEmpty();
+                observed[signal] = true;
             }
         }
     }
@@ -57,6 +65,10 @@ final class Wiring {
                 readers.get(signal).add(new Reader(part, i));
             }
         }
+    }
+
+    Port port(Reader reader) {
+        return network.instances().get(reader.part()).component().inputs().get(reader.port());
     }
 
     Sent[] silence() {

@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Outputs;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -44,14 +45,17 @@ public final class Choices {
 
     private final List<Port> ports;
     private final Outputs outputs;
+    private final Budget budget;
     private final Map<Key, Integer> numbers = new HashMap<>();
     private final List<int[]> lists = new ArrayList<>();
     private final Map<Key, List<Choice>> known = new HashMap<>();
 
     /**
      * @param ports the output ports, as cubes list them
+     * @param budget of time and memory
      */
-    public Choices(List<Port> ports, Outputs outputs) {
+    public Choices(List<Port> ports, Outputs outputs, Budget budget) {
+        this.budget = budget;
         this.ports = ports;
         this.outputs = outputs;
     }
@@ -149,6 +153,7 @@ public final class Choices {
             List<Sent> sent,
             List<Choice> found,
             Set<List<Integer>> seen) {
+        budget.insist();
         int port = sent.size();
         if (port == ports.size()) {
             List<Integer> flat = new ArrayList<>();

@@ -201,7 +201,7 @@ public final class Cores {
 
     private Game game(BitSet group, long moves) {
         List<Requirement> members = group.stream().mapToObj(requirements::get).toList();
-        return new Game(new Rules(members, choices, profile), budget, moves);
+        return new Game(new Rules(members, choices, profile, budget), budget, moves);
     }
 
     /** The game of a contradicting subset, to be told. */

@@ -1,6 +1,7 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.GivenUp;
 import arcomat.analysis.engine.Alphabet;
 
 import com.carrotsearch.hppc.IntArrayList;
@@ -29,8 +30,6 @@ public final class Game {
 
     /** More inputs are not tried in one position. */
     private static final int MOST_LETTERS = 200_000;
-
-    private static final int MOVES_BETWEEN_LOOKS = 10_000;
 
     private final Rules rules;
     private final Budget budget;
@@ -76,25 +75,28 @@ public final class Game {
     }
 
     private Winner explore(boolean untilKnown, int inputs) {
-        while (!(untilKnown && isLost()) && explored < rules.size() && level(explored) < inputs) {
-            stopped = exhausted();
-            if (stopped != null) {
-                return isLost() ? Winner.ENVIRONMENT : Winner.UNKNOWN;
+        try {
+            while (!(untilKnown && isLost())
+                    && explored < rules.size()
+                    && level(explored) < inputs) {
+                stopped = exhausted();
+                if (stopped != null) {
+                    break;
+                }
+                expand(explored++);
+                carryBack();
             }
-            expand(explored++);
-            carryBack();
+            return isLost() ? Winner.ENVIRONMENT : stopped == null ? Winner.SYSTEM : Winner.UNKNOWN;
+        } catch (GivenUp inTheMiddle) {
+            stopped = inTheMiddle.getMessage();
+            return Winner.UNKNOWN;
         }
-        return isLost() ? Winner.ENVIRONMENT : Winner.SYSTEM;
     }
 
     /** Why not to go on; counts the inputs of the next position. */
     private String exhausted() {
         long letters = rules.letters(explored);
-        boolean late = moves / MOVES_BETWEEN_LOOKS < (moves + letters) / MOVES_BETWEEN_LOOKS;
         moves += letters;
-        if (late && budget.timeIsUp().getAsBoolean()) {
-            return "the time is up";
-        }
         if (letters > MOST_LETTERS || moves > mostMoves) {
             return "more than %d inputs to try at once"
                     .formatted(Math.min(MOST_LETTERS, mostMoves));
@@ -137,7 +139,8 @@ public final class Game {
 
     /** Whether it is known that the system wins from here. */
     boolean isWon(int position) {
-        return position == Rules.FREE || explored == rules.size() && !lost.get(position);
+        return position == Rules.FREE
+                || stopped == null && explored == rules.size() && !lost.get(position);
     }
 
     private void expand(int position) {

@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Focus;
@@ -38,6 +39,7 @@ public final class Requirement {
     private final AtomicSide side;
     private final Automaton automaton;
     private final Choices choices;
+    private final Budget budget;
     private final int[] positions;
     private final Sets sets = new Sets();
     private final List<Focus> focusOfSet = new ArrayList<>();
@@ -50,8 +52,10 @@ public final class Requirement {
     /**
      * @param side what the automaton asks for
      * @param choices shared by all requirements of a game
+     * @param budget of time and memory
      */
-    public Requirement(AtomicSide side, Automaton automaton, Choices choices) {
+    public Requirement(AtomicSide side, Automaton automaton, Choices choices, Budget budget) {
+        this.budget = budget;
         this.side = side;
         this.automaton = automaton;
         this.choices = choices;
@@ -151,6 +155,7 @@ public final class Requirement {
         for (Reply.Part part : parts) {
             Steps steps = part.steps();
             for (int step = 0; step < steps.size(); step++) {
+                budget.insist();
                 int position = cubes.indexOf(steps.outputs()[step]);
                 if (position < 0) {
                     position = cubes.size();
@@ -189,6 +194,7 @@ public final class Requirement {
         IntArrayList members = new IntArrayList(allowed.length);
         for (int cube : allowed) {
             for (int next : reply.next()[cube]) {
+                budget.insist();
                 if (side.isChaos(next)) {
                     return CHAOS;
                 }

@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.Focus;
 import arcomat.analysis.engine.Kinds;
@@ -40,6 +41,7 @@ public final class Rules {
 
     private final List<Requirement> requirements;
     private final Choices choices;
+    private final Budget budget;
     private final Component.Profile profile;
     private final List<Port> inputs;
     private final int[] identity;
@@ -50,8 +52,14 @@ public final class Rules {
     /**
      * @param requirements at least one, all of the same component
      * @param profile of the component
+     * @param budget of time and memory
      */
-    public Rules(List<Requirement> requirements, Choices choices, Component.Profile profile) {
+    public Rules(
+            List<Requirement> requirements,
+            Choices choices,
+            Component.Profile profile,
+            Budget budget) {
+        this.budget = budget;
         this.profile = profile;
         this.requirements = List.copyOf(requirements);
         this.choices = choices;
@@ -193,6 +201,7 @@ public final class Rules {
 
     /** What each requirement allows; null where it allows everything. */
     Reply[] replies(int position, Value[] letter) {
+        budget.insist();
         int[] sets = positions.sets(position);
         Reply[] replies = new Reply[sets.length];
         for (int i = 0; i < sets.length; i++) {

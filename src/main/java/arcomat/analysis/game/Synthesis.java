@@ -1,6 +1,7 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.GivenUp;
 import arcomat.analysis.engine.Kinds;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
@@ -41,10 +42,14 @@ public final class Synthesis {
 
     /**
      * @param games at least one, each won by the system, and explored unless no position is lost
-     * @return empty where the machine is too large
+     * @return empty where the machine is too large, or time or memory is used up
      */
     public static Optional<Machine> of(List<Game> games, Budget budget) {
-        return new Synthesis(games, budget).machine();
+        try {
+            return new Synthesis(games, budget).machine();
+        } catch (GivenUp inTheMiddle) {
+            return Optional.empty();
+        }
     }
 
     private Optional<Machine> machine() {

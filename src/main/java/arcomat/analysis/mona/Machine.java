@@ -55,7 +55,7 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
      * @throws NotForMona where there are too many configurations or letters
      */
     static Machine explore(Side side, List<Track> inputs, Outputs outputs, Budget budget) {
-        Exploration exploration = new Exploration(side, inputs, outputs);
+        Exploration exploration = new Exploration(side, inputs, outputs, budget);
         List<Step> openings = exploration.openings();
         List<State> states = new ArrayList<>();
         for (int number = 0; number < side.size(); number++) {
@@ -83,13 +83,14 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     /** What makes steps equal but for their letters. */
     private record Key(int output, int next, List<Trace.Cause> causes, Output whole) {}
 
-    private record Exploration(Side side, List<Track> inputs, Outputs outputs) {
+    private record Exploration(Side side, List<Track> inputs, Outputs outputs, Budget budget) {
 
         List<Step> steps(int number) {
             Focus focus = side.focus(number);
             int[] positions = IntStream.range(0, inputs.size()).toArray();
             Map<Key, List<List<Set<Integer>>>> found = new LinkedHashMap<>();
             for (List<Set<Integer>> kind : kinds(focus)) {
+                budget.insist();
                 Value[] letter = new Value[inputs.size()];
                 for (int port = 0; port < letter.length; port++) {
                     int sample = kind.get(port).iterator().next();

@@ -35,6 +35,7 @@ final class MachineWriter {
     private final Machine machine;
     private final String name;
     private final boolean right;
+    private final boolean fails;
     private final Bits states;
     private final List<Step> openings;
     private final List<List<Step>> steps = new ArrayList<>();
@@ -49,6 +50,7 @@ final class MachineWriter {
         this.machine = machine;
         this.name = name;
         this.right = right;
+        this.fails = question.fails();
         this.states = Question.stateBits(name, machine);
         this.openings = different(machine.openings());
         machine.states().forEach(state -> steps.add(different(inOrder(state.steps()))));
@@ -168,9 +170,9 @@ final class MachineWriter {
         return conditions;
     }
 
-    private List<Condition> failing(String position, boolean fails) {
-        return question.fails()
-                ? List.of(Condition.of(new Cube(List.of(new Literal(FAILS, position, fails)))))
+    private List<Condition> failing(String position, boolean now) {
+        return fails
+                ? List.of(Condition.of(new Cube(List.of(new Literal(FAILS, position, now)))))
                 : List.of();
     }
 

@@ -62,7 +62,7 @@ public record Question(
     private static Machine machine(
             Named named, List<String> observed, Map<String, Track> inputs, Budget budget) {
         Outputs outputs = new Outputs();
-        AtomicSide side = new AtomicSide(named.behaviour(), observed, outputs);
+        AtomicSide side = new AtomicSide(named.behaviour(), observed, outputs, budget);
         List<Track> own = side.inputs().stream().map(port -> inputs.get(port.name())).toList();
         try {
             return Machine.explore(side, own, outputs, budget);

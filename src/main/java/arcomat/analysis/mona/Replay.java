@@ -215,7 +215,7 @@ public final class Replay {
                 letter(slice),
                 mine.causes(),
                 sent(mine, slice),
-                mine.error(),
+                mine.error() ? Optional.of("error") : Optional.empty(),
                 slice == 0 ? "" : question.left().states().get(state(slice - 1)).name(),
                 allowed);
     }

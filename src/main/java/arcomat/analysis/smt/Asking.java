@@ -31,6 +31,10 @@ record Asking(Symbols symbols, Instant at, Behaving behaving, Solver solver) {
                     ? behaving.dividesByZero(wrong.transition())
                     : behaving.overflowsRange(wrong.transition());
         }
+        if (question instanceof Question.Beyond beyond) {
+            Term value = at.variable(symbols.automaton().variables().get(beyond.variable()));
+            return solver.apply(beyond.below() ? "<" : ">", value, solver.number(beyond.bound()));
+        }
         return behaving.overflows(((Question.Overflow) question).transition());
     }
 

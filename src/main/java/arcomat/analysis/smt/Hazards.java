@@ -87,6 +87,21 @@ final class Hazards {
             return solver.of(false);
         }
         Type.IntegerType width = Type.IntegerType.of(integer.width());
+        if (e instanceof Expression.Binary binary) {
+            if (binary.operator() == BinaryOperator.REMAINDER) {
+                return solver.of(false);
+            }
+            if (binary.operator() == BinaryOperator.DIVIDE) {
+                return overflows(binary, width);
+            }
+        }
         return solver.not(solver.between(width.low(), translation.term(e), width.high()));
+    }
+
+    /** There is one quotient that does not fit: that of the lowest number and -1. */
+    private Term overflows(Expression.Binary division, Type.IntegerType width) {
+        return solver.and(
+                solver.equal(translation.term(division.left()), solver.number(width.low())),
+                solver.equal(translation.term(division.right()), solver.number(-1)));
     }
 }

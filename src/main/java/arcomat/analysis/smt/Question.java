@@ -33,4 +33,7 @@ public sealed interface Question {
 
     /** An integer of a transition, computed without bounds, does not fit its type. */
     record Overflow(int transition) implements Question {}
+
+    /** An integer variable is below a bound, or above it. */
+    record Beyond(int variable, boolean below, long bound) implements Question {}
 }

@@ -23,7 +23,7 @@ import java.util.function.BooleanSupplier;
  * Answers questions about runs of any length. For k = 0, 1, 2, ..: is there a run of k letters that
  * shows it (bounded model checking)? If not: after k configurations, wherever they come from, that
  * do not show it, can the next one show it? If not either, none ever does (k-induction). What is
- * known to be impossible helps with the rest.
+ * known to be impossible helps with the rest, as do {@link Bounds} that nobody asked for.
  */
 public final class SymbolicSearch {
     /** Longer runs are not looked for. */
@@ -33,6 +33,7 @@ public final class SymbolicSearch {
     private final BooleanSupplier stop;
     private final Runs fromStart;
     private final Runs fromAnywhere;
+    private final Set<Question> bounds;
     private final Set<Question> open;
     private final Set<Question> doubtful = new LinkedHashSet<>();
     private final Map<Question, Outcome> outcomes = new LinkedHashMap<>();
@@ -47,6 +48,7 @@ public final class SymbolicSearch {
         this.stop = stop;
         this.fromStart = new Runs(symbols, Optional.of(relation), stop);
         this.fromAnywhere = new Runs(symbols, Optional.empty(), stop);
+        this.bounds = new LinkedHashSet<>(Bounds.candidates(relation));
         this.open = new LinkedHashSet<>(questions);
     }
 
@@ -74,6 +76,7 @@ public final class SymbolicSearch {
         for (int length = 0; length <= LONGEST && !open.isEmpty(); length++) {
             fromStart.extend();
             fromAnywhere.extend();
+            List.copyOf(bounds).forEach(this::prove);
             for (Question question : List.copyOf(open)) {
                 if (stop.getAsBoolean()) {
                     giveUp("time or patience is up");
@@ -83,6 +86,16 @@ public final class SymbolicSearch {
             }
         }
         giveUp("no run of up to " + LONGEST + " letters shows it, and induction leaves it open");
+    }
+
+    /** A bound that is not kept, or that the solver cannot decide about, is of no use. */
+    private void prove(Question bound) {
+        if (fromStart.endsWith(bound, run -> {}) != Solver.Answer.NO) {
+            bounds.remove(bound);
+        } else if (fromAnywhere.endsFirstWith(bound) == Solver.Answer.NO) {
+            bounds.remove(bound);
+            fromAnywhere.exclude(bound);
+        }
     }
 
     private void look(Question question) {

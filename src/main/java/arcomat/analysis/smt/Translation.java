@@ -207,7 +207,7 @@ final class Translation {
     private Term quotient(Expression.Binary binary) {
         List<Long> values = symbols.few(binary.right());
         if (values.isEmpty()) {
-            return at.anything(binary.type());
+            return someQuotient(binary);
         }
         Term dividend = term(binary.left());
         Term divisor = term(binary.right());
@@ -229,6 +229,45 @@ final class Translation {
         return quotient;
     }
 
+    /** Of a divisor with too many values: never larger than the dividend, whatever the sign. */
+    private Term someQuotient(Expression.Binary binary) {
+        Term quotient = at.anything(binary.type());
+        Term dividend = term(binary.left());
+        Term opposite = solver.apply("-", dividend);
+        solver.claim(
+                solver.or(
+                        isWithin(opposite, quotient, dividend),
+                        isWithin(dividend, quotient, opposite)));
+        return quotient;
+    }
+
+    /**
+     * Of a divisor with too many values: between zero and the dividend, and closer to zero than the
+     * divisor.
+     */
+    private Term someRemainder(Expression.Binary binary) {
+        Term rest = at.anything(binary.type());
+        Term dividend = term(binary.left());
+        Term divisor = term(binary.right());
+        Term zero = solver.number(0);
+        solver.claim(solver.or(isWithin(zero, rest, dividend), isWithin(dividend, rest, zero)));
+        Term opposite = solver.apply("-", divisor);
+        solver.claim(
+                solver.or(
+                        solver.equal(divisor, zero),
+                        solver.and(
+                                solver.apply("<", opposite, rest),
+                                solver.apply("<", rest, divisor)),
+                        solver.and(
+                                solver.apply("<", divisor, rest),
+                                solver.apply("<", rest, opposite))));
+        return rest;
+    }
+
+    private Term isWithin(Term low, Term number, Term high) {
+        return solver.and(solver.apply("<=", low, number), solver.apply("<=", number, high));
+    }
+
     private Term remainder(Expression.Binary binary) {
         Expression.Binary division =
                 new Expression.Binary(
@@ -245,7 +284,7 @@ final class Translation {
                         binary.type(),
                         binary.span());
         return symbols.few(binary.right()).isEmpty()
-                ? at.anything(binary.type())
+                ? someRemainder(binary)
                 : solver.apply("-", term(binary.left()), term(whole));
     }
 

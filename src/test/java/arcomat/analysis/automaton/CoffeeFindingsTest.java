@@ -43,6 +43,22 @@ class CoffeeFindingsTest {
         assertThat(examination(figure).obstacle()).isEmpty();
     }
 
+    /**
+     * Fig. 3 and Fig. 5 are chaos wherever the paper draws no arrow; Fig. 6 says what it ignores.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "fig3, driving sidestep waiting",
+        "fig5, driving backing waiting remote returning",
+        "fig6, ''"
+    })
+    void unhandledInputs(String figure, String states) {
+        assertThat(findings(figure, Completeness.CODE))
+                .extracting(finding -> finding.diagnostic().span().text())
+                .containsExactly(states.isEmpty() ? new String[0] : states.split(" "));
+        assertThat(findings(figure, VacuousOnSilence.CODE)).hasSize(states.isEmpty() ? 0 : 1);
+    }
+
     /** Both leave states that nothing leads out of; Fig. 6 closes the circle. */
     @ParameterizedTest
     @CsvSource({"fig3, sidestep", "fig5, returning"})

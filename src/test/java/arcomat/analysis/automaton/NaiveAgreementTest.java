@@ -9,6 +9,7 @@ import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.SymbolicSearch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.semantics.Fault;
 import arcomat.source.SourceFile;
 
 import net.jqwik.api.Arbitraries;
@@ -19,9 +20,11 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import net.jqwik.api.statistics.Statistics;
 
+import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -109,17 +112,42 @@ class NaiveAgreementTest {
         return examination.findings().stream().filter(f -> f.code().equals(code)).toList();
     }
 
-    /** What the solver answers is what trying everything answers. */
+    /** What the solver answers is what trying everything answers, with runs that are as short. */
     @Property(seed = "2", tries = 25)
     void solverAgrees(@ForAll("automata") String text) {
+        for (Outcome outcome : agreed(text)) {
+            Statistics.label("outcome")
+                    .collect(outcome.getClass().getSimpleName())
+                    .coverage(
+                            all -> {
+                                all.check("Found").percentage(share -> share > 25);
+                                all.check("Impossible").percentage(share -> share > 25);
+                                all.check("Open").percentage(share -> share < 15);
+                            });
+        }
+    }
+
+    /** Divisors with too many values for cases. */
+    @Property(seed = "3", tries = 15)
+    void solverAgreesAboutDivisions(@ForAll("divisions") String text) {
+        for (Outcome outcome : agreed(text)) {
+            Statistics.label("outcome of division")
+                    .collect(outcome.getClass().getSimpleName())
+                    .coverage(all -> all.check("Impossible").percentage(share -> share > 25));
+        }
+    }
+
+    private static Collection<Outcome> agreed(String text) {
         Component component =
                 Models.read(List.of(new SourceFile("Random.arc", text))).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         Subject subject = Subject.of(component, automaton, List.of());
         Seen seen = new Seen();
-        Exploration explored = Exploration.run(subject, List.of(seen), Budget.ofMemory());
+        Exploration explored = new Exploration(subject, List.of(seen), Budget.ofMemory());
+        explored.run();
         assertThat(explored.isComplete()).isTrue();
         Walk walk = new Walk(subject, new Stepper(subject));
+        NaiveExploration naive = NaiveExploration.of(component);
 
         Map<Question, Outcome> outcomes =
                 SymbolicSearch.answer(
@@ -132,20 +160,32 @@ class NaiveAgreementTest {
 
         outcomes.forEach(
                 (question, outcome) -> {
-                    if (outcome instanceof Outcome.Found) {
+                    if (outcome instanceof Outcome.Found found) {
                         assertThat(shown(seen, explored)).contains(question);
+                        assertThat(fewestLetters(question, automaton, naive))
+                                .isIn(Optional.empty(), Optional.of(found.run().letters().size()));
                     } else if (outcome instanceof Outcome.Impossible) {
                         assertThat(shown(seen, explored)).doesNotContain(question);
                     }
-                    Statistics.label("outcome")
-                            .collect(outcome.getClass().getSimpleName())
-                            .coverage(
-                                    all -> {
-                                        all.check("Found").percentage(share -> share > 25);
-                                        all.check("Impossible").percentage(share -> share > 25);
-                                        all.check("Open").percentage(share -> share < 15);
-                                    });
                 });
+        return outcomes.values();
+    }
+
+    /** Empty for questions that are told by more than their number of letters. */
+    private static Optional<Integer> fewestLetters(
+            Question question, Automaton automaton, NaiveExploration naive) {
+        if (question instanceof Question.Reached reached) {
+            return Optional.of(naive.lettersTo(reached.state()));
+        }
+        if (question instanceof Question.Wrong wrong) {
+            Map<String, Integer> known =
+                    wrong.kind() == Fault.Kind.DIVISION_BY_ZERO
+                            ? naive.divisions()
+                            : naive.overflows();
+            Automaton.Transition transition = automaton.transitions().get(wrong.transition());
+            return Optional.of(known.get(transition.span().startPosition().toString()));
+        }
+        return Optional.empty();
     }
 
     /** A silent letter may stand for letters with a message that nobody looks at. */
@@ -166,6 +206,32 @@ class NaiveAgreementTest {
                         Arbitraries.of("silent", "free"),
                         lines().list().ofMinSize(3).ofMaxSize(10))
                 .as(NaiveAgreementTest::text);
+    }
+
+    @Provide
+    Arbitrary<String> divisions() {
+        Arbitrary<String> left = Arbitraries.of("n / m", "n % m", "(n - 9) / m", "n % (m + 1)");
+        Arbitrary<String> relation = Arbitraries.of("==", ">", "<");
+        Arbitrary<String> right =
+                Arbitraries.of("n", "m", "2", "-3", "34", "-34", "n + 1", "m - 1");
+        Arbitrary<String> sent = Arbitraries.of("n / m", "n % m", "m");
+        return Combinators.combine(left, relation, right, sent)
+                .as(
+                        (l, op, r, value) ->
+                                """
+                                component Random {
+                                  port in Integer[-33..33] n, in Integer[-33..33] m,
+                                       out Integer[-33..32] x;
+
+                                  <<completion = "ignore">> automaton {
+                                    state s0;
+                                    initial s0;
+                                    s0 [m != 0 && m != -1 && %s %s %s] / {x = %s};
+                                    s0 [m == 5] {n == ?} / {x = n / m};
+                                  }
+                                }
+                                """
+                                        .formatted(l, op, r, value));
     }
 
     private static Arbitrary<String> lines() {

@@ -233,6 +233,15 @@ final class NaiveExploration {
         return found;
     }
 
+    /** The fewest letters to a state. */
+    int lettersTo(int state) {
+        return depths.keySet().stream()
+                .filter(each -> each.state() == state)
+                .mapToInt(depths::get)
+                .min()
+                .orElseThrow();
+    }
+
     /** The fewest letters to a configuration from which nothing that sends is reached. */
     Optional<Integer> wayIntoATrap() {
         return depths.keySet().stream()

@@ -1,0 +1,30 @@
+package arcomat.analysis.engine;
+
+import arcomat.model.Value;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Behaviour;
+
+import java.util.List;
+import java.util.Optional;
+
+/** How a network of parts goes on, slice by slice or event by event. */
+interface Unfolding {
+    /** One per instance of the network. */
+    List<Behaviour> behaviours();
+
+    /** All ways to begin. */
+    List<Outcome> beginnings();
+
+    /** What the reactions look at, external input by external input. */
+    Attention attention(Whole whole);
+
+    /**
+     * All ways to react.
+     *
+     * @param letter messages by position of the external input, null for silence
+     */
+    List<Outcome> reactions(Whole before, Value[] letter);
+
+    /** Why some ways have been left out; empty where none has been so far. */
+    Optional<String> leftOut();
+}

@@ -1,0 +1,201 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.SimulatedRuns.Run;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.engine.CompositeSide;
+import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.Side;
+import arcomat.analysis.engine.Steps;
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.Sent;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.IntStream;
+
+/** The steps of an event-driven composition are the runs of the simulator, no more and no less. */
+class EventCompositionsTest {
+    private static final int WORDS = 12;
+
+    private int runs;
+    private int errors;
+    private int choices;
+    private int sending;
+    private int leftOut;
+
+    @Test
+    void stepsAreTheRunsOfTheSimulator() {
+        for (int seed = 0; seed < 250; seed++) {
+            compare(seed, false, WORDS);
+        }
+        assertThat(runs).isGreaterThan(3_000);
+        assertThat(errors).isBetween(runs / 20, runs / 2);
+        assertThat(choices).isGreaterThan(300);
+        assertThat(sending).isGreaterThan(runs / 2);
+        assertThat(leftOut).isZero();
+    }
+
+    @Test
+    void alsoWhereMessagesCircle() {
+        for (int seed = 0; seed < 50; seed++) {
+            compare(seed, true, 3);
+        }
+        assertThat(errors).isGreaterThan(20);
+        assertThat(runs - errors).isGreaterThan(60);
+        assertThat(leftOut).isLessThan(40);
+    }
+
+    /** Against an edited version of itself: failures are replayed, what holds is tried. */
+    @Test
+    void verdictsAreThoseOfTheSimulator() {
+        int holds = 0;
+        int fails = 0;
+        for (int seed = 0; seed < 120; seed++) {
+            Promise whole = Promise.of(RandomCompositions.of(seed, false), List.of());
+            Promise edited = Promise.of(RandomCompositions.edited(seed), List.of());
+            for (boolean swapped : List.of(false, true)) {
+                Promise left = swapped ? edited : whole;
+                Promise right = swapped ? whole : edited;
+                Verdict verdict = Refinement.check(left, right, new Budget(() -> false, 100_000));
+                if (verdict.answer() == Answer.FAILS) {
+                    Replay.check(left, right, verdict);
+                    fails++;
+                } else {
+                    assertThat(verdict.answer()).isEqualTo(Answer.HOLDS);
+                    tryWords(left.component(), right.component(), seed);
+                    holds++;
+                }
+            }
+        }
+        assertThat(holds).isGreaterThan(60);
+        assertThat(fails).isGreaterThan(40);
+    }
+
+    private static void tryWords(Component left, Component right, long seed) {
+        Random random = new Random(seed);
+        for (int word = 0; word < WORDS; word++) {
+            List<Letter> letters =
+                    word(left, random).stream().map(letter -> letter(left, letter)).toList();
+            assertThat(SimulatedRuns.of(right, List.of(), letters))
+                    .as(() -> RandomCompositions.text(seed, false))
+                    .containsAll(SimulatedRuns.of(left, List.of(), letters));
+        }
+    }
+
+    private void compare(long seed, boolean circles, int words) {
+        Component whole = RandomCompositions.of(seed, circles);
+        List<String> outputs = whole.outputs().stream().map(Port::name).toList();
+        Side side = new CompositeSide(whole, List.of(), outputs, new Outputs(), Budget.ofMemory());
+        Random random = new Random(seed);
+        for (int word = 0; word < words; word++) {
+            List<Value[]> letters = word(whole, random);
+            Set<Run> expected =
+                    SimulatedRuns.of(
+                            whole,
+                            List.of(),
+                            letters.stream().map(letter -> letter(whole, letter)).toList());
+            Set<Run> found = new LinkedHashSet<>();
+            Steps openings = side.openings();
+            for (int step = 0; step < openings.size(); step++) {
+                follow(side, openings, step, letters, List.of(), found);
+            }
+            if (side.leftOut().isPresent()) {
+                leftOut++;
+                assertThat(side.leftOut().get()).startsWith("messages circle");
+                assertThat(expected).containsAll(found);
+                continue;
+            }
+            assertThat(found)
+                    .as(() -> RandomCompositions.text(seed, circles))
+                    .containsExactlyInAnyOrderElementsOf(expected);
+            count(expected);
+        }
+    }
+
+    private void count(Set<Run> expected) {
+        runs += expected.size();
+        errors += (int) expected.stream().filter(Run::error).count();
+        choices += expected.size() > 1 ? 1 : 0;
+        sending +=
+                (int)
+                        expected.stream()
+                                .filter(r -> r.outputs().stream().anyMatch(o -> !o.isEmpty()))
+                                .count();
+    }
+
+    /** Three events; the latched port holds what it has got. */
+    private static List<Value[]> word(Component whole, Random random) {
+        List<Value[]> letters = new ArrayList<>();
+        Value held = null;
+        for (int i = 0; i < 3; i++) {
+            Value[] letter = new Value[3];
+            letter[random.nextInt(2)] = new Value.IntegerValue(random.nextInt(3));
+            held = random.nextBoolean() ? held : new Value.IntegerValue(random.nextInt(3));
+            letter[2] = held;
+            letters.add(letter);
+        }
+        assertThat(whole.inputs().get(2).latched()).isTrue();
+        return letters;
+    }
+
+    private static Letter letter(Component whole, Value[] values) {
+        Map<String, Value> messages = new LinkedHashMap<>();
+        for (int i = 0; i < values.length; i++) {
+            if (values[i] != null) {
+                messages.put(whole.inputs().get(i).name(), values[i]);
+            }
+        }
+        return Letter.of(messages);
+    }
+
+    private static void follow(
+            Side side,
+            Steps steps,
+            int step,
+            List<Value[]> letters,
+            List<Map<String, List<Value>>> before,
+            Set<Run> found) {
+        if (steps.outputs()[step] == Outputs.ERROR) {
+            found.add(new Run(before, true));
+            return;
+        }
+        List<Map<String, List<Value>>> outputs = new ArrayList<>(before);
+        outputs.add(outputs(side, steps, step));
+        if (outputs.size() > letters.size()) {
+            found.add(new Run(outputs, false));
+            return;
+        }
+        Value[] letter = letters.get(outputs.size() - 1);
+        int configuration = steps.next()[step];
+        int[] positions = IntStream.range(0, letter.length).toArray();
+        long kind = side.focus(configuration).kind(letter, positions);
+        Steps next = side.steps(configuration, kind, letter);
+        for (int i = 0; i < next.size(); i++) {
+            follow(side, next, i, letters, outputs, found);
+        }
+    }
+
+    private static Map<String, List<Value>> outputs(Side side, Steps steps, int step) {
+        Map<String, List<Value>> outputs = new LinkedHashMap<>();
+        List<Sent> sent = steps.whole().get(step).ports();
+        for (int i = 0; i < sent.size(); i++) {
+            List<Value> values = ((Sent.Messages) sent.get(i)).values();
+            if (!values.isEmpty()) {
+                outputs.put(side.outputs().get(i).name(), values);
+            }
+        }
+        return outputs;
+    }
+}
