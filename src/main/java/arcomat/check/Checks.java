@@ -173,6 +173,11 @@ public final class Checks {
         return sort(findings, walk.suppressions(), Profile.REQUIREMENTS);
     }
 
+    /** Whether a finding is about a suppression that suppresses nothing. */
+    public static boolean isUnusedSuppression(Diagnostic finding) {
+        return finding.code().equals(SuppressionUsed.LAW.code());
+    }
+
     private static Review sort(
             Collection<Diagnostic> found, Suppressions suppressions, Profile profile) {
         TreeSet<Diagnostic> all = new TreeSet<>(Diagnostic.ORDER);

@@ -13,24 +13,23 @@ import java.util.TreeSet;
  * then is known what there was to suppress.
  */
 final class SuppressionUsed implements Check {
+    static final Law LAW = Law.warning("ARC0507");
+
     @Override
     public Law law() {
-        return Law.warning("ARC0507");
+        return LAW;
     }
 
     /**
-     * Reports suppressions of laws that hold in a profile but are not broken there. Findings of
-     * analyses are another matter: this room does not know them.
+     * Reports suppressions of laws that hold in a profile but are not broken there. Laws about all
+     * files together are not judged, since some files may not be looked at, and neither is what
+     * analyses find, since this room does not know that.
      *
      * @param used those that did suppress something
      */
     Findings unused(Suppressions all, Collection<Suppression> used, Profile profile) {
         Findings findings = new Findings(law().code(), Severity.WARNING);
-        Set<String> judged = new TreeSet<>();
-        for (Check check : Checks.ALL) {
-            check.law().severity(profile).ifPresent(s -> judged.add(check.law().code()));
-        }
-        judged.remove(law().code());
+        Set<String> judged = judged(profile);
         List<Suppression> idle = all.all().stream().filter(each -> !used.contains(each)).toList();
         for (Suppression each : idle) {
             if (judged.contains(each.code())) {
@@ -41,5 +40,16 @@ final class SuppressionUsed implements Check {
             }
         }
         return findings;
+    }
+
+    private Set<String> judged(Profile profile) {
+        Set<String> judged = new TreeSet<>();
+        for (Check check : Checks.ALL) {
+            if (!(check instanceof Check.OnWorkspace)) {
+                check.law().severity(profile).ifPresent(s -> judged.add(check.law().code()));
+            }
+        }
+        judged.remove(law().code());
+        return judged;
     }
 }

@@ -95,6 +95,10 @@ record CheckedModels(
         findings.addAll(loaded.findings());
         findings.addAll(found);
         findings.removeIf(finding -> !loaded.isShown(finding));
+        if (loaded.findings().stream().anyMatch(Diagnostic::isError)) {
+            // What does not parse may well be what is suppressed.
+            findings.removeIf(Checks::isUnusedSuppression);
+        }
         List<Suppressed> suppressed =
                 meant.stream().filter(each -> loaded.isShown(each.finding())).toList();
         return new CheckedModels(loaded, workspace, List.copyOf(findings), suppressed);
