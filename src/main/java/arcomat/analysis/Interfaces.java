@@ -34,7 +34,7 @@ final class Interfaces {
         left.ports().forEach(port -> mine.put(port.name(), port));
         for (Port port : right.ports()) {
             Optional<Port> found = Optional.ofNullable(mine.get(port.name()));
-            problem(own, found, port, other).ifPresent(problems::add);
+            problem(left, found, port, right).ifPresent(problems::add);
         }
         if (!problems.isEmpty()) {
             return Optional.of(Verdict.fails("interface", problems));
@@ -49,9 +49,9 @@ final class Interfaces {
                                         .formatted(
                                                 port.name(),
                                                 namesake.delay(),
-                                                own.qualifiedName(),
+                                                left.title(),
                                                 port.delay(),
-                                                other.qualifiedName()),
+                                                right.title()),
                                 Optional.of(namesake.span())));
             }
         }
@@ -61,18 +61,14 @@ final class Interfaces {
     }
 
     private static Optional<Sentence> problem(
-            Component own, Optional<Port> namesake, Port port, Component other) {
+            Promise left, Optional<Port> namesake, Port port, Promise right) {
         String kind = port.isInput() ? "input" : "output";
         Optional<Port> found = namesake.filter(each -> each.isInput() == port.isInput());
         if (found.isEmpty()) {
             return Optional.of(
                     new Sentence(
                             "%s has no %s port '%s', which %s has"
-                                    .formatted(
-                                            own.qualifiedName(),
-                                            kind,
-                                            port.name(),
-                                            other.qualifiedName()),
+                                    .formatted(left.title(), kind, port.name(), right.title()),
                             Optional.of(port.span())));
         }
         if (!found.get().type().equals(port.type())) {
@@ -82,9 +78,9 @@ final class Interfaces {
                                     .formatted(
                                             port.name(),
                                             words(found.get().type(), port.type()),
-                                            own.qualifiedName(),
+                                            left.title(),
                                             words(port.type(), found.get().type()),
-                                            other.qualifiedName()),
+                                            right.title()),
                             Optional.of(found.get().span())));
         }
         if (found.get().latched() != port.latched()) {
@@ -98,10 +94,7 @@ final class Interfaces {
             return Optional.of(
                     new Sentence(
                             "'%s' may be silent for %s, but %s needs a message in every slice"
-                                    .formatted(
-                                            port.name(),
-                                            other.qualifiedName(),
-                                            own.qualifiedName()),
+                                    .formatted(port.name(), right.title(), left.title()),
                             Optional.of(found.get().span())));
         }
         return Optional.empty();

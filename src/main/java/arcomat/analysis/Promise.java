@@ -19,16 +19,21 @@ import java.util.stream.Collectors;
  * @param automata those that count; empty for a composition, which is what its parts make it
  * @param devices of a composition, whether what its platform components send and receive is looked
  *     at, too
+ * @param mark what follows its title, to tell it from its namesake in other models
  */
 public record Promise(
-        Component component, List<Value> arguments, List<Automaton> automata, boolean devices) {
+        Component component,
+        List<Value> arguments,
+        List<Automaton> automata,
+        boolean devices,
+        String mark) {
     public Promise {
         arguments = List.copyOf(arguments);
         automata = List.copyOf(automata);
     }
 
     public Promise(Component component, List<Value> arguments, List<Automaton> automata) {
-        this(component, arguments, automata, false);
+        this(component, arguments, automata, false, "");
     }
 
     /** What a component does. */
@@ -88,7 +93,12 @@ public record Promise(
 
     /** The same with a look at devices. */
     Promise withDevices() {
-        return new Promise(component, arguments, automata, true);
+        return new Promise(component, arguments, automata, true, mark);
+    }
+
+    /** The same with a mark behind its title. */
+    Promise marked(String text) {
+        return new Promise(component, arguments, automata, devices, text);
     }
 
     /** What can be seen of it; ports of devices are named by their path, {@code left.value}. */
@@ -130,7 +140,7 @@ public record Promise(
     public String title() {
         boolean part = automata.size() == 1 && automataOf(component).size() > 1;
         String name = part ? automata.get(0).name() : "";
-        return component.qualifiedName() + listed() + (name.isEmpty() ? "" : "#" + name);
+        return component.qualifiedName() + listed() + (name.isEmpty() ? "" : "#" + name) + mark;
     }
 
     private String listed() {

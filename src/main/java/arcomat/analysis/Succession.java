@@ -27,7 +27,7 @@ public final class Succession {
     private final Supplier<Budget> budgets;
 
     private Succession(Component old, String mark, Component fresh, Supplier<Budget> budgets) {
-        this.old = old.named(old.name() + mark);
+        this.old = old;
         this.mark = mark;
         this.fresh = fresh;
         this.budgets = budgets;
@@ -72,7 +72,7 @@ public final class Succession {
 
     /** Ports are the same whatever the arguments are, and so is a promise of nothing. */
     private Change compareInterfaces() {
-        Promise before = new Promise(old, List.of(), automata(old));
+        Promise before = new Promise(old, List.of(), automata(old)).marked(mark);
         Promise after = new Promise(fresh, List.of(), automata(fresh));
         return Change.of(
                 List.of(forward(List.of(), compareInterfaces(after, before))),
@@ -94,7 +94,7 @@ public final class Succession {
         List<Change.Witness> forward = new ArrayList<>();
         List<Change.Witness> backward = new ArrayList<>();
         for (List<Value> each : arguments) {
-            Promise before = promise(old, each);
+            Promise before = promise(old, each).marked(mark);
             Promise after = promise(fresh, each);
             forward.add(forward(each, check(after, before)));
             backward.add(backward(each, check(before, after)));
@@ -162,7 +162,7 @@ public final class Succession {
                                         .formatted(
                                                 fresh.qualifiedName(),
                                                 signature(after),
-                                                old.qualifiedName(),
+                                                old.qualifiedName() + mark,
                                                 signature(before)),
                                 Optional.of(fresh.span())));
     }

@@ -103,26 +103,6 @@ public record Component(
         return packageName.isEmpty() ? name : packageName + "." + name;
     }
 
-    /** The same under another simple name. */
-    public Component named(String other) {
-        return new Component(
-                packageName,
-                other,
-                layer,
-                platform,
-                deploy,
-                profile,
-                queueCapacity,
-                cycle,
-                parameters,
-                constants,
-                ports,
-                body,
-                requirements,
-                refines,
-                span);
-    }
-
     /** Those of its behaviour, or the requirements on a decomposed one. */
     public List<Automaton> automata() {
         return body instanceof Atomic atomic ? atomic.automata() : requirements;

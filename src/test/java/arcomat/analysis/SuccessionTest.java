@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Change.Relation;
 import arcomat.analysis.RandomPairs.Pair;
+import arcomat.model.Component;
 
 import org.junit.jupiter.api.Test;
 
@@ -52,12 +53,31 @@ class SuccessionTest {
             assertThat(SameMeaning.own(pair.left().component(), pair.left().component())).isTrue();
             boolean same =
                     SameMeaning.own(
-                            pair.left().component().named("X"),
-                            pair.right().component().named("X"));
+                            namesake(pair.left().component()), namesake(pair.right().component()));
             Difference difference = Difference.of(pair.left(), pair.right(), Budget.ofMemory());
             assertThat(!same || difference.relation() == Difference.Relation.EQUIVALENT).isTrue();
         }
         assertThat(List.of(Relation.GONE, Relation.WIDENS, Relation.INCOMPARABLE))
                 .allMatch(Relation::breaks);
+    }
+
+    /** The same component under a name that all have in common. */
+    private static Component namesake(Component component) {
+        return new Component(
+                component.packageName(),
+                "X",
+                component.layer(),
+                component.platform(),
+                component.deploy(),
+                component.profile(),
+                component.queueCapacity(),
+                component.cycle(),
+                component.parameters(),
+                component.constants(),
+                component.ports(),
+                component.body(),
+                component.requirements(),
+                component.refines(),
+                component.span());
     }
 }
