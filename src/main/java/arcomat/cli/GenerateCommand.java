@@ -28,7 +28,9 @@ import java.util.Optional;
             "  arcomat generate --target templates/c --out build/c models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
-            "generate. Code for the JVM needs lib/rt.jar of the installation on its class path."
+            "generate. Code for the JVM needs the installation's lib/arcomat-runtime-VERSION.jar"
+                + " on",
+            "its class path."
         })
 final class GenerateCommand extends Command {
     enum Choose {

@@ -22,8 +22,9 @@ import java.util.List;
             "  arcomat monitor coffee.fig3.AvoidCrash --out build/monitor models/coffee",
             "  arcomat monitor 'p.Robot#waits' --out build/monitor models",
             "",
-            "The classes need lib/rt.jar of the installation on their class path. To watch a run",
-            "of the simulator: arcomat simulate --monitor."
+            "The classes need the installation's lib/arcomat-runtime-VERSION.jar on their class"
+                + " path.",
+            "To watch a run of the simulator: arcomat simulate --monitor."
         })
 final class MonitorCommand extends AnalysisCommand {
     @Option(

@@ -86,7 +86,7 @@ public final class ArcomatPlugin implements Plugin<Project> {
         runtime.defaultDependencies(
                 all -> {
                     if (Targets.contain(settings.getTargets().get(), Targets.JVM)) {
-                        all.add(dependency(project, settings, "arcomat:rt"));
+                        all.add(dependency(project, settings, "arcomat:arcomat-runtime"));
                     }
                 });
         project.getConfigurations()
