@@ -1,12 +1,14 @@
 package arcomat.benchmarks;
 
+import java.io.IOException;
 import java.util.List;
+import java.util.Map;
 
 /** Benchmarks that belong together. */
 public interface Group {
     String name();
 
-    /** The classes with the benchmarks. */
+    /** The classes with the benchmarks; none for a group that takes the time itself. */
     List<Class<?>> benchmarks();
 
     /**
@@ -16,6 +18,11 @@ public interface Group {
      * @throws IllegalStateException if contestants do not do the same
      */
     List<String> prepare();
+
+    /** What a group without benchmark classes measured, by label. */
+    default Map<String, Measurement> measure() throws IOException {
+        throw new IllegalStateException("JMH measures this");
+    }
 
     /** What the product promises, in the order of the report. */
     List<Goal> goals();

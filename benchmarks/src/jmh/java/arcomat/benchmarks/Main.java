@@ -1,6 +1,7 @@
 package arcomat.benchmarks;
 
 import arcomat.benchmarks.analysis.AnalysisGroup;
+import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
 import arcomat.benchmarks.network.NetworkGroup;
@@ -21,7 +22,7 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,cold,analysis}.
+ * --forks N --groups step,network,frontend,cold,analysis,build}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -30,7 +31,8 @@ public final class Main {
                     new NetworkGroup(),
                     new FrontEndGroup(),
                     new ColdGroup(),
-                    new AnalysisGroup());
+                    new AnalysisGroup(),
+                    new BuildGroup());
 
     private Main() {}
 
@@ -50,15 +52,20 @@ public final class Main {
         System.out.println("== " + group.name());
         List<String> notes = new ArrayList<>(group.prepare());
         notes.forEach(System.out::println);
-        ChainedOptionsBuilder options =
-                new OptionsBuilder().forks(forks).verbosity(VerboseMode.SILENT);
-        group.benchmarks().forEach(type -> options.include(type.getName() + "\\."));
-        Map<String, Measurement> results = Measurement.of(new Runner(options.build()).run());
+        Map<String, Measurement> results =
+                group.benchmarks().isEmpty() ? group.measure() : jmh(group, forks);
         results.values().forEach(Main::print);
         List<String> verdicts = verdicts(group, results);
         verdicts.forEach(System.out::println);
         notes.addAll(verdicts);
         Baseline.write(group, results, notes);
+    }
+
+    private static Map<String, Measurement> jmh(Group group, int forks) throws RunnerException {
+        ChainedOptionsBuilder options =
+                new OptionsBuilder().forks(forks).verbosity(VerboseMode.SILENT);
+        group.benchmarks().forEach(type -> options.include(type.getName() + "\\."));
+        return Measurement.of(new Runner(options.build()).run());
     }
 
     private static void print(Measurement result) {
@@ -70,13 +77,13 @@ public final class Main {
     private static List<String> verdicts(Group group, Map<String, Measurement> results) {
         List<String> verdicts = new ArrayList<>();
         for (Goal goal : group.goals()) {
-            double ratio = goal.ratio(results);
-            String verdict = ratio <= goal.limit() ? "met" : "MISSED";
+            double value = goal.value(results);
+            String verdict = value <= goal.limit() ? "met" : "MISSED";
             verdicts.add(
                     String.format(
                             "%s: %.2f, %s at most %.2f: %s",
                             goal.text(),
-                            ratio,
+                            value,
                             goal.promised() ? "promised" : "aim",
                             goal.limit(),
                             verdict));

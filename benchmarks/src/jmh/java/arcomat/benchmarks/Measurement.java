@@ -1,9 +1,11 @@
 package arcomat.benchmarks;
 
 import org.openjdk.jmh.results.RunResult;
+import org.openjdk.jmh.util.ListStatistics;
 import org.openjdk.jmh.util.Statistics;
 
 import java.util.Collection;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 
@@ -35,6 +37,18 @@ public record Measurement(String label, double median, double low, double high, 
                 statistics.getPercentile(25),
                 statistics.getPercentile(75),
                 result.getPrimaryResult().getScoreUnit());
+    }
+
+    /** Of single times, taken without JMH. */
+    public static Measurement of(String label, List<Double> times, String unit) {
+        ListStatistics statistics = new ListStatistics();
+        times.forEach(statistics::addValue);
+        return new Measurement(
+                label,
+                statistics.getPercentile(50),
+                statistics.getPercentile(25),
+                statistics.getPercentile(75),
+                unit);
     }
 
     private static String label(RunResult result) {
