@@ -4,7 +4,6 @@ import org.gradle.api.GradleException;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Internal;
-import org.gradle.api.tasks.TaskAction;
 import org.gradle.api.tasks.UntrackedTask;
 
 import java.util.List;
@@ -20,20 +19,17 @@ public abstract class BaselineArc extends ModelTask {
     @Internal
     public abstract RegularFileProperty getBaseline();
 
-    @TaskAction
-    final void write() {
+    @Override
+    final List<String> command() {
         if (!getBaseline().isPresent()) {
             throw new GradleException("say where: arcomat { baseline = file('known.txt') }");
         }
         String file = shown(getBaseline().get().getAsFile());
-        ToolResult result =
-                runOnModels(
-                        List.of(
-                                "check",
-                                "--profile",
-                                getProfile().get(),
-                                "--write-baseline",
-                                file));
+        return List.of("check", "--profile", getProfile().get(), "--write-baseline", file);
+    }
+
+    @Override
+    final void conclude(ToolResult result) {
         result.require(getLogger());
         getLogger().lifecycle(result.out().stripTrailing());
     }

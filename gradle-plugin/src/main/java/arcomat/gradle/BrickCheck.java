@@ -3,10 +3,10 @@ package arcomat.gradle;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.OutputFile;
-import org.gradle.api.tasks.TaskAction;
 
 import java.io.File;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** Reports what the jars of robots need on the brick, and fails if it does not have that. */
 @CacheableTask
@@ -15,15 +15,16 @@ public abstract class BrickCheck extends JarTask {
     @OutputFile
     public abstract RegularFileProperty getReport();
 
-    @TaskAction
-    final void check() {
-        StringBuilder report = new StringBuilder();
-        for (File jar : jars()) {
-            ToolResult result = run(List.of("check-brick", "--jar", shown(jar)));
-            report.append(result.out());
-            Texts.write(getReport(), report.toString());
-            result.require(getLogger());
-            getLogger().info(result.out().stripTrailing());
-        }
+    @Override
+    final List<String> command(File jar) {
+        return List.of("check-brick", "--jar", shown(jar));
+    }
+
+    @Override
+    final void conclude(List<ToolResult> results) {
+        String report = results.stream().map(ToolResult::out).collect(Collectors.joining("\n"));
+        Texts.write(getReport(), report);
+        results.forEach(result -> result.require(getLogger()));
+        getLogger().info(report.stripTrailing());
     }
 }

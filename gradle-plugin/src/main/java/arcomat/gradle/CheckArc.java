@@ -9,7 +9,6 @@ import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputFile;
 import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
-import org.gradle.api.tasks.TaskAction;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -35,8 +34,8 @@ public abstract class CheckArc extends ReportTask {
     @OutputFile
     public abstract RegularFileProperty getSarif();
 
-    @TaskAction
-    final void check() {
+    @Override
+    final List<String> question() {
         List<String> command = new ArrayList<>(List.of("check", "--profile", getProfile().get()));
         if (getWarningsFail().get()) {
             command.add("--strict");
@@ -44,7 +43,16 @@ public abstract class CheckArc extends ReportTask {
         if (getBaseline().isPresent()) {
             command.addAll(List.of("--baseline", shown(getBaseline().get().getAsFile())));
         }
-        ToolResult result = report(command, "sarif", getSarif());
+        return command;
+    }
+
+    @Override
+    final String machineReport() {
+        return "sarif=" + shown(getSarif().get().getAsFile());
+    }
+
+    @Override
+    final void praise(ToolResult result) {
         if (result.hasDetails()) {
             getLogger().warn(result.out().stripTrailing());
         }

@@ -3,7 +3,6 @@ package arcomat.gradle;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.OutputFile;
-import org.gradle.api.tasks.TaskAction;
 
 import java.util.List;
 
@@ -14,9 +13,13 @@ public abstract class CheckArcFormat extends ModelTask {
     @OutputFile
     public abstract RegularFileProperty getReport();
 
-    @TaskAction
-    final void checkFormat() {
-        ToolResult result = runOnModels(List.of("format", "--check"));
+    @Override
+    final List<String> command() {
+        return List.of("format", "--check");
+    }
+
+    @Override
+    final void conclude(ToolResult result) {
         Texts.write(getReport(), result.out());
         result.require(getLogger());
     }

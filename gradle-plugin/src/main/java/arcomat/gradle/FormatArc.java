@@ -1,6 +1,5 @@
 package arcomat.gradle;
 
-import org.gradle.api.tasks.TaskAction;
 import org.gradle.api.tasks.UntrackedTask;
 
 import java.util.List;
@@ -8,9 +7,13 @@ import java.util.List;
 /** Rewrites models in canonical form. */
 @UntrackedTask(because = "It writes what it reads.")
 public abstract class FormatArc extends ModelTask {
-    @TaskAction
-    final void format() {
-        ToolResult result = runOnModels(List.of("format"));
+    @Override
+    final List<String> command() {
+        return List.of("format");
+    }
+
+    @Override
+    final void conclude(ToolResult result) {
         result.require(getLogger());
         getLogger().lifecycle(result.out().stripTrailing());
     }

@@ -12,7 +12,6 @@ import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputDirectory;
 import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
-import org.gradle.api.tasks.TaskAction;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -50,8 +49,8 @@ public abstract class GenerateArc extends ModelTask {
     @OutputDirectory
     public abstract DirectoryProperty getOutput();
 
-    @TaskAction
-    final void generate() {
+    @Override
+    final List<String> command() {
         String target =
                 getTemplates().isPresent()
                         ? shown(getTemplates().get().getAsFile())
@@ -62,7 +61,11 @@ public abstract class GenerateArc extends ModelTask {
         if (getMain().isPresent()) {
             command.addAll(List.of("--main", getMain().get()));
         }
-        ToolResult result = runOnModels(command);
+        return command;
+    }
+
+    @Override
+    final void conclude(ToolResult result) {
         result.require(getLogger());
         getLogger().info(result.out().stripTrailing());
     }

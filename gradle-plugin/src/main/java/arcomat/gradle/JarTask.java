@@ -19,7 +19,11 @@ public abstract class JarTask extends ToolTask {
     @PathSensitive(PathSensitivity.RELATIVE)
     public abstract ConfigurableFileCollection getJars();
 
-    final List<File> jars() {
-        return getJars().getAsFileTree().getFiles().stream().sorted().toList();
+    /** What to do with a jar. */
+    abstract List<String> command(File jar);
+
+    @Override
+    final List<List<String>> commands() {
+        return getJars().getFiles().stream().sorted().map(this::command).toList();
     }
 }

@@ -25,10 +25,21 @@ public abstract class ModelTask extends ToolTask {
     @Input
     public abstract ListProperty<String> getRoots();
 
-    /** Runs a command on all models. */
-    final ToolResult runOnModels(List<String> command) {
-        List<String> arguments = new ArrayList<>(command);
-        getModels().getFiles().stream().map(this::shown).sorted().forEach(arguments::add);
-        return run(arguments);
+    /** What to do with the models: a command without their names. */
+    abstract List<String> command();
+
+    /** Tells what came of it; an exception fails the task. */
+    abstract void conclude(ToolResult result);
+
+    @Override
+    final List<List<String>> commands() {
+        List<String> command = new ArrayList<>(command());
+        getModels().getFiles().stream().map(this::shown).sorted().forEach(command::add);
+        return List.of(command);
+    }
+
+    @Override
+    final void conclude(List<ToolResult> results) {
+        results.forEach(this::conclude);
     }
 }

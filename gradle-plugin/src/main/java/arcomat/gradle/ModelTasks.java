@@ -46,6 +46,7 @@ final class ModelTasks {
                 .configure(task -> task.getReport().convention(report(task, "txt")));
         baselineArc();
         simulateArc();
+        gateArc();
     }
 
     private TaskProvider<CheckArc> checkArc() {
@@ -71,9 +72,7 @@ final class ModelTasks {
     private TaskProvider<TestArc> testArc() {
         TaskProvider<TestArc> provider =
                 register("testArc", TestArc.class, "Runs the stream tests of the models.");
-        String results = "test-results/testArc/TEST-arc.xml";
-        provider.configure(
-                task -> task.getJunitXml().convention(build.map(folder -> folder.file(results))));
+        provider.configure(task -> task.getJunitXml().convention(junitXml(task)));
         return provider;
     }
 
@@ -95,6 +94,17 @@ final class ModelTasks {
                         });
     }
 
+    private void gateArc() {
+        tasks.register(
+                "gateArc",
+                GateArc.class,
+                task -> {
+                    task.setDescription("Compares the models with what they were on main.");
+                    main.readBy(task);
+                    task.getJunitXml().convention(junitXml(task));
+                });
+    }
+
     private <T extends ModelTask> TaskProvider<T> register(
             String name, Class<T> type, String description) {
         return tasks.register(
@@ -105,6 +115,11 @@ final class ModelTasks {
                     main.readBy(task);
                     test.readBy(task);
                 });
+    }
+
+    private Provider<RegularFile> junitXml(ModelTask task) {
+        String file = "test-results/" + task.getName() + "/TEST-arc.xml";
+        return build.map(folder -> folder.file(file));
     }
 
     private Provider<RegularFile> report(ModelTask task, String ending) {

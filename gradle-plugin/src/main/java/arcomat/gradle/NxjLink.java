@@ -6,7 +6,6 @@ import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputDirectory;
-import org.gradle.api.tasks.TaskAction;
 import org.gradle.work.DisableCachingByDefault;
 
 import java.io.File;
@@ -24,25 +23,22 @@ public abstract class NxjLink extends JarTask {
     @OutputDirectory
     public abstract DirectoryProperty getOutput();
 
-    @TaskAction
-    final void link() {
+    @Override
+    final List<String> command(File jar) {
         if (!getNxjHome().isPresent()) {
             throw new GradleException(
                     "linking needs leJOS NXJ 0.9.1: install it, and set NXJ_HOME, or nxjHome in"
                             + " arcomat { .. }, to its folder");
         }
-        for (File jar : jars()) {
-            String name = jar.getName().replaceFirst("\\.jar$", ".nxj");
-            ToolResult result =
-                    run(
-                            List.of(
-                                    "link",
-                                    "--jar",
-                                    shown(jar),
-                                    "--out",
-                                    shown(getOutput().file(name).get().getAsFile()),
-                                    "--nxj-home",
-                                    getNxjHome().get()));
+        String name = jar.getName().replaceFirst("\\.jar$", ".nxj");
+        String program = shown(getOutput().file(name).get().getAsFile());
+        return List.of(
+                "link", "--jar", shown(jar), "--out", program, "--nxj-home", getNxjHome().get());
+    }
+
+    @Override
+    final void conclude(List<ToolResult> results) {
+        for (ToolResult result : results) {
             result.require(getLogger());
             getLogger().lifecycle(result.summary());
         }

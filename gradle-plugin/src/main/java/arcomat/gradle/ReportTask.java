@@ -18,18 +18,27 @@ public abstract class ReportTask extends ModelTask {
     @Internal
     public abstract Property<String> getLogFormat();
 
-    /**
-     * Runs a command on all models, writes the reports, and fails the task if the news is bad.
-     *
-     * @param machine the format that machines read
-     */
-    final ToolResult report(List<String> command, String machine, RegularFileProperty file) {
-        List<String> arguments = new ArrayList<>(command);
-        arguments.addAll(List.of("--format", getLogFormat().get()));
-        arguments.addAll(List.of("--report", "text=" + shown(getReport().get().getAsFile())));
-        arguments.addAll(List.of("--report", machine + "=" + shown(file.get().getAsFile())));
-        ToolResult result = runOnModels(arguments);
+    /** What to look for: a command without its reports. */
+    abstract List<String> question();
+
+    /** The report that machines read, as {@code FORMAT=FILE}. */
+    abstract String machineReport();
+
+    /** Tells good news. */
+    abstract void praise(ToolResult result);
+
+    @Override
+    final List<String> command() {
+        List<String> command = new ArrayList<>(question());
+        command.addAll(List.of("--format", getLogFormat().get()));
+        command.addAll(List.of("--report", "text=" + shown(getReport().get().getAsFile())));
+        command.addAll(List.of("--report", machineReport()));
+        return command;
+    }
+
+    @Override
+    final void conclude(ToolResult result) {
         result.require(getLogger());
-        return result;
+        praise(result);
     }
 }

@@ -3,7 +3,6 @@ package arcomat.gradle;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.Optional;
-import org.gradle.api.tasks.TaskAction;
 import org.gradle.api.tasks.UntrackedTask;
 import org.gradle.api.tasks.options.Option;
 
@@ -43,8 +42,8 @@ public abstract class SimulateArc extends ModelTask {
     @Option(option = "trace", description = "How to write what happened: table, csv, json.")
     public abstract Property<String> getTrace();
 
-    @TaskAction
-    final void simulate() {
+    @Override
+    final List<String> command() {
         List<String> command = new ArrayList<>(List.of("simulate"));
         add(command, "--main", getMain());
         add(command, "--slices", getSlices());
@@ -52,7 +51,11 @@ public abstract class SimulateArc extends ModelTask {
         add(command, "--choose", getChoose());
         add(command, "--input", getStreams());
         add(command, "--trace", getTrace());
-        ToolResult result = runOnModels(command);
+        return command;
+    }
+
+    @Override
+    final void conclude(ToolResult result) {
         result.require(getLogger());
         getLogger().quiet(result.out().stripTrailing());
     }

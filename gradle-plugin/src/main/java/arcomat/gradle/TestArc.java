@@ -9,7 +9,6 @@ import org.gradle.api.tasks.OutputFile;
 import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
 import org.gradle.api.tasks.SkipWhenEmpty;
-import org.gradle.api.tasks.TaskAction;
 
 import java.util.List;
 
@@ -29,9 +28,18 @@ public abstract class TestArc extends ReportTask {
     @OutputFile
     public abstract RegularFileProperty getJunitXml();
 
-    @TaskAction
-    final void test() {
-        ToolResult result = report(List.of("test"), "junit", getJunitXml());
+    @Override
+    final List<String> question() {
+        return List.of("test");
+    }
+
+    @Override
+    final String machineReport() {
+        return "junit=" + shown(getJunitXml().get().getAsFile());
+    }
+
+    @Override
+    final void praise(ToolResult result) {
         getLogger().info(result.out().stripTrailing());
     }
 }

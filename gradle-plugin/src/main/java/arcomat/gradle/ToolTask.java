@@ -1,25 +1,35 @@
 package arcomat.gradle;
 
+import org.gradle.api.Action;
 import org.gradle.api.DefaultTask;
+import org.gradle.api.Task;
 import org.gradle.api.file.ConfigurableFileCollection;
 import org.gradle.api.file.DirectoryProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.Classpath;
 import org.gradle.api.tasks.Internal;
+import org.gradle.api.tasks.TaskAction;
 import org.gradle.workers.WorkQueue;
 import org.gradle.workers.WorkerExecutor;
 
 import java.io.File;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 
 import javax.inject.Inject;
 
 /**
- * A task that runs a command of the tool, in a worker process: the build goes on with other tasks
- * meanwhile, and the process waits for the next command, in this build or a later one.
+ * A task that runs commands of the tool, in worker processes: the build goes on with other tasks
+ * meanwhile, and a process waits for the next command, in this build or a later one. There are two
+ * actions, for Gradle waits between them without keeping the project to itself, as it would while
+ * one action waits.
  */
 public abstract class ToolTask extends DefaultTask {
+    protected ToolTask() {
+        doLast(new Conclusion());
+    }
+
     /** The tool with all that it needs. */
     @Classpath
     public abstract ConfigurableFileCollection getTool();
@@ -35,12 +45,14 @@ public abstract class ToolTask extends DefaultTask {
     @Inject
     protected abstract WorkerExecutor getWorkers();
 
-    /** Runs a command and waits for its end. */
-    final ToolResult run(List<String> arguments) {
-        File out = new File(getTemporaryDir(), "out.txt");
-        File err = new File(getTemporaryDir(), "err.txt");
-        File status = new File(getTemporaryDir(), "status.txt");
-        getLogger().info("arcomat {}", String.join(" ", arguments));
+    /** What to run: commands with their arguments. */
+    abstract List<List<String>> commands();
+
+    /** Tells what came of the commands, in their order; an exception fails the task. */
+    abstract void conclude(List<ToolResult> results);
+
+    @TaskAction
+    final void start() {
         WorkQueue queue =
                 getWorkers()
                         .processIsolation(
@@ -49,18 +61,33 @@ public abstract class ToolTask extends DefaultTask {
                                     worker.getForkOptions().setMaxHeapSize(getMaxHeapSize().get());
                                     worker.getForkOptions().jvmArgs("-XX:+UseSerialGC");
                                 });
-        queue.submit(
-                ToolRun.class,
-                it -> {
-                    it.getDirectory().set(getDirectory());
-                    it.getArguments().set(arguments);
-                    it.getOut().set(out);
-                    it.getErr().set(err);
-                    it.getStatus().set(status);
-                });
-        queue.await();
-        return new ToolResult(
-                Integer.parseInt(Texts.read(status)), Texts.read(out), Texts.read(err));
+        int number = 0;
+        for (List<String> command : commands()) {
+            getLogger().info("arcomat {}", String.join(" ", command));
+            ToolOutput output = new ToolOutput(getTemporaryDir(), number++);
+            queue.submit(
+                    ToolRun.class,
+                    it -> {
+                        it.getDirectory().set(getDirectory());
+                        it.getArguments().set(command);
+                        it.getOut().set(output.out());
+                        it.getErr().set(output.err());
+                        it.getStatus().set(output.status());
+                    });
+        }
+    }
+
+    /** The second action. */
+    private static final class Conclusion implements Action<Task> {
+        @Override
+        public void execute(Task task) {
+            ToolTask it = (ToolTask) task;
+            List<ToolResult> results = new ArrayList<>();
+            for (int number = 0; number < it.commands().size(); number++) {
+                results.add(new ToolOutput(it.getTemporaryDir(), number).result());
+            }
+            it.conclude(results);
+        }
     }
 
     /** A file as the tool is told of it, and as it tells of it. */

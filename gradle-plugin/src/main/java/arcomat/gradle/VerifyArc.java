@@ -6,9 +6,7 @@ import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputFile;
-import org.gradle.api.tasks.TaskAction;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /** Proves all that models say they keep; what stays unknown fails as well. */
@@ -23,13 +21,20 @@ public abstract class VerifyArc extends ReportTask {
     @OutputFile
     public abstract RegularFileProperty getSarif();
 
-    @TaskAction
-    final void verify() {
-        List<String> command = new ArrayList<>(List.of("verify"));
-        if (getSeconds().isPresent()) {
-            command.addAll(List.of("--timeout", getSeconds().get().toString()));
-        }
-        ToolResult result = report(command, "sarif", getSarif());
+    @Override
+    final List<String> question() {
+        return getSeconds().isPresent()
+                ? List.of("verify", "--timeout", getSeconds().get().toString())
+                : List.of("verify");
+    }
+
+    @Override
+    final String machineReport() {
+        return "sarif=" + shown(getSarif().get().getAsFile());
+    }
+
+    @Override
+    final void praise(ToolResult result) {
         getLogger().info(result.out().stripTrailing());
     }
 }

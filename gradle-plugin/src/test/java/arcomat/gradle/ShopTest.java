@@ -31,7 +31,16 @@ class ShopTest {
 
     @Test
     void isBuiltOnceAndNeverAgain() {
-        BuildResult first = shop.build("build", "checkArcFormat", "--configuration-cache");
+        shop.write("templates/target.properties", "base = jvm\n");
+        shop.append(
+                "build.gradle",
+                """
+                tasks.register('generateArcMine', arcomat.gradle.GenerateArc) {
+                    templates = file('templates')
+                }
+                """);
+        String[] all = {"build", "checkArcFormat", "generateArcMine", "--configuration-cache"};
+        BuildResult first = shop.build(all);
         assertThat(outcomes(first))
                 .contains(
                         ":checkArc SUCCESS",
@@ -42,7 +51,8 @@ class ShopTest {
                         ":compileJava SUCCESS",
                         ":generateArcLejos SUCCESS",
                         ":nxtJar SUCCESS",
-                        ":brickCheck SUCCESS");
+                        ":brickCheck SUCCESS",
+                        ":generateArcMine SUCCESS");
         assertThat(shop.path("build/nxt/Rover.jar")).exists();
         assertThat(shop.path("build/classes/java/main/shop/logic/Bumper.class")).exists();
         assertThat(shop.read("build/test-results/testArc/TEST-arc.xml"))
@@ -50,7 +60,7 @@ class ShopTest {
         assertThat(shop.read("build/reports/arcomat/checkArc.txt"))
                 .isEqualTo("no findings in 5 files\n");
 
-        BuildResult second = shop.build("build", "checkArcFormat", "--configuration-cache");
+        BuildResult second = shop.build(all);
         assertThat(second.getOutput()).contains("Configuration cache entry reused.");
         assertThat(outcomes(second)).noneMatch(outcome -> outcome.endsWith(" SUCCESS"));
     }
@@ -112,18 +122,24 @@ class ShopTest {
 
     @Test
     void showsHowModelsBehave() {
-        shop.edit("src/test/arc/shop/BumperTest.mt", "halt", "go");
+        ConsumerProject.copy(shop.path("src/main/arc"), shop.path("base"));
+        shop.edit(BUMPER, "wheels = halt", "wheels = go");
         shop.write("src/test/arc/shop/Ramp.arc", RAMP);
 
-        BuildResult failed = shop.fail("testArc", "verifyArc", "--continue");
+        BuildResult failed =
+                shop.fail("testArc", "verifyArc", "gateArc", "--base=base", "--continue");
         assertThat(failed.getOutput())
                 .contains(
                         "Execution failed for task ':testArc'.\n> 0 passed, 1 failed",
                         "FAILED stops (line 4)",
                         "fails: shop.Ramp does not refine shop.Bumper",
-                        "Execution failed for task ':verifyArc'.\n> 0 hold, 1 fail, 0 unknown");
+                        "Execution failed for task ':verifyArc'.\n> 0 hold, 1 fail, 0 unknown",
+                        "shop.Bumper",
+                        "Execution failed for task ':gateArc'.")
+                .doesNotContain("Exception");
         assertThat(shop.read("build/test-results/testArc/TEST-arc.xml"))
                 .contains("tests=\"1\" failures=\"1\"");
+        assertThat(shop.read("build/test-results/gateArc/TEST-arc.xml")).contains("failures=\"2\"");
 
         shop.edit(BUMPER, "    port", "port");
         BuildResult shown =
@@ -139,7 +155,7 @@ class ShopTest {
 
             import shop.Shop.*;
 
-            /** Stops nowhere. */
+            /** Stops everywhere. */
             component Ramp refines Bumper {
                 port in Boolean wall, out Command wheels;
 
@@ -148,7 +164,7 @@ class ShopTest {
 
                     initial driving / {wheels = go};
 
-                    driving -> driving {wall == ?} / {wheels = go};
+                    driving -> driving {wall == ?} / {wheels = halt};
                 }
             }
             """;
