@@ -12,12 +12,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * A user's project, in a folder of its own. It takes plugin, tool and runtime from this build, so
- * that nothing is downloaded, and the Gradle that runs this test.
+ * A user's project, in a folder of its own. It takes plugin, tool and runtime from this build, or
+ * from what this build publishes, so that nothing is downloaded, and the Gradle that runs this test.
  */
 final class ConsumerProject {
     /** Shared by all tests: the daemon and the tool's process stay warm. */
@@ -33,10 +34,35 @@ final class ConsumerProject {
             """
                     .formatted(files("tool"), files("runtime"));
 
+    private static final String PUBLISHED =
+            """
+            pluginManagement {
+                repositories {
+                    maven { url = '%1$s' }
+                }
+            }
+            dependencyResolutionManagement {
+                repositories {
+                    maven { url = '%1$s' }
+                    def mirror = System.getenv('MAVEN_MIRROR_URL')
+                    if (mirror) {
+                        maven { url = mirror }
+                    }
+                    mavenCentral()
+                }
+            }
+            """;
+
     private final Path folder;
+    private final UnaryOperator<GradleRunner> origin;
+
+    private ConsumerProject(Path folder, UnaryOperator<GradleRunner> origin) {
+        this.folder = folder;
+        this.origin = origin;
+    }
 
     private ConsumerProject(Path folder) {
-        this.folder = folder;
+        this(folder, GradleRunner::withPluginClasspath);
     }
 
     /** The smallest project with a robot, of {@code src/test/projects/shop}. */
@@ -44,6 +70,28 @@ final class ConsumerProject {
         ConsumerProject project = copy(Path.of("src/test/projects/shop"), folder);
         project.append("build.gradle", TOOL_OF_THIS_BUILD);
         return project;
+    }
+
+    /**
+     * The same, with what is published in the folder {@code repository}; other libraries have been
+     * fetched already, for this build.
+     */
+    static ConsumerProject publishedShop(Path folder) {
+        copy(Path.of("src/test/projects/shop"), folder);
+        ConsumerProject project = new ConsumerProject(folder, ConsumerProject::withLibraries);
+        String repository = Path.of(System.getProperty("repository")).toUri().toString();
+        String settings = project.read("settings.gradle");
+        project.write("settings.gradle", PUBLISHED.formatted(repository) + settings);
+        String plugin = "id 'arcomat'";
+        String version = " version '" + System.getProperty("version") + "'";
+        project.edit("build.gradle", plugin, plugin + version);
+        return project;
+    }
+
+    private static GradleRunner withLibraries(GradleRunner runner) {
+        List<String> arguments = new ArrayList<>(runner.getArguments());
+        arguments.addAll(List.of("--gradle-user-home", System.getProperty("gradle.user.home")));
+        return runner.withArguments(arguments);
     }
 
     /** The coffee service, of {@code models/coffee}, without what was built there. */
@@ -133,11 +181,11 @@ final class ConsumerProject {
     private GradleRunner runner(String... arguments) {
         List<String> all = new ArrayList<>(List.of("--offline", "--console=plain"));
         all.addAll(List.of(arguments));
-        return GradleRunner.create()
-                .withGradleInstallation(new File(System.getProperty("gradle.home")))
-                .withTestKitDir(TEST_KIT.toFile())
-                .withPluginClasspath()
-                .withProjectDir(folder.toFile())
-                .withArguments(all);
+        return origin.apply(
+                GradleRunner.create()
+                        .withGradleInstallation(new File(System.getProperty("gradle.home")))
+                        .withTestKitDir(TEST_KIT.toFile())
+                        .withProjectDir(folder.toFile())
+                        .withArguments(all));
     }
 }
