@@ -18,7 +18,8 @@ import java.util.stream.Stream;
 
 /**
  * A user's project, in a folder of its own. It takes plugin, tool and runtime from this build, or
- * from what this build publishes, so that nothing is downloaded, and the Gradle that runs this test.
+ * from what this build publishes, so that nothing is downloaded, and the Gradle that runs this
+ * test.
  */
 final class ConsumerProject {
     /** Shared by all tests: the daemon and the tool's process stay warm. */

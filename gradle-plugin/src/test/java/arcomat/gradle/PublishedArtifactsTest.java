@@ -50,8 +50,7 @@ class PublishedArtifactsTest {
         List<Element> dependencies = elements(project, "dependency").toList();
         assertThat(dependencies)
                 .flatExtracting(dependency -> texts(dependency, "artifactId"))
-                .containsExactlyInAnyOrder(
-                        needed.isEmpty() ? new String[0] : needed.split(" "));
+                .containsExactlyInAnyOrder(needed.isEmpty() ? new String[0] : needed.split(" "));
         assertThat(texts(project, "version"))
                 .hasSize(dependencies.size() + 1)
                 .allMatch(version -> version.matches("\\d.*"))
