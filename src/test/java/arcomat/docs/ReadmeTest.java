@@ -118,11 +118,24 @@ class ReadmeTest {
         Files.writeString(file, text);
     }
 
+    /** Copies texts; what a build of them has left is none of them. */
     private static void copy(Path source, Path target) throws IOException {
         try (Stream<Path> files = Files.walk(source)) {
             for (Path file : files.filter(Files::isRegularFile).toList()) {
-                write(target.resolve(source.relativize(file).toString()), Files.readString(file));
+                Path path = source.relativize(file);
+                if (!isBuilt(path)) {
+                    write(target.resolve(path.toString()), Files.readString(file));
+                }
             }
         }
+    }
+
+    private static boolean isBuilt(Path path) {
+        for (Path name : path) {
+            if (name.toString().equals("build") || name.toString().startsWith(".")) {
+                return true;
+            }
+        }
+        return false;
     }
 }
