@@ -25,6 +25,15 @@ component BadFirst {
   port in Boolean i;
 }
 
+//// p/FirstTest.mt
+package p;
+testsuite FirstTest for BadFirst {
+  test isNotAskedWhichOne {
+    input { i: <true>; }
+    expect { }
+  }
+}
+
 //// p/Motor.arc
 package p;
 component Motor {

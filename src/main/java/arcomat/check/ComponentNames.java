@@ -64,7 +64,11 @@ final class ComponentNames {
 
     private static void reportAmbiguous(
             QualifiedName name, List<ComponentSymbol> candidates, Findings findings) {
-        List<String> names = candidates.stream().map(ComponentSymbol::qualifiedName).toList();
+        List<String> names =
+                candidates.stream().map(ComponentSymbol::qualifiedName).distinct().toList();
+        if (names.size() == 1) {
+            return; // A component that is there twice is told where it is declared.
+        }
         findings.report(
                 name,
                 "'"
