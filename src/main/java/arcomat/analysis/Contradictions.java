@@ -3,6 +3,7 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.RunErrors;
 import arcomat.analysis.game.Choices;
 import arcomat.analysis.game.Controllers;
 import arcomat.analysis.game.Cores;
@@ -41,11 +42,13 @@ public final class Contradictions {
         List<String> names = outputs.stream().map(Port::name).toList();
         Outputs numbers = new Outputs();
         this.choices = new Choices(outputs, numbers, budget);
+        boolean errors = promise.automata().stream().anyMatch(RunErrors::arePossible);
         for (Promise each : promise.each()) {
             requirements.add(
                     new Requirement(
                             new AtomicSide(each.behaviour(), names, numbers, budget),
                             each.automata().get(0),
+                            errors,
                             choices,
                             budget));
         }

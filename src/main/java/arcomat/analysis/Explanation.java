@@ -41,7 +41,7 @@ final class Explanation {
                             "%s allows %s%s"
                                     .formatted(
                                             right.title(),
-                                            allowed.error() ? "an error" : words(allowed.sent()),
+                                            allowed(allowed, forbidden.error().isPresent()),
                                             by(right, allowed.configuration(), allowed.causes())),
                             place(right, allowed.causes())));
         }
@@ -52,6 +52,18 @@ final class Explanation {
                             Optional.of(right.component().span())));
         }
         return sentences;
+    }
+
+    private static String allowed(Allowed allowed, boolean errorForbidden) {
+        if (allowed.error()) {
+            return "an error";
+        }
+        String words = words(allowed.sent());
+        return switch (words) {
+            case "nothing" -> "only silence";
+            case "anything" -> errorForbidden ? "any output, but no error" : words;
+            default -> words;
+        };
     }
 
     /** Ports that are left open are only mentioned where all are. */

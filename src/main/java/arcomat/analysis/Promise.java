@@ -1,5 +1,6 @@
 package arcomat.analysis;
 
+import arcomat.analysis.engine.RunErrors;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;

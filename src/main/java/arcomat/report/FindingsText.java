@@ -6,6 +6,7 @@ import arcomat.source.Severity;
 import arcomat.source.Span;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 
 /** Findings for people: where, what, the source line, related places, what to do. */
@@ -105,7 +106,12 @@ public final class FindingsText {
     }
 
     /** {@code 1 file}, {@code 2 files}. */
+    /** The same on every machine. */
+    static String digits(long number) {
+        return String.format(Locale.ROOT, "%,d", number);
+    }
+
     public static String count(long number, String noun) {
-        return number + " " + noun + (number == 1 ? "" : "s");
+        return digits(number) + " " + noun + (number == 1 ? "" : "s");
     }
 }

@@ -143,11 +143,11 @@ public final class VerdictText {
     }
 
     static String explored(Verdict verdict) {
-        return "explored %,d pairs of %,d and %,d configurations%s"
+        return "explored %s of %s and %s configurations%s"
                 .formatted(
-                        verdict.explored().pairs(),
-                        verdict.explored().left(),
-                        verdict.explored().right(),
+                        FindingsText.count(verdict.explored().pairs(), "pair"),
+                        FindingsText.digits(verdict.explored().left()),
+                        FindingsText.digits(verdict.explored().right()),
                         verdict.simulation()
                                 .map(
                                         s ->

@@ -41,11 +41,10 @@ record NaiveAutomata(Behaviour behaviour) implements NaiveMachine {
         if (state.contains(Configuration.ERROR)) {
             return found;
         }
-        boolean chaos = state.stream().allMatch(one -> one == Configuration.CHAOS);
         for (JointReaction reaction : behaviour.reactions(state, read(component(), input))) {
             List<Configuration> next = reaction.reactions().stream().map(Reaction::next).toList();
             boolean error = next.contains(Configuration.ERROR);
-            if (output == ERROR ? error || chaos : !error && allows(reaction.output(), output)) {
+            if (output == ERROR ? error : !error && allows(reaction.output(), output)) {
                 found.add(next);
             }
         }

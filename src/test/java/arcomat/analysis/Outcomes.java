@@ -222,12 +222,11 @@ final class Outcomes {
         return after;
     }
 
-    /** In the distinguished error, in a fault, or anything in chaos. */
+    /** In the distinguished error, or in a fault. */
     private static boolean mayEnd(StepRelation relation, Set<Configuration> before, Input input) {
         for (Configuration each : before) {
             List<Reaction> reactions = reactions(relation, each, input);
-            if (each == Configuration.CHAOS
-                    || reactions.isEmpty()
+            if (reactions.isEmpty()
                     || reactions.stream().anyMatch(r -> r.next() == Configuration.ERROR)) {
                 return true;
             }

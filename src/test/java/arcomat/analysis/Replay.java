@@ -129,10 +129,9 @@ public final class Replay {
                 List<Configuration> after =
                         reaction.reactions().stream().map(Reaction::next).toList();
                 boolean error = after.contains(Configuration.ERROR);
-                boolean chaos = each.stream().allMatch(one -> one == Configuration.CHAOS);
                 boolean allowed =
                         moment.error()
-                                ? error || chaos
+                                ? error
                                 : !error
                                         && allows(
                                                 behaviour.component().outputs(),

@@ -165,6 +165,12 @@ public final class AtomicSide implements Side {
         return chaotic.get(configuration);
     }
 
+    @Override
+    public boolean mayErr() {
+        return behaviour.relations().stream()
+                .anyMatch(relation -> RunErrors.arePossible(relation.automaton()));
+    }
+
     /** One configuration per automaton. */
     public List<Configuration> configuration(int number) {
         return configurations.get(number);

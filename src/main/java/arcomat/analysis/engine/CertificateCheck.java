@@ -85,7 +85,7 @@ public final class CertificateCheck {
                 for (int allowed : sent.allowed()) {
                     next.add(theirs.next()[allowed]);
                 }
-                if (next.stream().noneMatch(pairing.right::isChaos)
+                if (next.stream().noneMatch(pairing::isSettled)
                         && !covers(mine.next()[step], next)) {
                     problem =
                             "a step out of %s leads to %s, which is in no pair"

@@ -170,6 +170,11 @@ public final class CompositeSide implements Side {
     }
 
     @Override
+    public boolean mayErr() {
+        return RunErrors.arePossible(network);
+    }
+
+    @Override
     public String name(int configuration) {
         Whole whole = wholes.get(configuration);
         return whole.parts() + " " + whole.registers();

@@ -127,6 +127,11 @@ public final class HeldInputs implements Side {
     }
 
     @Override
+    public boolean mayErr() {
+        return side.mayErr();
+    }
+
+    @Override
     public String describe(int configuration) {
         return side.describe(states.get(configuration).inner);
     }

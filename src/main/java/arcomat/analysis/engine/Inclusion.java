@@ -19,8 +19,8 @@ import java.util.stream.IntStream;
 /**
  * Whether every trace of the left side is one of the right side: breadth first over a configuration
  * of the left and all configurations that the right may be in (subset construction). A pair is left
- * out where the right may be in chaos, where it simulates the left, or where a smaller set has been
- * met with the same configuration (antichain).
+ * out where the right may be in chaos and the left cannot err, where the right simulates the left,
+ * or where a smaller set has been met with the same configuration (antichain).
  *
  * <p>The counterexample is shortest, and among those has fewest messages, and among those comes
  * first in the order of declaration.
@@ -40,6 +40,7 @@ public final class Inclusion {
     private final Map<Integer, IntArrayList> largeSets = new HashMap<>();
     private boolean determined = true;
     private boolean chaosReached;
+    private int pairsInChaos;
     private Failure best;
     private final Map<List<Trace.Cause>, Failure> failures = new LinkedHashMap<>();
     private int level;
@@ -58,6 +59,7 @@ public final class Inclusion {
      * @param simulation whether the right side simulates the left one; empty where that was not
      *     decided
      * @param chaosReached whether some run is allowed only because the right side is in chaos
+     * @param promising pairs in which the right side is not in chaos
      * @param pairs how many were explored
      */
     public record Result(
@@ -65,6 +67,7 @@ public final class Inclusion {
             Optional<String> stopped,
             Optional<Boolean> simulation,
             boolean chaosReached,
+            long promising,
             long pairs) {}
 
     /**
@@ -159,7 +162,12 @@ public final class Inclusion {
                                 ? Optional.of(false)
                                 : determined ? Optional.of(true) : simulation.verdict();
         return new Result(
-                Optional.ofNullable(best), stopped, simulated, chaosReached, lefts.size());
+                Optional.ofNullable(best),
+                stopped,
+                simulated,
+                chaosReached,
+                lefts.size() - pairsInChaos,
+                lefts.size());
     }
 
     private void open() {
@@ -229,19 +237,19 @@ public final class Inclusion {
         return pairing.rightSteps(set, member, alphabet)[letter];
     }
 
-    /** The set after some of the steps; -1 where it holds chaos, which allows everything. */
+    /** The set after some of the steps; -1 where it holds chaos and nothing can be forbidden. */
     int successor(Steps theirs, int[] allowed) {
         if (allowed.length == 1) {
             theirs.use(allowed[0]);
             int next = theirs.next()[allowed[0]];
-            return pairing.right.isChaos(next) ? -1 : pairing.sets.singleton(next);
+            return pairing.isSettled(next) ? -1 : pairing.sets.singleton(next);
         }
         int[] members = new int[allowed.length];
         for (int i = 0; i < members.length; i++) {
             budget.insist();
             theirs.use(allowed[i]);
             members[i] = theirs.next()[allowed[i]];
-            if (pairing.right.isChaos(members[i])) {
+            if (pairing.isSettled(members[i])) {
                 return -1;
             }
         }
@@ -266,11 +274,22 @@ public final class Inclusion {
         if (pairing.sets.members(set).length > 1 && isCovered(left, set)) {
             return;
         }
+        noteChaos(set);
         nodes.indexInsert(slot, key, lefts.size());
         lefts.add(left);
         sets.add(set);
         parents.add(parent);
         costs.add(cost);
+    }
+
+    private void noteChaos(int set) {
+        for (int member : pairing.sets.members(set)) {
+            if (pairing.right.isChaos(member)) {
+                chaosReached = true;
+                pairsInChaos++;
+                return;
+            }
+        }
     }
 
     /** Whether a smaller set, or a member that simulates the configuration, settles the pair. */

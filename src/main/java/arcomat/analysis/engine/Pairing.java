@@ -30,6 +30,7 @@ final class Pairing {
     private final List<Port> observed;
     private final Split split;
     private final Budget budget;
+    private final boolean mayErr;
     private final int[] leftPositions;
     private final int[] rightPositions;
     private final Map<List<Integer>, Integer> focusLists = new HashMap<>();
@@ -48,12 +49,18 @@ final class Pairing {
         this.right = right;
         this.outputs = outputs;
         this.observed = observed;
+        this.mayErr = left.mayErr();
         boolean events = left.profile() == Component.Profile.EVENT_DRIVEN;
         this.split = new Split(observed, outputs, events, budget);
         List<String> names = left.inputs().stream().map(Port::name).toList();
         leftPositions = java.util.stream.IntStream.range(0, names.size()).toArray();
         rightPositions =
                 right.inputs().stream().mapToInt(port -> names.indexOf(port.name())).toArray();
+    }
+
+    /** Whether nothing can be forbidden any more: chaos allows all outputs, but no error. */
+    boolean isSettled(int rightConfiguration) {
+        return !mayErr && right.isChaos(rightConfiguration);
     }
 
     private final Rows leftRows = new Rows();
@@ -141,7 +148,7 @@ final class Pairing {
                 budget.insist();
                 Value[] own = rightLetter(alphabet.letter(letter));
                 known[letter] =
-                        isUnseenEvent(own)
+                        isUnseenEvent(own) && !right.isChaos(member)
                                 ? standing(member)
                                 : right.steps(member, alphabet.kind(focus, letter), own);
             }

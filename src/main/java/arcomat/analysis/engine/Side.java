@@ -34,8 +34,11 @@ public interface Side {
      */
     Steps steps(int configuration, long kind, Value[] letter);
 
-    /** Whether anything may happen from here on. */
+    /** Whether any output may be sent from here on; that a run ends in an error is not allowed. */
     boolean isChaos(int configuration);
+
+    /** Whether some run may end in an error; says yes where that is not sure. */
+    boolean mayErr();
 
     /** The configuration in words: the names of its states, values of its variables. */
     String describe(int configuration);

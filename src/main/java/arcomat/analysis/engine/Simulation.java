@@ -76,7 +76,7 @@ final class Simulation {
                 boolean answered = false;
                 for (int answer : sent.allowed()) {
                     int next = theirs.next()[answer];
-                    answered |= pairing.right.isChaos(next) || holds(mine.next()[step], next);
+                    answered |= pairing.isSettled(next) || holds(mine.next()[step], next);
                 }
                 if (!answered) {
                     return exhausted ? Optional.empty() : Optional.of(false);
@@ -142,7 +142,7 @@ final class Simulation {
      */
     private boolean demand(int owner, int left, Steps theirs, int[] allowed) {
         for (int answer : allowed) {
-            if (pairing.right.isChaos(theirs.next()[answer])) {
+            if (pairing.isSettled(theirs.next()[answer])) {
                 return true;
             }
         }

@@ -38,6 +38,7 @@ public final class Requirement {
 
     private final AtomicSide side;
     private final Automaton automaton;
+    private final boolean errors;
     private final Choices choices;
     private final Budget budget;
     private final int[] positions;
@@ -51,13 +52,16 @@ public final class Requirement {
 
     /**
      * @param side what the automaton asks for
+     * @param errors whether a run may end in an error by any of the requirements of a game
      * @param choices shared by all requirements of a game
      * @param budget of time and memory
      */
-    public Requirement(AtomicSide side, Automaton automaton, Choices choices, Budget budget) {
+    public Requirement(
+            AtomicSide side, Automaton automaton, boolean errors, Choices choices, Budget budget) {
         this.budget = budget;
         this.side = side;
         this.automaton = automaton;
+        this.errors = errors;
         this.choices = choices;
         this.positions = IntStream.range(0, side.inputs().size()).toArray();
     }
@@ -177,9 +181,14 @@ public final class Requirement {
         return new Reply(number, parts, all, list, lists);
     }
 
+    /** Chaos allows all outputs, but no error. */
+    private boolean isFree(int configuration) {
+        return !errors && side.isChaos(configuration);
+    }
+
     /** The set of one configuration. */
     int alone(int configuration) {
-        return side.isChaos(configuration) ? CHAOS : sets.singleton(configuration);
+        return isFree(configuration) ? CHAOS : sets.singleton(configuration);
     }
 
     /**
@@ -195,7 +204,7 @@ public final class Requirement {
         for (int cube : allowed) {
             for (int next : reply.next()[cube]) {
                 budget.insist();
-                if (side.isChaos(next)) {
+                if (isFree(next)) {
                     return CHAOS;
                 }
                 if (!members.contains(next)) {

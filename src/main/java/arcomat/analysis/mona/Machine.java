@@ -31,7 +31,7 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     /**
      * A configuration.
      *
-     * @param chaos anything may happen from here on
+     * @param chaos any output may be sent from here on
      */
     record State(String name, boolean chaos, List<Step> steps) {}
 

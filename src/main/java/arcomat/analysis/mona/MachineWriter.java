@@ -43,7 +43,7 @@ final class MachineWriter {
 
     /**
      * @param name of the predicate
-     * @param right whether it is on the right side, where states are hidden and chaos allows errors
+     * @param right whether it is on the right side, where states are hidden
      */
     MachineWriter(Question question, Machine machine, String name, boolean right) {
         this.question = question;
@@ -119,13 +119,12 @@ final class MachineWriter {
         List<Integer> numbers = Alternatives.number(steps.get(number));
         List<StepText> texts = new ArrayList<>();
         for (int i = 0; i < numbers.size(); i++) {
-            boolean anything = right && state.chaos();
-            texts.add(step(steps.get(number).get(i), numbers.get(i), anything));
+            texts.add(step(steps.get(number).get(i), numbers.get(i)));
         }
         return new StateText(state.name(), states.is(number, NOW), texts);
     }
 
-    private StepText step(Step step, int number, boolean anything) {
+    private StepText step(Step step, int number) {
         List<Condition> conditions = new ArrayList<>();
         for (int i = 0; i < step.inputs().size(); i++) {
             Track track = machine.inputs().get(i);
@@ -134,9 +133,7 @@ final class MachineWriter {
         if (!step.error()) {
             conditions.addAll(sent(step.sent(), NEXT, NOW));
         }
-        if (!anything) {
-            conditions.addAll(failing(NEXT, step.error()));
-        }
+        conditions.addAll(failing(NEXT, step.error()));
         conditions.addAll(reached(step, number, NEXT));
         conditions.removeIf(Condition::isTrue);
         return new StepText(origin(step), conditions);

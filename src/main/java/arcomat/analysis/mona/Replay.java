@@ -149,7 +149,9 @@ public final class Replay {
         }
         for (int state : before) {
             if (theirs.states().get(state).chaos()) {
-                after.add(state);
+                if (!error) {
+                    after.add(state);
+                }
                 continue;
             }
             for (Step step : theirs.states().get(state).steps()) {
