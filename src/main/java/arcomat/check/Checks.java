@@ -137,6 +137,11 @@ public final class Checks {
 
     private Checks() {}
 
+    /** Of every check: its code, and how bad it is to break it. */
+    public static List<Law> laws() {
+        return ALL.stream().map(Check::law).toList();
+    }
+
     /** The findings about all files of a workspace, ordered, each once. */
     public static List<Diagnostic> run(Workspace workspace, Profile profile) {
         return review(workspace, profile).findings();

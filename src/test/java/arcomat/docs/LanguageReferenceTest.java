@@ -21,11 +21,13 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -38,14 +40,72 @@ class LanguageReferenceTest {
                     "^(?:<<.*>> )?(?:component|automaton|classdiagram|testsuite) (\\w+)",
                     Pattern.MULTILINE);
 
+    private static final Path PAGE = Path.of("docs/language.md");
+
+    private static final List<String> GRAMMARS =
+            List.of("Arc", "Automaton", "ClassDiagram", "Expression", "IoTable", "StreamTest");
+
+    /** Types and literals; the page names them in its text. */
+    private static final Set<String> WORDS_OF_JAVA =
+            Set.of("boolean", "byte", "char", "double", "float", "int", "long", "new", "short");
+
+    private static final Pattern COMMENT = Pattern.compile("(?s)//[^\n]*|/\\*.*?\\*/");
+    private static final Pattern WORD = Pattern.compile("'([^']+)'");
+    private static final Pattern DEFINED = Pattern.compile("(?m)^(\\w+) *:=");
+    private static final Pattern USED = Pattern.compile("\\b[a-z]\\w*");
+
     private static List<Fence> examples;
 
     @BeforeAll
     static void readPage() throws IOException {
         examples =
-                Fence.of(Path.of("docs/language.md")).stream()
+                Fence.of(PAGE).stream()
                         .filter(fence -> LANGUAGES.contains(fence.language()))
                         .toList();
+    }
+
+    /** Examples of the language and its productions, and nothing that this test would not see. */
+    @Test
+    void nothingElseIsShown() throws IOException {
+        assertThat(Fence.of(PAGE))
+                .extracting(Fence::language)
+                .allMatch(language -> LANGUAGES.contains(language) || language.equals("ebnf"));
+    }
+
+    /** The words of the grammars are those of the productions. */
+    @Test
+    void productionsHaveTheWordsOfTheGrammars() throws IOException {
+        Set<String> written = new TreeSet<>();
+        for (Fence fence : productionsOnThePage()) {
+            WORD.matcher(fence.text()).results().forEach(word -> written.add(word.group(1)));
+        }
+        Set<String> wanted = new TreeSet<>();
+        for (String grammar : GRAMMARS) {
+            String rules = Files.readString(Path.of("grammar", grammar + ".g4"));
+            WORD.matcher(COMMENT.matcher(rules).replaceAll(""))
+                    .results()
+                    .forEach(word -> wanted.add(word.group(1)));
+        }
+        wanted.removeAll(WORDS_OF_JAVA);
+        wanted.addAll(Set.of("package", "import", "<<", ">>")); // in the grammar of all languages
+        assertThat(written).isEqualTo(wanted);
+    }
+
+    @Test
+    void productionsUseOnlyWhatIsDefined() throws IOException {
+        Set<String> defined = new TreeSet<>(Set.of("literal", "text", "javaBlock"));
+        Set<String> used = new TreeSet<>();
+        for (Fence fence : productionsOnThePage()) {
+            DEFINED.matcher(fence.text()).results().forEach(rule -> defined.add(rule.group(1)));
+            USED.matcher(WORD.matcher(fence.text()).replaceAll(""))
+                    .results()
+                    .forEach(rule -> used.add(rule.group()));
+        }
+        assertThat(defined).isEqualTo(used);
+    }
+
+    private static List<Fence> productionsOnThePage() throws IOException {
+        return Fence.of(PAGE).stream().filter(fence -> fence.language().equals("ebnf")).toList();
     }
 
     @Test

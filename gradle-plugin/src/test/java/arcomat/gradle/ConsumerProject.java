@@ -69,8 +69,18 @@ final class ConsumerProject {
     /** The smallest project with a robot, of {@code src/test/projects/shop}. */
     static ConsumerProject shop(Path folder) {
         ConsumerProject project = copy(Path.of("src/test/projects/shop"), folder);
-        project.append("build.gradle", TOOL_OF_THIS_BUILD);
+        project.useToolOfThisBuild();
         return project;
+    }
+
+    /** A project whose files are yet to be written. */
+    static ConsumerProject empty(Path folder) {
+        return new ConsumerProject(folder);
+    }
+
+    /** Says so in the build script, as it is now. */
+    void useToolOfThisBuild() {
+        append("build.gradle", TOOL_OF_THIS_BUILD);
     }
 
     /**

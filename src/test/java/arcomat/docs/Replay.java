@@ -1,0 +1,190 @@
+package arcomat.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.docs.Session.Step;
+
+import com.fasterxml.jackson.dataformat.yaml.YAMLMapper;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Does what a page tells its reader to do, block by block, and compares. What a block is for stands
+ * behind its opening fence:
+ *
+ * <ul>
+ *   <li>{@code console}: commands and what they print. Those of Gradle are tried by the tests of
+ *       the plugin.
+ *   <li>{@code arc shop/Robot.arc}: a file to be written, whatever its language. A command behind
+ *       it has to read it.
+ *   <li>{@code java of shop/Robot.java}: lines of a file, one that commands made or else one of
+ *       this project.
+ *   <li>{@code yaml}, {@code shell}, {@code groovy Jenkinsfile}: lines for a build server or this
+ *       project's build, in which commands are well-formed.
+ *   <li>{@code synopsis}: a command with the options that it has.
+ *   <li>{@code files}: what is where in this project.
+ * </ul>
+ *
+ * There are no other blocks.
+ */
+final class Replay {
+    private static final Pattern COMMAND = Pattern.compile("\\barcomat ([a-z-]+ [^'\"]*)");
+    private static final Pattern OPTION = Pattern.compile("--[a-z-]+");
+
+    private final Terminal terminal;
+    private final BuildTasks tasks;
+    private final boolean mona;
+
+    /** Files that no command has read yet, with the line of their block. */
+    private final Map<String, Integer> unread = new LinkedHashMap<>();
+
+    /** What the terminal shows instead of a block, where they differ. */
+    private final Map<Fence, Session> news = new LinkedHashMap<>();
+
+    /**
+     * @param mona whether sessions with the program MONA can be tried here
+     */
+    Replay(Path directory, BuildTasks tasks, boolean mona) {
+        this.terminal = new Terminal(directory);
+        this.tasks = tasks;
+        this.mona = mona;
+    }
+
+    Map<Fence, Session> run(List<Fence> fences) throws IOException {
+        for (Fence fence : fences) {
+            run(fence);
+        }
+        assertThat(unread).as("files that no command reads").isEmpty();
+        return news;
+    }
+
+    private void run(Fence fence) throws IOException {
+        String title = fence.title();
+        if (fence.language().equals("console")) {
+            if (mona || !title.equals("mona")) {
+                replay(fence);
+            }
+        } else if (title.startsWith("of ")) {
+            compare(fence, title.substring("of ".length()));
+        } else if (fence.language().equals("groovy") && !title.equals("Jenkinsfile")) {
+            assertThat(title).as(where(fence)).matches("(onto )?(build|settings)\\.gradle");
+            unread.put(title, fence.line());
+        } else if (!title.isEmpty() && !title.equals("Jenkinsfile")) {
+            write(fence);
+        } else {
+            runPlain(fence);
+        }
+    }
+
+    private void runPlain(Fence fence) throws IOException {
+        switch (fence.language()) {
+            case "yaml" -> {
+                new YAMLMapper().readTree(fence.text());
+                tryCommands(fence);
+            }
+            case "shell", "groovy" -> tryCommands(fence);
+            case "synopsis" -> tryOptions(fence);
+            case "files" -> fence.body().forEach(Replay::findFile);
+            default -> throw new AssertionError(where(fence) + ": nobody checks this block");
+        }
+    }
+
+    private void write(Fence fence) throws IOException {
+        Path file = terminal.directory().resolve(fence.title());
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, fence.text());
+        assertThat(unread.put(fence.title(), fence.line())).as(where(fence)).isNull();
+    }
+
+    private void compare(Fence fence, String name) throws IOException {
+        Path made = terminal.directory().resolve(name);
+        Path file = Files.exists(made) ? made : Path.of(name);
+        String text = Files.readString(file);
+        if (!new Lines(fence.text()).areIn(text)) {
+            assertThat(text).as(where(fence)).contains(fence.text());
+        }
+    }
+
+    private void replay(Fence fence) {
+        List<Step> shown = Session.of(fence).steps();
+        List<Step> actual = new ArrayList<>();
+        for (Step step : shown) {
+            noteFilesOf(step.command());
+            boolean elsewhere = step.command().startsWith("gradle ");
+            actual.add(elsewhere ? step : replay(step));
+        }
+        if (!actual.equals(shown)) {
+            news.put(fence, new Session(actual));
+        }
+    }
+
+    /** The step itself if it shows what happens. */
+    private Step replay(Step step) {
+        String actual = terminal.run(step.command()).printed() + "\n";
+        return new Lines(step.text()).describe(actual)
+                ? step
+                : new Step(step.command(), actual.lines().toList());
+    }
+
+    private void noteFilesOf(String command) {
+        List<String> words = List.of(command.split("[ ']+"));
+        unread.keySet().removeIf(file -> words.stream().anyMatch(word -> reads(word, file)));
+        if (words.contains("generate")) {
+            unread.keySet().removeIf(file -> file.startsWith("platform/"));
+        }
+        if (words.get(0).equals("gradle")) {
+            unread.keySet().removeIf(file -> file.endsWith(".gradle"));
+        }
+    }
+
+    private static boolean reads(String word, String file) {
+        return Path.of(file).startsWith(Path.of(word.replaceAll("#.*", "")));
+    }
+
+    /** The commands in a text for others are those that the command line accepts. */
+    private void tryCommands(Fence fence) {
+        for (String line : fence.body()) {
+            Matcher command = COMMAND.matcher(line);
+            if (command.find()) {
+                noteFilesOf(command.group());
+                accept(command.group(1), fence);
+            } else if (line.contains("./gradlew ")) {
+                tasks.find(line);
+                noteFilesOf("gradle");
+            }
+        }
+    }
+
+    private void accept(String arguments, Fence fence) {
+        List<String> words = new ArrayList<>(List.of(arguments.strip().split(" +")));
+        words.add("--help");
+        assertThat(terminal.arcomat(words).status()).as(where(fence) + ": " + arguments).isZero();
+    }
+
+    private void tryOptions(Fence fence) {
+        for (String line : fence.body()) {
+            String command = line.split(" ")[1];
+            String help = terminal.arcomat(List.of(command, "--help")).printed();
+            Matcher option = OPTION.matcher(line);
+            while (option.find()) {
+                assertThat(help).as(where(fence)).contains(option.group());
+            }
+        }
+    }
+
+    private static void findFile(String line) {
+        assertThat(Path.of(line.split(" ")[0])).exists();
+    }
+
+    private static String where(Fence fence) {
+        return "block at line " + fence.line();
+    }
+}
