@@ -56,6 +56,7 @@ class ArchitectureTest {
                             row("semantics model rt", "com.carrotsearch.hppc", "de.uni_freiburg")),
                     Map.entry("brick", row("", "org.objectweb.asm")),
                     Map.entry("simulate", row("semantics model rt")),
+                    Map.entry("diagram", row("model", "org.eclipse.elk", "org.eclipse.emf")),
                     Map.entry("generate", row("semantics model", "freemarker")),
                     Map.entry(
                             "report",
@@ -66,8 +67,10 @@ class ArchitectureTest {
                             "pipeline",
                             row(
                                     "syntax tree symbols check lower model semantics analysis"
-                                            + " simulate generate report brick rt sim",
-                                    "org.eclipse.jdt")),
+                                            + " simulate generate diagram report brick rt sim",
+                                    "org.eclipse.jdt",
+                                    "com.github.weisj",
+                                    "javax.imageio")),
                     Map.entry("cli", row("pipeline", "picocli")));
 
     /** What the pipeline hands out to the command line: data of other rooms. */

@@ -28,6 +28,7 @@ public final class Cli {
         COMMANDS.put("generate", GenerateCommand::new);
         COMMANDS.put("simulate", SimulateCommand::new);
         COMMANDS.put("test", TestCommand::new);
+        COMMANDS.put("diagram", DiagramCommand::new);
         COMMANDS.put("analyze", AnalyzeCommand::new);
         COMMANDS.put("refines", RefinesCommand::new);
         COMMANDS.put("verify", VerifyCommand::new);

@@ -55,8 +55,8 @@ record MainComponent(Component component, List<Value> arguments) {
                 "which component is to run? name it with --main; there are " + listing(model));
     }
 
-    private static Component component(String name, CheckedModels checked, Model model)
-            throws WrongUse {
+    /** By its name alone. */
+    static Component component(String name, CheckedModels checked, Model model) throws WrongUse {
         Optional<Component> found = model.component(name);
         if (found.isPresent()) {
             return found.get();

@@ -146,6 +146,15 @@ public final class Pipeline {
     }
 
     /**
+     * Draws components, automata and class diagrams.
+     *
+     * @throws WrongUse where there are none, or the folder cannot be written
+     */
+    public DiagramResult diagram(DiagramRequest request, List<String> paths) throws WrongUse {
+        return DiagramStep.run(request, paths, names, progress);
+    }
+
+    /**
      * Compares two components.
      *
      * @throws WrongUse where the request does not fit the models

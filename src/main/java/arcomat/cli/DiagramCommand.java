@@ -1,0 +1,81 @@
+package arcomat.cli;
+
+import arcomat.pipeline.DiagramRequest;
+import arcomat.pipeline.DiagramRequest.Format;
+import arcomat.pipeline.DiagramResult;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.FindingsText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** {@code arcomat diagram}: pictures of models. */
+@CommandLine.Command(
+        name = "diagram",
+        description = "Draws components with their parts, automata and class diagrams.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat diagram --out build/pictures models/coffee",
+            "  arcomat diagram --component coffee.fetcher.Fetcher --out build/fetcher"
+                + " models/coffee",
+            "  arcomat diagram --format png --out build/pictures models/coffee",
+            "",
+            "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
+            "write. Each picture is a file by the name of what it shows; index.html shows them all."
+        })
+final class DiagramCommand extends Command {
+    private static final int DEEPEST = 1000;
+
+    @Option(
+            names = "--component",
+            paramLabel = "QNAME",
+            description = "Only this component; may be given again. All that PATH names if absent.")
+    private List<String> components = new ArrayList<>();
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            defaultValue = "svg",
+            description = "How to write pictures: ${COMPLETION-CANDIDATES}; default svg.")
+    private Format format;
+
+    @Option(
+            names = "--depth",
+            paramLabel = "N",
+            description = "Show N levels of parts inside a component; all if absent.")
+    private int depth = DEEPEST;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            required = true,
+            description = "The folder to write, which is replaced as a whole.")
+    private String out;
+
+    @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
+    private List<String> paths;
+
+    DiagramCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        if (depth < 0) {
+            throw new WrongUse("--depth " + depth + " is no number of levels");
+        }
+        DiagramResult result =
+                pipeline.diagram(new DiagramRequest(components, format, out, depth), paths);
+        if (result.check().hasErrors()) {
+            return reportErrors(result.check());
+        }
+        print(FindingsText.render(result.check().findings(), console.style()));
+        printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
+        return ExitStatus.FINE;
+    }
+}

@@ -1,0 +1,117 @@
+package arcomat.diagram;
+
+import arcomat.diagram.Graph.Edge;
+import arcomat.diagram.Graph.End;
+import arcomat.diagram.Graph.Form;
+import arcomat.diagram.Graph.Line;
+import arcomat.diagram.Graph.Node;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Variable;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/**
+ * An automaton as the paper draws it (its Figs. 3, 5 and 6). States, transitions and beginnings are
+ * named by their index in the automaton.
+ */
+public final class AutomatonGraph {
+    private AutomatonGraph() {}
+
+    public static Graph of(Component component, Automaton automaton) {
+        List<Node> nodes = new ArrayList<>();
+        List<Edge> edges = new ArrayList<>();
+        for (int i = 0; i < automaton.initials().size(); i++) {
+            Automaton.Initial initial = automaton.initials().get(i);
+            nodes.add(Node.leaf(Mark.of("start", dot(i), initial.span()), Form.DOT, List.of()));
+            edges.add(
+                    new Edge(
+                            Mark.unplaced("arrow", dot(i)),
+                            End.of(dot(i)),
+                            End.of(state(initial.state())),
+                            caption(
+                                    Mark.of("initial", String.valueOf(i), initial.span()),
+                                    TransitionText.label(initial))));
+        }
+        for (int i = 0; i < automaton.states().size(); i++) {
+            Mark mark = Mark.of("state", state(i), automaton.places().get(i));
+            nodes.add(Node.leaf(mark, Form.ROUND, List.of(Line.plain(automaton.states().get(i)))));
+        }
+        edges.addAll(arrows(automaton));
+        Node frame =
+                new Node(
+                        Mark.of("frame", "", automaton.span()),
+                        Form.BOX,
+                        title(component, automaton),
+                        List.of(),
+                        nodes,
+                        edges,
+                        0);
+        return new Graph(component.title(automaton), List.of(frame), List.of(), Graph.Flow.RIGHT);
+    }
+
+    /** Transitions between the same states share an arrow, named by all of them. */
+    private static List<Edge> arrows(Automaton automaton) {
+        Map<String, List<Integer>> shared = new LinkedHashMap<>();
+        for (int i = 0; i < automaton.transitions().size(); i++) {
+            Automaton.Transition each = automaton.transitions().get(i);
+            shared.computeIfAbsent(each.source() + " " + each.target(), key -> new ArrayList<>())
+                    .add(i);
+        }
+        return shared.values().stream().map(indices -> arrow(automaton, indices)).toList();
+    }
+
+    private static Edge arrow(Automaton automaton, List<Integer> indices) {
+        Automaton.Transition first = automaton.transitions().get(indices.get(0));
+        String name = indices.stream().map(String::valueOf).collect(Collectors.joining(" "));
+        List<Graph.Caption> captions = new ArrayList<>();
+        indices.forEach(index -> captions.addAll(caption(automaton, index)));
+        return new Edge(
+                Mark.of("arrow", name, first.span()),
+                End.of(state(first.source())),
+                End.of(state(first.target())),
+                captions);
+    }
+
+    private static List<Graph.Caption> caption(Mark mark, List<Line> lines) {
+        return lines.isEmpty() ? List.of() : List.of(new Graph.Caption(mark, lines));
+    }
+
+    private static List<Graph.Caption> caption(Automaton automaton, int index) {
+        Automaton.Transition transition = automaton.transitions().get(index);
+        String story =
+                automaton.states().get(transition.source())
+                        + " -> "
+                        + automaton.states().get(transition.target())
+                        + " "
+                        + TransitionText.full(transition);
+        return caption(
+                Mark.of("transition", String.valueOf(index), transition.span()).telling(story),
+                TransitionText.label(transition));
+    }
+
+    private static List<Line> title(Component component, Automaton automaton) {
+        List<Line> lines = new ArrayList<>();
+        lines.add(Line.bold(component.title(automaton)));
+        for (Variable variable : automaton.variables()) {
+            lines.add(Line.small(TypeNames.of(variable.type()) + " " + variable.name()));
+        }
+        lines.add(
+                Line.small(
+                        "completion: " + automaton.completion().name().toLowerCase(Locale.ROOT)));
+        return lines;
+    }
+
+    private static String state(int index) {
+        return String.valueOf(index);
+    }
+
+    private static String dot(int index) {
+        return "initial " + index;
+    }
+}

@@ -1,0 +1,114 @@
+package arcomat.diagram;
+
+import arcomat.diagram.Graph.Edge;
+import arcomat.diagram.Graph.End;
+import arcomat.diagram.Graph.Form;
+import arcomat.diagram.Graph.Line;
+import arcomat.diagram.Graph.Node;
+import arcomat.model.Component;
+import arcomat.model.Component.Part;
+import arcomat.model.Port;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/**
+ * A component with its parts, ports and connectors as the paper draws them (its Fig. 2): inputs on
+ * the left, outputs on the right, sensors before logic before actuators. Parts and ports are named
+ * by their path from the component.
+ */
+public final class ComponentGraph {
+    private final int depth;
+
+    private ComponentGraph(int depth) {
+        this.depth = depth;
+    }
+
+    /**
+     * @param depth how many levels of parts are shown: 1 for the parts as closed boxes
+     */
+    public static Graph of(Component component, int depth) {
+        ComponentGraph drawing = new ComponentGraph(depth);
+        Mark mark = Mark.of("frame", "", component.span());
+        List<Line> title = List.of(Line.bold(component.qualifiedName()));
+        Node frame = drawing.node(mark, title, component, "", 0);
+        return new Graph(component.qualifiedName(), List.of(frame), List.of(), Graph.Flow.RIGHT);
+    }
+
+    private Node node(Mark mark, List<Line> title, Component component, String path, int level) {
+        List<Graph.Port> ports = ports(component, path);
+        if (!(component.body() instanceof Component.Composite composite) || level >= depth) {
+            return new Node(mark, Form.BOX, title, ports, List.of(), List.of(), rank(component));
+        }
+        List<Node> parts = new ArrayList<>();
+        for (Part part : composite.parts()) {
+            parts.add(part(part, path, level));
+        }
+        List<Edge> edges = new ArrayList<>();
+        for (Component.Connection connection : composite.connections()) {
+            String name = connection.source() + " -> " + connection.target();
+            edges.add(
+                    new Edge(
+                            Mark.of("connector", path + name, connection.span()).telling(name),
+                            end(connection.source(), path),
+                            end(connection.target(), path),
+                            List.of()));
+        }
+        return new Node(mark, Form.BOX, title, ports, parts, edges, rank(component));
+    }
+
+    private Node part(Part part, String path, int level) {
+        Component component = part.component();
+        Mark mark =
+                Mark.of("part", path + part.name(), part.span())
+                        .styled(style(component))
+                        .telling(part.name() + ": " + component.qualifiedName());
+        String arguments =
+                part.arguments().isEmpty()
+                        ? ""
+                        : part.arguments().stream()
+                                .map(ExpressionText::of)
+                                .collect(Collectors.joining(", ", "(", ")"));
+        String type = component.name() + arguments;
+        List<Line> title = List.of(Line.bold(part.name()), Line.small(type));
+        return node(mark, title, component, path + part.name() + ".", level + 1);
+    }
+
+    private static String style(Component component) {
+        return component.layer().name().toLowerCase(Locale.ROOT);
+    }
+
+    private static int rank(Component component) {
+        return component.layer().ordinal();
+    }
+
+    private static End end(Component.Endpoint endpoint, String path) {
+        String node = endpoint.part().map(part -> path + part).orElse(null);
+        return new End(Optional.ofNullable(node), Optional.of(path + endpoint));
+    }
+
+    private static List<Graph.Port> ports(Component component, String path) {
+        List<Graph.Port> ports = new ArrayList<>();
+        for (Port port : component.ports()) {
+            Mark mark =
+                    Mark.of("port", path + port.name(), port.span())
+                            .telling(
+                                    (port.isInput() ? "in " : "out ")
+                                            + TypeNames.of(port.type())
+                                            + " "
+                                            + port.name());
+            if (port.delay() > 0) {
+                mark = mark.styled("delayed").telling("one slice later");
+            } else {
+                mark = mark.styled("instant");
+            }
+            ports.add(
+                    new Graph.Port(
+                            mark, port.isInput(), port.name() + ": " + TypeNames.of(port.type())));
+        }
+        return ports;
+    }
+}

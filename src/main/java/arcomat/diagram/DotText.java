@@ -1,0 +1,111 @@
+package arcomat.diagram;
+
+import arcomat.diagram.Graph.Edge;
+import arcomat.diagram.Graph.End;
+import arcomat.diagram.Graph.Line;
+import arcomat.diagram.Graph.Node;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Writes a graph in the language of Graphviz, whose programs find places of their own. */
+public final class DotText {
+    private final StringBuilder text = new StringBuilder();
+    private final Map<String, String> names = new HashMap<>();
+
+    private DotText() {}
+
+    public static String render(Graph graph) {
+        DotText dot = new DotText();
+        dot.text.append("digraph " + quoted(graph.title()) + " {\n");
+        dot.text.append("  rankdir=" + (graph.flow() == Graph.Flow.RIGHT ? "LR" : "TB") + ";\n");
+        dot.text.append("  node [shape=box, fontname=Helvetica, fontsize=12];\n");
+        dot.text.append("  edge [fontname=Helvetica, fontsize=10];\n");
+        graph.roots().forEach(node -> dot.node(node, "  "));
+        dot.edges(graph.edges(), "", "  ");
+        return dot.text.append("}\n").toString();
+    }
+
+    private void node(Node node, String indent) {
+        if (node.children().isEmpty()) {
+            String shape =
+                    switch (node.form()) {
+                        case BOX -> "";
+                        case ROUND -> ", style=rounded";
+                        case DOT -> ", shape=point";
+                        case CARD -> "";
+                    };
+            text.append(indent + key(node.name()) + " [label=" + label(node.lines()))
+                    .append(shape + "];\n");
+            return;
+        }
+        text.append(indent + "subgraph " + quoted("cluster " + node.name()) + " {\n");
+        String deeper = indent + "  ";
+        text.append(deeper + "label=" + label(node.lines()) + ";\n");
+        for (Graph.Port port : node.ports()) {
+            text.append(deeper + key("port " + port.mark().name()) + " [label=")
+                    .append(quoted(port.label()) + ", shape=plain];\n");
+        }
+        node.children().forEach(child -> node(child, deeper));
+        node.children().stream()
+                .filter(child -> !child.children().isEmpty())
+                .forEach(child -> names.put(child.name(), ""));
+        edges(node.edges(), node.name(), deeper);
+        text.append(indent + "}\n");
+    }
+
+    private void edges(List<Edge> edges, String holder, String indent) {
+        for (Edge edge : edges) {
+            text.append(indent + key(end(edge.source())) + " -> " + key(end(edge.target())));
+            String ports = ends(edge);
+            String label = edge.captions().isEmpty() ? ports : ", label=" + label(lines(edge));
+            text.append(label.isEmpty() ? ";\n" : " [" + label.substring(2) + "];\n");
+        }
+    }
+
+    /** Closed boxes have no places for ports; their names stand at the ends of the edge. */
+    private String ends(Edge edge) {
+        return atEnd("taillabel", edge.source()) + atEnd("headlabel", edge.target());
+    }
+
+    private String atEnd(String attribute, End end) {
+        if (end.port().isEmpty() || end.node().isEmpty() || names.containsKey(end.node().get())) {
+            return "";
+        }
+        String path = end.port().get();
+        return ", " + attribute + "=" + quoted(path.substring(path.lastIndexOf('.') + 1));
+    }
+
+    private String end(End end) {
+        Optional<String> open =
+                end.node().isEmpty() || names.containsKey(end.node().get())
+                        ? end.port()
+                        : Optional.empty();
+        return open.map(port -> "port " + port).orElseGet(() -> end.node().orElse(""));
+    }
+
+    private static List<Line> lines(Edge edge) {
+        return edge.captions().stream().flatMap(caption -> caption.lines().stream()).toList();
+    }
+
+    private static String key(String name) {
+        return quoted(name);
+    }
+
+    private static String label(List<Line> lines) {
+        return lines.stream()
+                .map(line -> escaped(line.text()))
+                .collect(Collectors.joining("\\n", "\"", "\""));
+    }
+
+    private static String quoted(String raw) {
+        return "\"" + escaped(raw) + "\"";
+    }
+
+    private static String escaped(String raw) {
+        return raw.replace("\\", "\\\\").replace("\"", "\\\"").replace("\n", "\\n");
+    }
+}

@@ -1,0 +1,117 @@
+package arcomat.diagram;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What is to be drawn: nested nodes with ports and labelled edges, without places.
+ *
+ * @param title of the whole picture
+ * @param roots the outermost nodes
+ * @param edges between the outermost nodes
+ * @param flow where edges lead
+ */
+public record Graph(String title, List<Node> roots, List<Edge> edges, Flow flow) {
+    public Graph {
+        roots = List.copyOf(roots);
+        edges = List.copyOf(edges);
+    }
+
+    public enum Flow {
+        RIGHT,
+        DOWN
+    }
+
+    /** How a node is drawn. */
+    public enum Form {
+        /** A rectangle. */
+        BOX,
+        /** A rectangle with round corners. */
+        ROUND,
+        /** A dot where an automaton begins. */
+        DOT,
+        /** A rectangle with a title and, below a line, all plain lines. */
+        CARD
+    }
+
+    /**
+     * @param lines texts inside, above the children
+     * @param rank nodes of a lower rank stand on the left of those of a higher
+     * @param edges between its children and its own ports
+     */
+    public record Node(
+            Mark mark,
+            Form form,
+            List<Line> lines,
+            List<Port> ports,
+            List<Node> children,
+            List<Edge> edges,
+            int rank) {
+        public Node {
+            lines = List.copyOf(lines);
+            ports = List.copyOf(ports);
+            children = List.copyOf(children);
+            edges = List.copyOf(edges);
+        }
+
+        static Node leaf(Mark mark, Form form, List<Line> lines) {
+            return new Node(mark, form, lines, List.of(), List.of(), List.of(), 0);
+        }
+
+        String name() {
+            return mark.name();
+        }
+
+        boolean isOpen() {
+            return !children.isEmpty();
+        }
+    }
+
+    /** A line of text. */
+    public record Line(String text, Lettering lettering) {
+        static Line plain(String text) {
+            return new Line(text, Lettering.PLAIN);
+        }
+
+        static Line bold(String text) {
+            return new Line(text, Lettering.BOLD);
+        }
+
+        static Line small(String text) {
+            return new Line(text, Lettering.SMALL);
+        }
+    }
+
+    /**
+     * @param left whether it stands on the left side, as inputs do
+     */
+    public record Port(Mark mark, boolean left, String label) {}
+
+    /**
+     * @param captions beside it, one below the other; may be empty
+     */
+    public record Edge(Mark mark, End source, End target, List<Caption> captions) {
+        public Edge {
+            captions = List.copyOf(captions);
+        }
+    }
+
+    /** Lines that belong together, such as the label of a transition. */
+    public record Caption(Mark mark, List<Line> lines) {
+        public Caption {
+            lines = List.copyOf(lines);
+        }
+    }
+
+    /**
+     * Where an edge begins or ends.
+     *
+     * @param node by name; empty for the node that holds the edge
+     * @param port by name; empty for the node itself
+     */
+    public record End(Optional<String> node, Optional<String> port) {
+        static End of(String node) {
+            return new End(Optional.of(node), Optional.empty());
+        }
+    }
+}

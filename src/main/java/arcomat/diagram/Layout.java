@@ -1,0 +1,227 @@
+package arcomat.diagram;
+
+import arcomat.diagram.Graph.Edge;
+import arcomat.diagram.Graph.Form;
+import arcomat.diagram.Graph.Node;
+
+import org.eclipse.elk.alg.layered.options.EdgeLabelSideSelection;
+import org.eclipse.elk.alg.layered.options.LayeredOptions;
+import org.eclipse.elk.core.RecursiveGraphLayoutEngine;
+import org.eclipse.elk.core.math.ElkMargin;
+import org.eclipse.elk.core.math.ElkPadding;
+import org.eclipse.elk.core.math.KVector;
+import org.eclipse.elk.core.options.CoreOptions;
+import org.eclipse.elk.core.options.Direction;
+import org.eclipse.elk.core.options.EdgeLabelPlacement;
+import org.eclipse.elk.core.options.EdgeRouting;
+import org.eclipse.elk.core.options.NodeLabelPlacement;
+import org.eclipse.elk.core.options.PortConstraints;
+import org.eclipse.elk.core.options.PortLabelPlacement;
+import org.eclipse.elk.core.options.PortSide;
+import org.eclipse.elk.core.options.SizeConstraint;
+import org.eclipse.elk.core.util.IndividualSpacings;
+import org.eclipse.elk.core.util.NullElkProgressMonitor;
+import org.eclipse.elk.graph.ElkConnectableShape;
+import org.eclipse.elk.graph.ElkEdge;
+import org.eclipse.elk.graph.ElkGraphElement;
+import org.eclipse.elk.graph.ElkLabel;
+import org.eclipse.elk.graph.ElkNode;
+import org.eclipse.elk.graph.ElkPort;
+import org.eclipse.elk.graph.util.ElkGraphUtil;
+
+import java.util.EnumSet;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Finds a place for everything, by the layered method of the Eclipse Layout Kernel: ports on the
+ * sides, edges in right angles, labels beside the edges.
+ */
+public final class Layout {
+    static final double PORT = 9;
+    static final double DOT = 11;
+
+    /** Labels without a text are ignored; this one is never shown. */
+    private static final String LABEL = "label";
+
+    /** Around the text of a node. */
+    private static final double PADDING = 10;
+
+    /** Above and below the title of a node. */
+    private static final double TITLE = 8;
+
+    private static final double PORT_ROW = 20;
+    private static final double NARROWEST = 60;
+    private static final double LOWEST = 34;
+
+    final Map<Node, ElkNode> nodes = new IdentityHashMap<>();
+    final Map<Graph.Port, ElkPort> ports = new IdentityHashMap<>();
+    final Map<Edge, ElkEdge> edges = new IdentityHashMap<>();
+
+    private final Direction direction;
+
+    private Layout(Graph graph) {
+        direction = graph.flow() == Graph.Flow.RIGHT ? Direction.RIGHT : Direction.DOWN;
+    }
+
+    public static Picture of(Graph graph) {
+        Layout layout = new Layout(graph);
+        ElkNode root = ElkGraphUtil.createGraph();
+        layout.layered(root, graph.roots(), false);
+        root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
+        graph.roots().forEach(node -> layout.add(node, root, true));
+        layout.connect(graph.edges(), graph.roots(), null, root);
+        new RecursiveGraphLayoutEngine().layout(root, new NullElkProgressMonitor());
+        return new Placement(layout).picture(graph, root);
+    }
+
+    private void layered(ElkNode node, List<Node> children, boolean crowded) {
+        node.setProperty(CoreOptions.ALGORITHM, LayeredOptions.ALGORITHM_ID);
+        node.setProperty(LayeredOptions.DIRECTION, direction);
+        node.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
+        node.setProperty(LayeredOptions.SPACING_NODE_NODE, 28.0);
+        node.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, crowded ? 32.0 : 44.0);
+        node.setProperty(LayeredOptions.SPACING_EDGE_NODE, 16.0);
+        node.setProperty(LayeredOptions.SPACING_EDGE_EDGE, 12.0);
+        node.setProperty(LayeredOptions.SPACING_EDGE_NODE_BETWEEN_LAYERS, 18.0);
+        node.setProperty(LayeredOptions.SPACING_EDGE_EDGE_BETWEEN_LAYERS, 12.0);
+        node.setProperty(LayeredOptions.SPACING_EDGE_LABEL, 4.0);
+        node.setProperty(LayeredOptions.SPACING_LABEL_LABEL, 4.0);
+        node.setProperty(LayeredOptions.SPACING_NODE_SELF_LOOP, 14.0);
+        node.setProperty(LayeredOptions.SPACING_PORT_PORT, PORT_ROW - PORT);
+        node.setProperty(LayeredOptions.SPACING_LABEL_PORT_HORIZONTAL, 4.0);
+        node.setProperty(
+                LayeredOptions.EDGE_LABELS_SIDE_SELECTION, EdgeLabelSideSelection.ALWAYS_UP);
+        node.setProperty(LayeredOptions.CONSIDER_MODEL_ORDER_PORT_MODEL_ORDER, false);
+        if (children.stream().mapToInt(Node::rank).distinct().count() > 1) {
+            node.setProperty(LayeredOptions.PARTITIONING_ACTIVATE, true);
+        }
+    }
+
+    private void add(Node node, ElkNode parent, boolean outermost) {
+        ElkNode made = ElkGraphUtil.createNode(parent);
+        nodes.put(node, made);
+        made.setProperty(LayeredOptions.PARTITIONING_PARTITION, node.rank());
+        size(node, made);
+        labels(node, made);
+        node.ports().forEach(port -> add(port, made, outermost));
+        made.setProperty(
+                LayeredOptions.PORT_LABELS_PLACEMENT,
+                outermost && node.isOpen()
+                        ? EnumSet.of(
+                                PortLabelPlacement.OUTSIDE,
+                                PortLabelPlacement.NEXT_TO_PORT_IF_POSSIBLE)
+                        : PortLabelPlacement.inside());
+        made.setProperty(LayeredOptions.PORT_CONSTRAINTS, PortConstraints.FIXED_SIDE);
+        if (node.isOpen()) {
+            boolean crowded = node.edges().stream().anyMatch(edge -> !edge.captions().isEmpty());
+            layered(made, node.children(), crowded);
+            made.setProperty(LayeredOptions.PADDING, new ElkPadding(18));
+            node.children().forEach(child -> add(child, made, false));
+            connect(node.edges(), node.children(), node, made);
+        }
+    }
+
+    /**
+     * A closed node has its title on top, and below it inputs on the left, outputs on the right.
+     */
+    private static void size(Node node, ElkNode made) {
+        if (node.form() == Form.DOT) {
+            made.setDimensions(DOT, DOT);
+            return;
+        }
+        TextSize title = TextSize.ofLines(node.lines());
+        double top = title.height() + 2 * TITLE;
+        if (node.isOpen() || !node.ports().isEmpty()) {
+            IndividualSpacings spacings = new IndividualSpacings();
+            spacings.setProperty(
+                    LayeredOptions.SPACING_PORTS_SURROUNDING,
+                    new ElkMargin(top, 0, PADDING - PORT / 2, 0));
+            made.setProperty(CoreOptions.SPACING_INDIVIDUAL, spacings);
+        }
+        double left = widestPort(node, true);
+        double right = widestPort(node, false);
+        double ports = left + right + (left > 0 && right > 0 ? 2 * PADDING : PADDING);
+        double width = Math.max(NARROWEST, Math.max(title.width() + 2 * PADDING, ports));
+        made.setProperty(
+                LayeredOptions.NODE_SIZE_CONSTRAINTS,
+                EnumSet.of(SizeConstraint.PORTS, SizeConstraint.MINIMUM_SIZE));
+        made.setProperty(
+                LayeredOptions.NODE_SIZE_MINIMUM, new KVector(width, Math.max(LOWEST, top)));
+    }
+
+    private static double widestPort(Node node, boolean left) {
+        return node.ports().stream()
+                .filter(port -> port.left() == left)
+                .mapToDouble(port -> Lettering.SMALL.width(port.label()) + PORT)
+                .max()
+                .orElse(0);
+    }
+
+    private static void labels(Node node, ElkNode made) {
+        if (node.lines().isEmpty()) {
+            return;
+        }
+        label(node.lines(), made);
+        boolean top = node.isOpen() || !node.ports().isEmpty();
+        made.setProperty(
+                LayeredOptions.NODE_LABELS_PLACEMENT,
+                top ? NodeLabelPlacement.insideTopCenter() : NodeLabelPlacement.insideCenter());
+        made.setProperty(LayeredOptions.NODE_LABELS_PADDING, new ElkPadding(TITLE, PADDING));
+    }
+
+    private static ElkLabel label(List<Graph.Line> lines, ElkGraphElement owner) {
+        ElkLabel label = ElkGraphUtil.createLabel(owner);
+        TextSize size = TextSize.ofLines(lines);
+        label.setText(LABEL);
+        label.setDimensions(size.width(), size.height());
+        return label;
+    }
+
+    private void add(Graph.Port port, ElkNode owner, boolean outermost) {
+        ElkPort made = ElkGraphUtil.createPort(owner);
+        ports.put(port, made);
+        made.setDimensions(PORT, PORT);
+        made.setProperty(LayeredOptions.PORT_SIDE, port.left() ? PortSide.WEST : PortSide.EAST);
+        made.setProperty(LayeredOptions.PORT_BORDER_OFFSET, -PORT / 2);
+        label(List.of(Graph.Line.small(port.label())), made);
+    }
+
+    private void connect(List<Edge> added, List<Node> children, Node owner, ElkNode holder) {
+        for (Edge edge : added) {
+            ElkEdge made =
+                    ElkGraphUtil.createSimpleEdge(
+                            end(edge.source(), children, owner),
+                            end(edge.target(), children, owner));
+            ElkGraphUtil.updateContainment(made);
+            edges.put(edge, made);
+            if (!edge.captions().isEmpty()) {
+                ElkLabel label = ElkGraphUtil.createLabel(made);
+                TextSize size = TextSize.of(edge.captions());
+                label.setText(LABEL);
+                label.setDimensions(size.width(), size.height());
+                label.setProperty(LayeredOptions.EDGE_LABELS_PLACEMENT, EdgeLabelPlacement.CENTER);
+            }
+        }
+    }
+
+    private ElkConnectableShape end(Graph.End end, List<Node> children, Node owner) {
+        Node node =
+                end.node().isEmpty()
+                        ? owner
+                        : children.stream()
+                                .filter(child -> child.name().equals(end.node().get()))
+                                .findFirst()
+                                .orElseThrow();
+        if (end.port().isEmpty()) {
+            return nodes.get(node);
+        }
+        String wanted = end.port().get();
+        return node.ports().stream()
+                .filter(port -> port.mark().name().equals(wanted))
+                .findFirst()
+                .map(ports::get)
+                .orElseThrow();
+    }
+}

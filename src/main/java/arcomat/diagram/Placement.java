@@ -1,0 +1,134 @@
+package arcomat.diagram;
+
+import arcomat.diagram.Graph.Edge;
+import arcomat.diagram.Graph.Form;
+import arcomat.diagram.Graph.Node;
+import arcomat.diagram.Picture.Box;
+import arcomat.diagram.Picture.Element;
+import arcomat.diagram.Picture.Point;
+import arcomat.diagram.Picture.Shape;
+
+import org.eclipse.elk.core.math.KVector;
+import org.eclipse.elk.core.math.KVectorChain;
+import org.eclipse.elk.core.util.ElkUtil;
+import org.eclipse.elk.graph.ElkEdge;
+import org.eclipse.elk.graph.ElkLabel;
+import org.eclipse.elk.graph.ElkNode;
+import org.eclipse.elk.graph.ElkPort;
+import org.eclipse.elk.graph.ElkShape;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reads from a graph with a layout where everything is. */
+final class Placement {
+    private static final double ROUND = 9;
+
+    /** Between a line across and the texts above and below. */
+    private static final double DIVIDER = 3;
+
+    private final Layout layout;
+    private final List<Element> elements = new ArrayList<>();
+
+    Placement(Layout layout) {
+        this.layout = layout;
+    }
+
+    Picture picture(Graph graph, ElkNode root) {
+        graph.roots().forEach(node -> place(node, 0, 0));
+        graph.edges().forEach(edge -> place(edge, 0, 0));
+        return new Picture(graph.title(), root.getWidth(), root.getHeight(), elements);
+    }
+
+    private void place(Node node, double x, double y) {
+        ElkNode placed = layout.nodes.get(node);
+        Box box = box(placed).moved(x, y);
+        List<Shape> shapes = new ArrayList<>();
+        switch (node.form()) {
+            case BOX, CARD -> shapes.add(new Picture.Rectangle(box, 3));
+            case ROUND -> shapes.add(new Picture.Rectangle(box, ROUND));
+            case DOT ->
+                    shapes.add(
+                            new Picture.Circle(
+                                    new Point(
+                                            box.x() + box.width() / 2, box.y() + box.height() / 2),
+                                    box.width() / 2));
+        }
+        if (!node.lines().isEmpty()) {
+            Box label = box(placed.getLabels().get(0)).moved(box.x(), box.y());
+            shapes.addAll(
+                    node.form() == Form.CARD
+                            ? card(node.lines(), label, box)
+                            : texts(node.lines(), label, true));
+        }
+        elements.add(new Element(node.mark(), shapes));
+        node.children().forEach(child -> place(child, box.x(), box.y()));
+        node.edges().forEach(edge -> place(edge, box.x(), box.y()));
+        node.ports().forEach(port -> place(port, box.x(), box.y()));
+    }
+
+    private void place(Graph.Port port, double x, double y) {
+        ElkPort placed = layout.ports.get(port);
+        Box box = box(placed).moved(x, y);
+        List<Shape> shapes = new ArrayList<>();
+        shapes.add(new Picture.Rectangle(box, 0));
+        Box label = box(placed.getLabels().get(0)).moved(box.x(), box.y());
+        shapes.addAll(texts(List.of(Graph.Line.small(port.label())), label, false));
+        elements.add(new Element(port.mark(), shapes));
+    }
+
+    private void place(Edge edge, double x, double y) {
+        ElkEdge placed = layout.edges.get(edge);
+        KVectorChain chain = ElkUtil.createVectorChain(placed.getSections().get(0));
+        List<Point> points = new ArrayList<>();
+        for (KVector point : chain) {
+            points.add(new Point(point.x + x, point.y + y));
+        }
+        elements.add(new Element(edge.mark(), List.of(new Picture.Arrow(points))));
+        for (ElkLabel label : placed.getLabels()) {
+            place(edge.captions(), box(label).moved(x, y));
+        }
+    }
+
+    private void place(List<Graph.Caption> captions, Box box) {
+        double below = 0;
+        for (Graph.Caption caption : captions) {
+            double height = TextSize.ofLines(caption.lines()).height();
+            Box own = new Box(box.x(), box.y() + below, box.width(), height);
+            elements.add(new Element(caption.mark(), texts(caption.lines(), own, true)));
+            below += height + TextSize.GAP;
+        }
+    }
+
+    private static Box box(ElkShape shape) {
+        return new Box(shape.getX(), shape.getY(), shape.getWidth(), shape.getHeight());
+    }
+
+    /** A title, a line across, and what stands below it. */
+    private static List<Shape> card(List<Graph.Line> lines, Box label, Box box) {
+        List<Graph.Line> title =
+                lines.stream().filter(line -> line.lettering() != Lettering.PLAIN).toList();
+        List<Graph.Line> members =
+                lines.stream().filter(line -> line.lettering() == Lettering.PLAIN).toList();
+        double height = TextSize.ofLines(title).height();
+        List<Shape> shapes = texts(title, label.moved(0, -DIVIDER), true);
+        double y = label.y() + height;
+        shapes.add(new Picture.Line(new Point(box.x(), y), new Point(box.x() + box.width(), y)));
+        shapes.addAll(texts(members, label.moved(0, height + DIVIDER), false));
+        return shapes;
+    }
+
+    /** Lines below each other in a box, in its middle or at its left. */
+    private static List<Shape> texts(List<Graph.Line> lines, Box box, boolean centred) {
+        List<Shape> texts = new ArrayList<>();
+        double y = box.y();
+        for (Graph.Line line : lines) {
+            double width = line.lettering().width(line.text());
+            double x = centred ? box.x() + (box.width() - width) / 2 : box.x();
+            double height = line.lettering().lineHeight();
+            texts.add(new Picture.Text(new Box(x, y, width, height), line));
+            y += height;
+        }
+        return texts;
+    }
+}

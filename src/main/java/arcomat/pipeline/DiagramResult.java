@@ -1,0 +1,15 @@
+package arcomat.pipeline;
+
+import java.util.List;
+
+/**
+ * What came of a wish for pictures.
+ *
+ * @param check with errors, nothing was written
+ * @param files paths in the output folder
+ */
+public record DiagramResult(CheckResult check, List<String> files) {
+    public DiagramResult {
+        files = List.copyOf(files);
+    }
+}
