@@ -11,10 +11,13 @@ import arcomat.model.Variable;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * An automaton as the paper draws it (its Figs. 3, 5 and 6). States, transitions and beginnings are
@@ -38,7 +41,7 @@ public final class AutomatonGraph {
                                     Mark.of("initial", String.valueOf(i), initial.span()),
                                     TransitionText.label(initial))));
         }
-        for (int i = 0; i < automaton.states().size(); i++) {
+        for (int i : inOrderOfVisit(automaton)) {
             Mark mark = Mark.of("state", state(i), automaton.places().get(i));
             nodes.add(Node.leaf(mark, Form.ROUND, List.of(Line.plain(automaton.states().get(i)))));
         }
@@ -52,7 +55,22 @@ public final class AutomatonGraph {
                         nodes,
                         edges,
                         0);
-        return new Graph(component.title(automaton), List.of(frame), List.of(), Graph.Flow.RIGHT);
+        return new Graph(component.title(automaton), List.of(frame), List.of(), Graph.Flow.EITHER);
+    }
+
+    /** From the beginnings on, nearest first: so the picture is read. */
+    private static Set<Integer> inOrderOfVisit(Automaton automaton) {
+        Set<Integer> order = new LinkedHashSet<>();
+        automaton.initials().forEach(initial -> order.add(initial.state()));
+        List<Integer> open = new ArrayList<>(order);
+        for (int i = 0; i < open.size(); i++) {
+            int state = open.get(i);
+            automaton.transitions().stream()
+                    .filter(each -> each.source() == state && order.add(each.target()))
+                    .forEach(each -> open.add(each.target()));
+        }
+        IntStream.range(0, automaton.states().size()).forEach(order::add);
+        return order;
     }
 
     /** Transitions between the same states share an arrow, named by all of them. */

@@ -21,7 +21,7 @@ public final class DotText {
     public static String render(Graph graph) {
         DotText dot = new DotText();
         dot.text.append("digraph " + quoted(graph.title()) + " {\n");
-        dot.text.append("  rankdir=" + (graph.flow() == Graph.Flow.RIGHT ? "LR" : "TB") + ";\n");
+        dot.text.append("  rankdir=LR;\n");
         dot.text.append("  node [shape=box, fontname=Helvetica, fontsize=12];\n");
         dot.text.append("  edge [fontname=Helvetica, fontsize=10];\n");
         graph.roots().forEach(node -> dot.node(node, "  "));

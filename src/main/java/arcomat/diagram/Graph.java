@@ -19,7 +19,8 @@ public record Graph(String title, List<Node> roots, List<Edge> edges, Flow flow)
 
     public enum Flow {
         RIGHT,
-        DOWN
+        /** To the right or down, whichever makes a picture that fits a page better. */
+        EITHER
     }
 
     /** How a node is drawn. */
@@ -62,8 +63,9 @@ public record Graph(String title, List<Node> roots, List<Edge> edges, Flow flow)
             return mark.name();
         }
 
+        /** Whether it shows what is inside. */
         boolean isOpen() {
-            return !children.isEmpty();
+            return !children.isEmpty() || !edges.isEmpty();
         }
     }
 

@@ -4,8 +4,10 @@ import arcomat.diagram.Graph.Edge;
 import arcomat.diagram.Graph.Form;
 import arcomat.diagram.Graph.Node;
 
+import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.eclipse.elk.alg.layered.options.EdgeLabelSideSelection;
 import org.eclipse.elk.alg.layered.options.LayeredOptions;
+import org.eclipse.elk.alg.layered.options.OrderingStrategy;
 import org.eclipse.elk.core.RecursiveGraphLayoutEngine;
 import org.eclipse.elk.core.math.ElkMargin;
 import org.eclipse.elk.core.math.ElkPadding;
@@ -40,6 +42,10 @@ import java.util.Map;
  */
 public final class Layout {
     static final double PORT = 9;
+
+    /** A picture that is not wider fits a page; people rather scroll down than aside. */
+    private static final double PAGE = 1100;
+
     static final double DOT = 11;
 
     /** Labels without a text are ignored; this one is never shown. */
@@ -49,7 +55,10 @@ public final class Layout {
     private static final double PADDING = 10;
 
     /** Above and below the title of a node. */
-    private static final double TITLE = 8;
+    static final double TITLE = 8;
+
+    /** Around what is inside an open node. */
+    private static final double INSIDE = 18;
 
     private static final double PORT_ROW = 20;
     private static final double NARROWEST = 60;
@@ -57,16 +66,25 @@ public final class Layout {
 
     final Map<Node, ElkNode> nodes = new IdentityHashMap<>();
     final Map<Graph.Port, ElkPort> ports = new IdentityHashMap<>();
-    final Map<Edge, ElkEdge> edges = new IdentityHashMap<>();
+    final Map<Edge, List<ElkEdge>> edges = new IdentityHashMap<>();
 
     private final Direction direction;
 
-    private Layout(Graph graph) {
-        direction = graph.flow() == Graph.Flow.RIGHT ? Direction.RIGHT : Direction.DOWN;
+    private Layout(Direction direction) {
+        this.direction = direction;
     }
 
     public static Picture of(Graph graph) {
-        Layout layout = new Layout(graph);
+        Picture right = of(graph, Direction.RIGHT);
+        if (graph.flow() == Graph.Flow.RIGHT || right.width() <= PAGE) {
+            return right;
+        }
+        Picture down = of(graph, Direction.DOWN);
+        return down.width() < right.width() ? down : right;
+    }
+
+    private static Picture of(Graph graph, Direction direction) {
+        Layout layout = new Layout(direction);
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
         root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
@@ -79,6 +97,7 @@ public final class Layout {
     private void layered(ElkNode node, List<Node> children, boolean crowded) {
         node.setProperty(CoreOptions.ALGORITHM, LayeredOptions.ALGORITHM_ID);
         node.setProperty(LayeredOptions.DIRECTION, direction);
+        node.setProperty(LayeredOptions.CYCLE_BREAKING_STRATEGY, CycleBreakingStrategy.MODEL_ORDER);
         node.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE, 28.0);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, crowded ? 32.0 : 44.0);
@@ -93,7 +112,8 @@ public final class Layout {
         node.setProperty(LayeredOptions.SPACING_LABEL_PORT_HORIZONTAL, 4.0);
         node.setProperty(
                 LayeredOptions.EDGE_LABELS_SIDE_SELECTION, EdgeLabelSideSelection.ALWAYS_UP);
-        node.setProperty(LayeredOptions.CONSIDER_MODEL_ORDER_PORT_MODEL_ORDER, false);
+        node.setProperty(
+                LayeredOptions.CONSIDER_MODEL_ORDER_STRATEGY, OrderingStrategy.PREFER_NODES);
         if (children.stream().mapToInt(Node::rank).distinct().count() > 1) {
             node.setProperty(LayeredOptions.PARTITIONING_ACTIVATE, true);
         }
@@ -117,7 +137,8 @@ public final class Layout {
         if (node.isOpen()) {
             boolean crowded = node.edges().stream().anyMatch(edge -> !edge.captions().isEmpty());
             layered(made, node.children(), crowded);
-            made.setProperty(LayeredOptions.PADDING, new ElkPadding(18));
+            double top = TextSize.ofLines(node.lines()).height() + 2 * TITLE + PADDING;
+            made.setProperty(LayeredOptions.PADDING, new ElkPadding(top, INSIDE, INSIDE, INSIDE));
             node.children().forEach(child -> add(child, made, false));
             connect(node.edges(), node.children(), node, made);
         }
@@ -160,11 +181,11 @@ public final class Layout {
     }
 
     private static void labels(Node node, ElkNode made) {
-        if (node.lines().isEmpty()) {
+        if (node.lines().isEmpty() || node.isOpen()) {
             return;
         }
         label(node.lines(), made);
-        boolean top = node.isOpen() || !node.ports().isEmpty();
+        boolean top = !node.ports().isEmpty();
         made.setProperty(
                 LayeredOptions.NODE_LABELS_PLACEMENT,
                 top ? NodeLabelPlacement.insideTopCenter() : NodeLabelPlacement.insideCenter());
@@ -190,12 +211,14 @@ public final class Layout {
 
     private void connect(List<Edge> added, List<Node> children, Node owner, ElkNode holder) {
         for (Edge edge : added) {
-            ElkEdge made =
-                    ElkGraphUtil.createSimpleEdge(
-                            end(edge.source(), children, owner),
-                            end(edge.target(), children, owner));
-            ElkGraphUtil.updateContainment(made);
-            edges.put(edge, made);
+            ElkConnectableShape source = end(edge.source(), children, owner);
+            ElkConnectableShape target = end(edge.target(), children, owner);
+            if (edge.source().node().isEmpty() && edge.target().node().isEmpty()) {
+                edges.put(edge, through(source, holder, target));
+                continue;
+            }
+            ElkEdge made = connect(source, target);
+            edges.put(edge, List.of(made));
             if (!edge.captions().isEmpty()) {
                 ElkLabel label = ElkGraphUtil.createLabel(made);
                 TextSize size = TextSize.of(edge.captions());
@@ -204,6 +227,21 @@ public final class Layout {
                 label.setProperty(LayeredOptions.EDGE_LABELS_PLACEMENT, EdgeLabelPlacement.CENTER);
             }
         }
+    }
+
+    /** From port to port of one node, by way of a point inside. */
+    private static List<ElkEdge> through(
+            ElkConnectableShape source, ElkNode holder, ElkConnectableShape target) {
+        ElkNode point = ElkGraphUtil.createNode(holder);
+        point.setDimensions(1, 1);
+        point.setProperty(LayeredOptions.PARTITIONING_PARTITION, 1);
+        return List.of(connect(source, point), connect(point, target));
+    }
+
+    private static ElkEdge connect(ElkConnectableShape source, ElkConnectableShape target) {
+        ElkEdge edge = ElkGraphUtil.createSimpleEdge(source, target);
+        ElkGraphUtil.updateContainment(edge);
+        return edge;
     }
 
     private ElkConnectableShape end(Graph.End end, List<Node> children, Node owner) {

@@ -9,7 +9,6 @@ import arcomat.diagram.Picture.Point;
 import arcomat.diagram.Picture.Shape;
 
 import org.eclipse.elk.core.math.KVector;
-import org.eclipse.elk.core.math.KVectorChain;
 import org.eclipse.elk.core.util.ElkUtil;
 import org.eclipse.elk.graph.ElkEdge;
 import org.eclipse.elk.graph.ElkLabel;
@@ -55,7 +54,7 @@ final class Placement {
                                     box.width() / 2));
         }
         if (!node.lines().isEmpty()) {
-            Box label = box(placed.getLabels().get(0)).moved(box.x(), box.y());
+            Box label = title(node, placed).moved(box.x(), box.y());
             shapes.addAll(
                     node.form() == Form.CARD
                             ? card(node.lines(), label, box)
@@ -65,6 +64,12 @@ final class Placement {
         node.children().forEach(child -> place(child, box.x(), box.y()));
         node.edges().forEach(edge -> place(edge, box.x(), box.y()));
         node.ports().forEach(port -> place(port, box.x(), box.y()));
+    }
+
+    private static Box title(Node node, ElkNode placed) {
+        return node.isOpen()
+                ? new Box(0, Layout.TITLE, placed.getWidth(), 0)
+                : box(placed.getLabels().get(0));
     }
 
     private void place(Graph.Port port, double x, double y) {
@@ -78,14 +83,15 @@ final class Placement {
     }
 
     private void place(Edge edge, double x, double y) {
-        ElkEdge placed = layout.edges.get(edge);
-        KVectorChain chain = ElkUtil.createVectorChain(placed.getSections().get(0));
+        List<ElkEdge> placed = layout.edges.get(edge);
         List<Point> points = new ArrayList<>();
-        for (KVector point : chain) {
-            points.add(new Point(point.x + x, point.y + y));
+        for (ElkEdge piece : placed) {
+            for (KVector point : ElkUtil.createVectorChain(piece.getSections().get(0))) {
+                points.add(new Point(point.x + x, point.y + y));
+            }
         }
         elements.add(new Element(edge.mark(), List.of(new Picture.Arrow(points))));
-        for (ElkLabel label : placed.getLabels()) {
+        for (ElkLabel label : placed.get(0).getLabels()) {
             place(edge.captions(), box(label).moved(x, y));
         }
     }

@@ -1,0 +1,73 @@
+package arcomat.diagram;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.lower.Lowering;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.models.ModelFiles;
+import arcomat.symbols.Workspace;
+import arcomat.syntax.Parser;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+
+import org.junit.jupiter.api.Test;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** In a picture nothing lies upon anything else, and it is always the same. */
+class LayoutTest {
+    private static final int ALL = 100;
+
+    private static String svg(Graph graph) {
+        return SvgText.render(Layout.of(graph), Theme.ADAPTIVE, place -> Optional.empty());
+    }
+
+    private static List<Graph> graphs(Model model) {
+        List<Graph> graphs = new ArrayList<>();
+        for (Component component : model.components()) {
+            graphs.add(ComponentGraph.of(component, ALL));
+            for (Automaton automaton : component.automata()) {
+                graphs.add(AutomatonGraph.of(component, automaton));
+            }
+        }
+        return graphs;
+    }
+
+    @Test
+    void coffeeService() {
+        Workspace workspace =
+                Workspace.of(
+                        ModelFiles.of(Path.of("models/coffee")).stream()
+                                .map(file -> Parser.parse(file).unit().orElseThrow())
+                                .toList(),
+                        Set.of());
+        List<Graph> graphs = graphs(Lowering.lower(workspace));
+        assertThat(graphs).hasSizeGreaterThan(30);
+        for (Graph graph : graphs) {
+            String svg = svg(graph);
+            assertThat(Overlaps.in(svg)).as(graph.title()).isEmpty();
+            assertThat(svg(graph)).isEqualTo(svg);
+        }
+    }
+
+    @Property(tries = 150)
+    void anyComposition(@ForAll @IntRange(min = 0) int seed) {
+        Graph graph = ComponentGraph.of(RandomModels.composite(seed), ALL);
+        assertThat(Overlaps.in(svg(graph))).isEmpty();
+    }
+
+    @Property(tries = 150)
+    void anyAutomaton(@ForAll @IntRange(min = 0) int seed) {
+        Component component = RandomModels.automaton(seed);
+        Graph graph = AutomatonGraph.of(component, component.automata().get(0));
+        assertThat(Overlaps.in(svg(graph))).isEmpty();
+    }
+}
