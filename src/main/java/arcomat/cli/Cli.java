@@ -41,6 +41,7 @@ public final class Cli {
         COMMANDS.put("monitor", MonitorCommand::new);
         COMMANDS.put("check-brick", CheckBrickCommand::new);
         COMMANDS.put("run-brick", RunBrickCommand::new);
+        COMMANDS.put("world", WorldCommand::new);
         COMMANDS.put("link", LinkCommand::new);
         COMMANDS.put("explain", ExplainCommand::new);
     }

@@ -3,7 +3,6 @@ package arcomat.pipeline;
 import arcomat.sim.Laboratory;
 import arcomat.sim.Outcome;
 import arcomat.sim.SimulatedBrick;
-import arcomat.sim.load.Program;
 import arcomat.sim.script.Action;
 import arcomat.sim.script.ParsedScript;
 import arcomat.sim.script.Script;
@@ -17,15 +16,12 @@ import arcomat.source.SourceFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /** Runs a robot's jar on a simulated brick: the very classes that go on the brick. */
 final class BrickRunStep {
     private static final String BROKEN_SCRIPT = "ARC0808";
-    private static final String CLASS = ".class";
     private static final long MILLISECONDS = 1000;
 
     /** How long a run goes on where nothing says, behind the script's last line. */
@@ -52,7 +48,7 @@ final class BrickRunStep {
 
     private static BrickRunResult.Run run(JarReader jar, Script script, long end) {
         try (Laboratory laboratory = new Laboratory()) {
-            SimulatedBrick brick = laboratory.place(jar.main(), program(jar));
+            SimulatedBrick brick = laboratory.place(jar.main(), jar.program());
             Recorder recorder = new Recorder();
             brick.observe(recorder);
             brick.play(script);
@@ -64,18 +60,6 @@ final class BrickRunStep {
                     brick.outcome().failure(),
                     screen(brick));
         }
-    }
-
-    private static Program program(JarReader jar) {
-        Map<String, byte[]> classes = new HashMap<>();
-        jar.classes()
-                .forEach(
-                        each -> {
-                            int length = each.path().length() - CLASS.length();
-                            String name = each.path().substring(0, length).replace('/', '.');
-                            classes.put(name, each.bytes());
-                        });
-        return new Program(jar.main(), classes);
     }
 
     private static String ending(Outcome.Kind kind) {

@@ -3,13 +3,16 @@ package arcomat.pipeline;
 import arcomat.brick.Origin;
 import arcomat.brick.RobotClass;
 import arcomat.brick.RobotJar;
+import arcomat.sim.load.Program;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
@@ -37,7 +40,7 @@ record JarReader(String shown, byte[] bytes, String main, List<RobotClass> class
         }
     }
 
-    private static JarReader of(String shown, byte[] bytes) throws IOException, WrongUse {
+    static JarReader of(String shown, byte[] bytes) throws IOException, WrongUse {
         List<RobotClass> classes = new ArrayList<>();
         try (JarInputStream jar = new JarInputStream(new ByteArrayInputStream(bytes))) {
             String main =
@@ -72,6 +75,16 @@ record JarReader(String shown, byte[] bytes, String main, List<RobotClass> class
                                 ? Origin.PLATFORM
                                 : Origin.GENERATED;
         return new RobotClass(path, bytes, origin, Optional.empty());
+    }
+
+    /** What a simulated brick runs. */
+    Program program() {
+        Map<String, byte[]> byName = new HashMap<>();
+        for (RobotClass each : classes) {
+            int length = each.path().length() - CLASS.length();
+            byName.put(each.path().substring(0, length).replace('/', '.'), each.bytes());
+        }
+        return new Program(main, byName);
     }
 
     RobotJar jar() {

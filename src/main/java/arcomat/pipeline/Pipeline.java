@@ -128,6 +128,15 @@ public final class Pipeline {
     }
 
     /**
+     * Runs the robots of a world.
+     *
+     * @throws WrongUse where the world cannot be read, or the report cannot be written
+     */
+    public WorldResult world(WorldRequest request) throws WrongUse {
+        return WorldStep.run(request, names, progress);
+    }
+
+    /**
      * Checks a robot's jar and links it for the brick.
      *
      * @throws WrongUse where there is no such jar or no linker

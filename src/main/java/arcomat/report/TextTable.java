@@ -48,7 +48,7 @@ final class TextTable {
     }
 
     private boolean isNumbered() {
-        return rows.stream().allMatch(row -> row.get(0).chars().allMatch(Character::isDigit));
+        return rows.stream().allMatch(row -> row.get(0).matches("[0-9.]*"));
     }
 
     private String line(List<String> cells, int[] widths) {

@@ -2,6 +2,7 @@ package arcomat.sim;
 
 import arcomat.sim.load.Program;
 import arcomat.sim.radio.Ether;
+import arcomat.sim.time.Timetable;
 import arcomat.sim.time.VirtualTime;
 
 import java.util.ArrayList;
@@ -26,6 +27,25 @@ public final class Laboratory implements AutoCloseable {
         SimulatedBrick brick = new SimulatedBrick(name, program, time, ether);
         bricks.add(brick);
         return brick;
+    }
+
+    /**
+     * Lets something happen around the bricks at a fixed rate, from now on. At the same moment it
+     * acts before programs: what they sample then is what it has left.
+     *
+     * @param period in milliseconds
+     * @param step must not wait, nor let time pass
+     */
+    public void surround(long period, Runnable step) {
+        time.start(
+                new Timetable() {
+                    @Override
+                    protected long act() {
+                        step.run();
+                        return time.now() + period * VirtualTime.MILLISECOND;
+                    }
+                },
+                time.now());
     }
 
     /** Milliseconds since the laboratory was opened. */

@@ -1,5 +1,8 @@
 package arcomat.sim.radio;
 
+import arcomat.sim.time.Strand;
+import arcomat.sim.time.VirtualTime;
+
 import java.util.Optional;
 
 /** The Bluetooth device of one brick. As on the NXT, it takes one connection at a time. */
@@ -9,6 +12,11 @@ public final class Radio {
     private boolean listening;
     private Link link;
 
+    /** Who waits for a call; null if nobody does. Looking every moment would cost the PC dear. */
+    private Strand sleeper;
+
+    private VirtualTime clock;
+
     Radio(String name, Ether ether) {
         this.name = name;
         this.ether = ether;
@@ -16,11 +24,6 @@ public final class Radio {
 
     public String name() {
         return name;
-    }
-
-    /** Whether others may connect now. */
-    public void listen(boolean on) {
-        listening = on;
     }
 
     /** Whether a brick of this name has ever been seen. */
@@ -34,16 +37,39 @@ public final class Radio {
         return partner.filter(radio -> radio != this).map(this::connectTo);
     }
 
+    /**
+     * Waits for a call.
+     *
+     * @param end when to give up, in microseconds
+     */
+    public Optional<Link> awaitCall(VirtualTime time, long end) {
+        listening = true;
+        sleeper = time.running();
+        clock = time;
+        try {
+            while (link == null && time.now() < end) {
+                time.waitUntil(end);
+            }
+            return accepted();
+        } finally {
+            listening = false;
+            sleeper = null;
+        }
+    }
+
     private Link connectTo(Radio partner) {
         Channel there = new Channel();
         Channel back = new Channel();
         partner.listening = false;
         partner.link = new Link(name, back, there);
+        if (partner.sleeper != null) {
+            partner.clock.wake(partner.sleeper);
+        }
         return new Link(partner.name, there, back);
     }
 
-    /** The connection that another radio has made since this one listens; taken once. */
-    public Optional<Link> accepted() {
+    /** The connection that another radio has made; taken once. */
+    private Optional<Link> accepted() {
         Optional<Link> accepted = Optional.ofNullable(link);
         link = null;
         return accepted;

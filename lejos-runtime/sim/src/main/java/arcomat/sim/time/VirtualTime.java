@@ -59,6 +59,13 @@ public final class VirtualTime {
         leaveIfEnded(strand);
     }
 
+    /** Ends the wait of another strand at this moment. */
+    public void wake(Strand strand) {
+        if (strand != running && strand.due > now) {
+            schedule(strand, now);
+        }
+    }
+
     /** Computing takes time on a brick: the calling strand is busy for so long. */
     public void spend(long microseconds) {
         waitUntil(now + microseconds);

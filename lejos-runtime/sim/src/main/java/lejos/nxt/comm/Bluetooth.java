@@ -29,18 +29,11 @@ public class Bluetooth extends NXTCommDevice {
      * @return null if nobody came
      */
     public static BTConnection waitForConnection(int timeout, int mode) {
-        BRICK.radio().listen(true);
-        try {
-            long end = timeout == 0 ? Long.MAX_VALUE : BRICK.milliseconds() + timeout;
-            Optional<Link> link = BRICK.radio().accepted();
-            while (link.isEmpty() && BRICK.milliseconds() < end) {
-                BRICK.time().waitUntil(BRICK.tickAfter(1));
-                link = BRICK.radio().accepted();
-            }
-            return connection(link, mode);
-        } finally {
-            BRICK.radio().listen(false);
-        }
+        VirtualTime time = BRICK.time();
+        long end = timeout == 0 ? VirtualTime.NEVER - 1 : BRICK.tickAfter(timeout);
+        Optional<Link> link = BRICK.radio().awaitCall(time, end);
+        time.waitUntil(BRICK.tickAfter(1));
+        return connection(link, mode);
     }
 
     /**

@@ -1,0 +1,50 @@
+package arcomat.world;
+
+/**
+ * Something on a robot that senses the world or works in it. Sockets are 1 to 4, motors 1 to 3;
+ * places are in mm from the robot's middle, x to its front, y to its left.
+ */
+public sealed interface Device {
+    /** A device that is read through a socket. */
+    sealed interface Sensor extends Device {
+        int socket();
+    }
+
+    /**
+     * Sees the nearest surface in a cone.
+     *
+     * @param facing in radians from the robot's front to the left
+     */
+    record Ultrasonic(int socket, Point place, double facing) implements Sensor {}
+
+    /** Sees the brightness of the floor below it. */
+    record Light(int socket, Point place) implements Sensor {}
+
+    /** A touch sensor at the front: pressed while the robot pushes against something. */
+    record Bumper(int socket) implements Sensor {}
+
+    /** Carries a cup; a full one is heavy enough to press the touch sensor below it. */
+    record Holder(int socket, Point place) implements Sensor {}
+
+    /** An ultrasonic sensor that looks down where cups drop. */
+    record Chute(int socket, Point place) implements Sensor {}
+
+    /** A touch sensor that feels the stack of cups. */
+    record Magazine(int socket, int cups) implements Sensor {}
+
+    /** A touch sensor that feels a cup below the spout. */
+    record Feeler(int socket, Point place) implements Sensor {}
+
+    /** A light sensor that looks at the lamp of the coffee machine. */
+    record Lamp(int socket) implements Sensor {}
+
+    /** Pushes one cup down the chute when it is turned out. */
+    record Slide(int motor) implements Device {}
+
+    /**
+     * Presses the button of the coffee machine when it is turned out.
+     *
+     * @param seconds that the machine takes for a cup
+     */
+    record Finger(int motor, double seconds) implements Device {}
+}

@@ -1,0 +1,29 @@
+package arcomat.world;
+
+/** A straight piece of a line or wall. */
+public record Segment(Point from, Point to) {
+    /** From a point to the nearest one of the segment, in mm. */
+    double distance(Point point) {
+        double dx = to.x() - from.x();
+        double dy = to.y() - from.y();
+        double square = dx * dx + dy * dy;
+        double along = (point.x() - from.x()) * dx + (point.y() - from.y()) * dy;
+        double part = square == 0 ? 0 : Math.max(0, Math.min(1, along / square));
+        return point.distance(from.plus(part * dx, part * dy));
+    }
+
+    /** How far a ray goes before it meets the segment; infinite where it does not. */
+    double hit(Point eye, double cos, double sin) {
+        double dx = to.x() - from.x();
+        double dy = to.y() - from.y();
+        double across = cos * dy - sin * dx;
+        if (across == 0) {
+            return Double.POSITIVE_INFINITY;
+        }
+        double ex = from.x() - eye.x();
+        double ey = from.y() - eye.y();
+        double along = (ex * dy - ey * dx) / across;
+        double part = (ex * sin - ey * cos) / across;
+        return along >= 0 && part >= 0 && part <= 1 ? along : Double.POSITIVE_INFINITY;
+    }
+}

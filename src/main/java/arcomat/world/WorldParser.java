@@ -1,0 +1,256 @@
+package arcomat.world;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads worlds: one thing per line. docs/world.md lists what there is. */
+public final class WorldParser {
+    private static final String UNKNOWN = "ARC1123";
+    private static final List<String> STATEMENTS =
+            List.of("floor", "seconds", "goal", "noise", "line", "wall", "kind", "robot", "drinker");
+    private static final double FAR = 1_000_000;
+    private static final double LINE_WIDTH = 40;
+    private static final int LONGEST = 86_400;
+
+    private final SourceFile file;
+    private final List<Diagnostic> findings = new ArrayList<>();
+    private final Map<String, Span> once = new LinkedHashMap<>();
+    private final Map<String, KindDraft> kinds = new LinkedHashMap<>();
+    private final List<Stripe> stripes = new ArrayList<>();
+    private final List<RobotDraft> robots = new ArrayList<>();
+    private final List<Drinker> drinkers = new ArrayList<>();
+    private KindDraft open;
+    private double width;
+    private double depth;
+    private int seconds = 60;
+    private int goal;
+    private Noise noise = Noise.USUAL;
+
+    private WorldParser(SourceFile file) {
+        this.file = file;
+    }
+
+    /** A line or a wall, as it is written. */
+    record Stripe(Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
+
+    private record RobotDraft(Span name, Span kind, Pose pose, Cup cup) {}
+
+    public static ParsedWorld parse(SourceFile file) {
+        WorldParser parser = new WorldParser(file);
+        for (int line = 1; line <= file.lineCount(); line++) {
+            Words words = Words.ofLine(file, line);
+            if (!words.isEmpty()) {
+                parser.read(words);
+            }
+        }
+        return parser.result();
+    }
+
+    private void read(Words words) {
+        try {
+            if (KindDraft.PARTS.contains(words.first().text())) {
+                part(words);
+                return;
+            }
+            open = null;
+            statement(words, words.choice("what there is", STATEMENTS));
+            words.end();
+        } catch (Unreadable e) {
+            findings.add(e.finding());
+        }
+    }
+
+    private void part(Words words) throws Unreadable {
+        if (open == null) {
+            Span part = words.first();
+            throw Words.broken(
+                    part,
+                    "'%s' is a part of robots: write it below a line 'kind NAME'"
+                            .formatted(part.text()));
+        }
+        open.read(words);
+    }
+
+    private void statement(Words words, int which) throws Unreadable {
+        switch (STATEMENTS.get(which)) {
+            case "floor" -> {
+                single(words);
+                width = words.number("its width in mm", 100, FAR);
+                depth = words.number("its depth in mm", 100, FAR);
+            }
+            case "seconds" -> {
+                single(words);
+                seconds = words.count("how long it runs at most", 1, LONGEST);
+            }
+            case "goal" -> {
+                single(words);
+                goal = words.count("the cups to be delivered", 1, 1_000_000);
+                words.expect("cups");
+            }
+            case "noise" -> {
+                single(words);
+                noise = noise(words);
+            }
+            case "line" -> line(words);
+            case "wall" -> {
+                List<Point> points = points(words, 2);
+                stripes.add(new Stripe(words.whole(), true, points, Bends.pieces(points, 0, false), 0));
+            }
+            case "kind" -> kind(words.name("the name of a kind"));
+            case "robot" -> robot(words);
+            default -> drinker(words);
+        }
+    }
+
+    private void single(Words words) throws Unreadable {
+        unique(words.first().text(), words.first());
+    }
+
+    /** What there is only once: a statement, or the bearer of a name. */
+    private void unique(String name, Span place) throws Unreadable {
+        Span before = once.putIfAbsent(name, place);
+        if (before != null) {
+            throw new Unreadable(
+                    Diagnostic.error(KindDraft.TWICE, place, "there are two '" + name + "'")
+                            .withRelated(before, "the first one"));
+        }
+    }
+
+    private static Noise noise(Words words) throws Unreadable {
+        if (words.take("none")) {
+            return Noise.NONE;
+        }
+        Noise usual = Noise.USUAL;
+        return new Noise(
+                amount(words, "light", usual.light()),
+                amount(words, "distance", usual.distance()),
+                amount(words, "wheels", usual.wheels()),
+                amount(words, "place", usual.place()),
+                amount(words, "heading", usual.heading()));
+    }
+
+    private static double amount(Words words, String what, double usual) throws Unreadable {
+        return words.take(what) ? words.number("a deviation", 0, 50) : usual;
+    }
+
+    private void line(Words words) throws Unreadable {
+        boolean ring = words.take("ring");
+        double wide = words.take("width") ? words.number("mm", 1, 1000) : LINE_WIDTH;
+        double bend = words.take("bend") ? words.number("a radius in mm", 0, 10_000) : 0;
+        List<Point> points = points(words, ring ? 3 : 2);
+        stripes.add(
+                new Stripe(words.whole(), false, points, Bends.pieces(points, bend, ring), wide));
+    }
+
+    private static List<Point> points(Words words, int least) throws Unreadable {
+        List<Point> points = new ArrayList<>();
+        while (words.hasNext() || points.size() < least) {
+            points.add(point(words));
+        }
+        return points;
+    }
+
+    private static Point point(Words words) throws Unreadable {
+        return new Point(words.number("x in mm", -FAR, FAR), words.number("y in mm", -FAR, FAR));
+    }
+
+    private void kind(Span name) throws Unreadable {
+        open = new KindDraft(name);
+        unique("kind " + name.text(), name);
+        kinds.put(name.text(), open);
+    }
+
+    private void robot(Words words) throws Unreadable {
+        Span name = words.name("the name of a robot");
+        Span kind = words.name("the name of a kind");
+        words.expect("at");
+        Point place = point(words);
+        double heading = words.take("heading") ? words.number("degrees", -360, 360) : 0;
+        Cup cup = Cup.NONE;
+        if (words.take("with")) {
+            cup = words.choice("what it carries", List.of("cup", "coffee")) == 0 ? Cup.EMPTY : Cup.FULL;
+        }
+        unique(name.text(), name);
+        Pose pose = new Pose(place.x(), place.y(), Math.toRadians(heading));
+        robots.add(new RobotDraft(name, kind, pose, cup));
+    }
+
+    private void drinker(Words words) throws Unreadable {
+        Span name = words.name("the name of a drinker");
+        words.expect("at");
+        Point spot = point(words);
+        words.expect("every");
+        double thirst = words.number("seconds from cup to cup", 0, LONGEST);
+        unique(name.text(), name);
+        drinkers.add(new Drinker(name.text(), spot, thirst, name));
+    }
+
+    private ParsedWorld result() {
+        if (!once.containsKey("floor") && findings.isEmpty()) {
+            findings.add(
+                    Diagnostic.error(
+                            Words.SYNTAX,
+                            file.span(0, 0),
+                            "a world has a floor: write 'floor WIDTH DEPTH', in mm"));
+        }
+        Map<String, Kind> built = new LinkedHashMap<>();
+        for (KindDraft draft : kinds.values()) {
+            Optional<Kind> kind = draft.kind();
+            if (kind.isPresent()) {
+                built.put(kind.get().name(), kind.get());
+            } else if (findings.isEmpty()) {
+                findings.add(Words.broken(draft.name(), NO_PROGRAM.formatted(draft.name().text())).finding());
+            }
+        }
+        List<Robot> placed = new ArrayList<>();
+        for (RobotDraft robot : robots) {
+            Kind kind = built.get(robot.kind().text());
+            if (kind != null) {
+                placed.add(new Robot(robot.name().text(), kind, robot.pose(), robot.cup(), robot.name()));
+            } else if (!kinds.containsKey(robot.kind().text())) {
+                findings.add(unknown(robot.kind()));
+            }
+        }
+        World world =
+                new World(
+                        width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers);
+        if (findings.isEmpty()) {
+            findings.addAll(Placement.check(world, stripes));
+        }
+        findings.sort(Diagnostic.ORDER);
+        return new ParsedWorld(
+                findings.isEmpty() ? Optional.of(world) : Optional.empty(), findings);
+    }
+
+    private static final String NO_PROGRAM =
+            "kind '%s' has no program: write 'program component NAME in FOLDER' or 'program jar FILE'"
+                    + " below it";
+
+    private Diagnostic unknown(Span kind) {
+        String known =
+                kinds.isEmpty() ? "none is described" : "known: " + String.join(", ", kinds.keySet());
+        return Diagnostic.error(
+                UNKNOWN, kind, "there is no kind '" + kind.text() + "' of robots; " + known);
+    }
+
+    private List<Way> ways() {
+        return stripes.stream()
+                .filter(stripe -> !stripe.isWall())
+                .map(stripe -> new Way(stripe.pieces(), stripe.width()))
+                .toList();
+    }
+
+    private List<Segment> walls() {
+        return stripes.stream()
+                .filter(Stripe::isWall)
+                .flatMap(stripe -> stripe.pieces().stream())
+                .toList();
+    }
+}
