@@ -68,7 +68,7 @@ class ArchitectureTest {
                             "pipeline",
                             row(
                                     "syntax tree symbols check lower model semantics analysis"
-                                            + " simulate generate diagram report brick rt sim world",
+                                        + " simulate generate diagram report brick rt sim world",
                                     "org.eclipse.jdt",
                                     "com.github.weisj",
                                     "javax.imageio")),

@@ -17,7 +17,8 @@ import java.util.Optional;
 /** {@code arcomat world}: robots on a floor. */
 @CommandLine.Command(
         name = "world",
-        description = "Runs the robots of a world: their programs on simulated bricks, on one floor.",
+        description =
+                "Runs the robots of a world: their programs on simulated bricks, on one floor.",
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat world models/coffee/world/meeting.world",
@@ -26,7 +27,9 @@ import java.util.Optional;
             "Exit status 1: robots collided, a program failed, or the world's goal was not reached."
         })
 final class WorldCommand extends Command {
-    @Parameters(paramLabel = "FILE.world", description = "The world; docs/world.md tells how to write one.")
+    @Parameters(
+            paramLabel = "FILE.world",
+            description = "The world; docs/world.md tells how to write one.")
     private String world;
 
     @Option(
@@ -34,8 +37,8 @@ final class WorldCommand extends Command {
             paramLabel = "N",
             defaultValue = "1",
             description =
-                    "Of what is drawn: noise, offsets of sensors, where robots really stand; default"
-                            + " 1. The same seed gives the same run.")
+                    "Of what is drawn: noise, offsets of sensors, where robots really stand;"
+                        + " default 1. The same seed gives the same run.")
     private long seed;
 
     @Option(

@@ -51,8 +51,7 @@ final class WorldPrograms {
     /**
      * @param file of the world, as the user wrote it; its paths start there
      */
-    static Result of(World world, String file, PathNames names, Progress progress)
-            throws WrongUse {
+    static Result of(World world, String file, PathNames names, Progress progress) throws WrongUse {
         Path parent = Path.of(file).getParent();
         Path folder = parent == null ? Path.of("") : parent;
         return new WorldPrograms(folder, names, progress).load(world);
@@ -76,7 +75,8 @@ final class WorldPrograms {
 
     /** Null if there is a finding about it. */
     private Program program(Kind.Program wanted) throws WrongUse {
-        String path = beside(wanted.form() == Kind.Program.Form.JAR ? wanted.name() : wanted.folder());
+        String path =
+                beside(wanted.form() == Kind.Program.Form.JAR ? wanted.name() : wanted.folder());
         try {
             JarReader jar =
                     wanted.form() == Kind.Program.Form.JAR
@@ -124,7 +124,8 @@ final class WorldPrograms {
     private JarReader generated(MainComponent main, CheckedModels models) throws WrongUse {
         String name = main.component().qualifiedName();
         if (!main.component().parameters().isEmpty()) {
-            throw new WrongUse("'" + name + "' takes arguments, and a program has nobody to give it");
+            throw new WrongUse(
+                    "'" + name + "' takes arguments, and a program has nobody to give it");
         }
         progress.step("making the program of " + name);
         Target target = Targets.find(TARGET, names);

@@ -30,8 +30,7 @@ final class WorldStep {
             return new WorldResult(parsed.findings(), 1, Optional.empty());
         }
         World world = parsed.world().get();
-        WorldPrograms.Result programs =
-                WorldPrograms.of(world, request.world(), names, progress);
+        WorldPrograms.Result programs = WorldPrograms.of(world, request.world(), names, progress);
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
         findings.addAll(programs.findings());
         int files = 1 + programs.files();
@@ -66,8 +65,7 @@ final class WorldStep {
         }
     }
 
-    private static void write(Recording recording, String report, PathNames names)
-            throws WrongUse {
+    private static void write(Recording recording, String report, PathNames names) throws WrongUse {
         byte[] json = WorldJson.render(recording).getBytes(StandardCharsets.UTF_8);
         OutputFolder.replace(names.resolve(report), report, Map.of(RECORDING, json));
     }

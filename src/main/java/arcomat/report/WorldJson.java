@@ -140,7 +140,8 @@ public final class WorldJson {
     private void sensor(Device.Sensor sensor) throws IOException {
         json.writeStartObject();
         json.writeStringField("socket", "S" + sensor.socket());
-        json.writeStringField("type", sensor.getClass().getSimpleName().toLowerCase(java.util.Locale.ROOT));
+        json.writeStringField(
+                "type", sensor.getClass().getSimpleName().toLowerCase(java.util.Locale.ROOT));
         if (sensor instanceof Device.Ultrasonic ultrasonic) {
             number("x", ultrasonic.place().x());
             number("y", ultrasonic.place().y());
@@ -158,7 +159,10 @@ public final class WorldJson {
         json.writeEndObject();
     }
 
-    /** {@code {"t", "robots": [[x, y, heading, left, right, cup, [readings], display, stock, brewing]]}}. */
+    /**
+     * {@code {"t", "robots": [[x, y, heading, left, right, cup, [readings], display, stock,
+     * brewing]]}}.
+     */
     private void frame(Frame frame) throws IOException {
         json.writeStartObject();
         json.writeNumberField("t", frame.time());

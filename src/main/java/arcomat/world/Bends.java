@@ -50,10 +50,13 @@ final class Bends {
         int steps = Math.max(1, (int) Math.ceil(Math.abs(turn) / STEP));
         double side = Math.signum(turn) * Math.PI / 2;
         Point start = corner.plus(-tangent * StrictMath.cos(in), -tangent * StrictMath.sin(in));
-        Point centre = start.plus(fitting * StrictMath.cos(in + side), fitting * StrictMath.sin(in + side));
+        Point centre =
+                start.plus(
+                        fitting * StrictMath.cos(in + side), fitting * StrictMath.sin(in + side));
         for (int i = 0; i <= steps; i++) {
             double angle = in - side + turn * i / steps;
-            outline.add(centre.plus(fitting * StrictMath.cos(angle), fitting * StrictMath.sin(angle)));
+            outline.add(
+                    centre.plus(fitting * StrictMath.cos(angle), fitting * StrictMath.sin(angle)));
         }
     }
 }

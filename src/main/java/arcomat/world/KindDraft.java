@@ -17,8 +17,19 @@ final class KindDraft {
     /** What a line of a kind may begin with. */
     static final List<String> PARTS =
             List.of(
-                    "program", "body", "wheels", "ultrasonic", "light", "bumper", "holder", "chute",
-                    "magazine", "feeler", "lamp", "slide", "finger");
+                    "program",
+                    "body",
+                    "wheels",
+                    "ultrasonic",
+                    "light",
+                    "bumper",
+                    "holder",
+                    "chute",
+                    "magazine",
+                    "feeler",
+                    "lamp",
+                    "slide",
+                    "finger");
 
     private static final List<String> SOCKETS = List.of("S1", "S2", "S3", "S4");
     private static final List<String> MOTORS = List.of("A", "B", "C");
@@ -43,7 +54,15 @@ final class KindDraft {
     /** The kind, if it says what its program is. */
     Optional<Kind> kind() {
         return Optional.ofNullable(program)
-                .map(p -> new Kind(name.text(), p, radius, mass, Optional.ofNullable(wheels), devices));
+                .map(
+                        p ->
+                                new Kind(
+                                        name.text(),
+                                        p,
+                                        radius,
+                                        mass,
+                                        Optional.ofNullable(wheels),
+                                        devices));
     }
 
     /** Reads a line that begins with one of {@link #PARTS}. */
@@ -97,7 +116,8 @@ final class KindDraft {
 
     /** The state of a robot has room for one. */
     private Device arm(Span part, Words words) throws Unreadable {
-        if (devices.stream().anyMatch(d -> d instanceof Device.Slide || d instanceof Device.Finger)) {
+        if (devices.stream()
+                .anyMatch(d -> d instanceof Device.Slide || d instanceof Device.Finger)) {
             throw new Unreadable(
                     Diagnostic.error(TWICE, part, "a robot has one arm, a slide or a finger"));
         }
@@ -111,8 +131,7 @@ final class KindDraft {
 
     private Device.Sensor sensor(String type, int socket, Words words) throws Unreadable {
         return switch (type) {
-            case "ultrasonic" ->
-                    new Device.Ultrasonic(socket, place(words), facing(words));
+            case "ultrasonic" -> new Device.Ultrasonic(socket, place(words), facing(words));
             case "light" -> new Device.Light(socket, place(words));
             case "holder" -> new Device.Holder(socket, place(words));
             case "chute" -> new Device.Chute(socket, place(words));
@@ -131,7 +150,9 @@ final class KindDraft {
         if (!words.take("at")) {
             return new Point(0, 0);
         }
-        return new Point(words.number("mm to its front", -FAR, FAR), words.number("mm to its left", -FAR, FAR));
+        return new Point(
+                words.number("mm to its front", -FAR, FAR),
+                words.number("mm to its left", -FAR, FAR));
     }
 
     private static double facing(Words words) throws Unreadable {
@@ -154,7 +175,8 @@ final class KindDraft {
         int index = names.indexOf(word.text());
         if (index < 0) {
             throw Words.broken(
-                    word, "'%s' is not %s: %s".formatted(word.text(), meaning, String.join(", ", names)));
+                    word,
+                    "'%s' is not %s: %s".formatted(word.text(), meaning, String.join(", ", names)));
         }
         once(word);
         return index + 1;

@@ -127,8 +127,7 @@ public final class Physics {
             }
         }
         stations.step(robots, shafts, SECONDS, happenings);
-        List<DrinkerState> drinkers =
-                people.step(scene.drinkers(), robots, SECONDS, happenings);
+        List<DrinkerState> drinkers = people.step(scene.drinkers(), robots, SECONDS, happenings);
         return new Scene(scene.tick() + 1, robots, drinkers, happenings);
     }
 

@@ -31,7 +31,13 @@ final class Placement {
         stripe.points().stream()
                 .filter(point -> !world.contains(point))
                 .findFirst()
-                .ifPresent(point -> outside(stripe.place(), "this " + what + " leaves", "%s is beside it", point));
+                .ifPresent(
+                        point ->
+                                outside(
+                                        stripe.place(),
+                                        "this " + what + " leaves",
+                                        "%s is beside it",
+                                        point));
     }
 
     private void robot(Robot robot) {

@@ -34,6 +34,7 @@ public record Pose(double x, double y, double heading) {
         double turn = (right - left) / track * seconds;
         double way = (left + right) / 2 * seconds;
         double middle = heading + turn / 2;
-        return new Pose(x + way * StrictMath.cos(middle), y + way * StrictMath.sin(middle), heading + turn);
+        return new Pose(
+                x + way * StrictMath.cos(middle), y + way * StrictMath.sin(middle), heading + turn);
     }
 }

@@ -82,7 +82,10 @@ public final class Senses {
         double nearest = Double.POSITIVE_INFINITY;
         for (int ray = -RAYS; ray <= RAYS; ray++) {
             double angle = pose.heading() + sensor.facing() + ray * BETWEEN_RAYS;
-            nearest = Math.min(nearest, hit(scene, index, eye, StrictMath.cos(angle), StrictMath.sin(angle)));
+            nearest =
+                    Math.min(
+                            nearest,
+                            hit(scene, index, eye, StrictMath.cos(angle), StrictMath.sin(angle)));
         }
         return nearest / MILLIMETRES;
     }

@@ -14,7 +14,9 @@ import java.util.Optional;
 public final class WorldParser {
     private static final String UNKNOWN = "ARC1123";
     private static final List<String> STATEMENTS =
-            List.of("floor", "seconds", "goal", "noise", "line", "wall", "kind", "robot", "drinker");
+            List.of(
+                    "floor", "seconds", "goal", "noise", "line", "wall", "kind", "robot",
+                    "drinker");
     private static final double FAR = 1_000_000;
     private static final double LINE_WIDTH = 40;
     private static final int LONGEST = 86_400;
@@ -38,7 +40,8 @@ public final class WorldParser {
     }
 
     /** A line or a wall, as it is written. */
-    record Stripe(Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
+    record Stripe(
+            Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
 
     private record RobotDraft(Span name, Span kind, Pose pose, Cup cup) {}
 
@@ -101,7 +104,8 @@ public final class WorldParser {
             case "line" -> line(words);
             case "wall" -> {
                 List<Point> points = points(words, 2);
-                stripes.add(new Stripe(words.whole(), true, points, Bends.pieces(points, 0, false), 0));
+                stripes.add(
+                        new Stripe(words.whole(), true, points, Bends.pieces(points, 0, false), 0));
             }
             case "kind" -> kind(words.name("the name of a kind"));
             case "robot" -> robot(words);
@@ -175,7 +179,10 @@ public final class WorldParser {
         double heading = words.take("heading") ? words.number("degrees", -360, 360) : 0;
         Cup cup = Cup.NONE;
         if (words.take("with")) {
-            cup = words.choice("what it carries", List.of("cup", "coffee")) == 0 ? Cup.EMPTY : Cup.FULL;
+            cup =
+                    words.choice("what it carries", List.of("cup", "coffee")) == 0
+                            ? Cup.EMPTY
+                            : Cup.FULL;
         }
         unique(name.text(), name);
         Pose pose = new Pose(place.x(), place.y(), Math.toRadians(heading));
@@ -206,21 +213,28 @@ public final class WorldParser {
             if (kind.isPresent()) {
                 built.put(kind.get().name(), kind.get());
             } else if (findings.isEmpty()) {
-                findings.add(Words.broken(draft.name(), NO_PROGRAM.formatted(draft.name().text())).finding());
+                findings.add(
+                        Words.broken(draft.name(), NO_PROGRAM.formatted(draft.name().text()))
+                                .finding());
             }
         }
         List<Robot> placed = new ArrayList<>();
         for (RobotDraft robot : robots) {
             Kind kind = built.get(robot.kind().text());
             if (kind != null) {
-                placed.add(new Robot(robot.name().text(), kind, robot.pose(), robot.cup(), robot.name()));
+                placed.add(
+                        new Robot(
+                                robot.name().text(),
+                                kind,
+                                robot.pose(),
+                                robot.cup(),
+                                robot.name()));
             } else if (!kinds.containsKey(robot.kind().text())) {
                 findings.add(unknown(robot.kind()));
             }
         }
         World world =
-                new World(
-                        width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers);
+                new World(width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers);
         if (findings.isEmpty()) {
             findings.addAll(Placement.check(world, stripes));
         }
@@ -230,12 +244,14 @@ public final class WorldParser {
     }
 
     private static final String NO_PROGRAM =
-            "kind '%s' has no program: write 'program component NAME in FOLDER' or 'program jar FILE'"
-                    + " below it";
+            "kind '%s' has no program: write 'program component NAME in FOLDER' or 'program jar"
+                + " FILE' below it";
 
     private Diagnostic unknown(Span kind) {
         String known =
-                kinds.isEmpty() ? "none is described" : "known: " + String.join(", ", kinds.keySet());
+                kinds.isEmpty()
+                        ? "none is described"
+                        : "known: " + String.join(", ", kinds.keySet());
         return Diagnostic.error(
                 UNKNOWN, kind, "there is no kind '" + kind.text() + "' of robots; " + known);
     }

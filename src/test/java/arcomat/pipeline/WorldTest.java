@@ -50,8 +50,7 @@ class WorldTest {
 
     private static Map<String, Program> programs(World world, String name) throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
-        WorldPrograms.Result result =
-                WorldPrograms.of(world, FOLDER + name, names, Progress.NONE);
+        WorldPrograms.Result result = WorldPrograms.of(world, FOLDER + name, names, Progress.NONE);
         assertThat(result.findings()).isEmpty();
         return result.programs();
     }
@@ -74,7 +73,9 @@ class WorldTest {
                 .containsSubsequence("driving", "waiting", "driving")
                 .containsOnly("driving", "waiting");
 
-        Frame aside = run.frames().get(index(run, frame -> frame.robots().get(0).display().equals("remote")));
+        Frame aside =
+                run.frames()
+                        .get(index(run, frame -> frame.robots().get(0).display().equals("remote")));
         RobotFrame empty = aside.robots().get(0);
         assertThat(Math.abs(empty.pose().y() - LINE)).as("off the line").isGreaterThan(BODIES);
         assertThat(empty.pose().y()).as("to its right").isLessThan(LINE);
@@ -105,7 +106,10 @@ class WorldTest {
 
     private static List<String> shown(Recording run, String robot) {
         return run.events().stream()
-                .filter(event -> event instanceof Event.Showed showed && showed.robot().equals(robot))
+                .filter(
+                        event ->
+                                event instanceof Event.Showed showed
+                                        && showed.robot().equals(robot))
                 .map(event -> ((Event.Showed) event).text())
                 .toList();
     }
@@ -124,8 +128,7 @@ class WorldTest {
     void theFirstFetcherDoesNotMasterTheMeeting() throws WrongUse {
         SourceFile file = meeting.robots().get(0).place().file();
         String before = file.text().replace("coffee.floor.Courier", "coffee.fetcher.Fetcher");
-        World world =
-                WorldParser.parse(new SourceFile(file.path(), before)).world().orElseThrow();
+        World world = WorldParser.parse(new SourceFile(file.path(), before)).world().orElseThrow();
         Recording run = WorldRun.run(world, 1, programs(world, "meeting.world"));
         List<RobotFrame> last = run.frames().get(run.frames().size() - 1).robots();
         assertThat(last).allMatch(robot -> Math.abs(robot.left()) < 1);
