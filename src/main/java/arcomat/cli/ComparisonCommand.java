@@ -60,6 +60,7 @@ abstract class ComparisonCommand extends AnalysisCommand {
                 mona,
                 certificate(),
                 doubted(),
+                diagram(),
                 limits());
     }
 
@@ -70,6 +71,11 @@ abstract class ComparisonCommand extends AnalysisCommand {
 
     /** A proof that is to be verified. */
     Optional<String> doubted() {
+        return Optional.empty();
+    }
+
+    /** A picture of a failure. */
+    Optional<String> diagram() {
         return Optional.empty();
     }
 

@@ -1,5 +1,6 @@
 package arcomat.cli;
 
+import arcomat.pipeline.AnalysisLimits;
 import arcomat.pipeline.DiagramRequest;
 import arcomat.pipeline.DiagramRequest.Format;
 import arcomat.pipeline.DiagramResult;
@@ -13,6 +14,7 @@ import picocli.CommandLine.Parameters;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** {@code arcomat diagram}: pictures of models. */
 @CommandLine.Command(
@@ -22,13 +24,18 @@ import java.util.List;
         footer = {
             "  arcomat diagram --out build/pictures models/coffee",
             "  arcomat diagram --component coffee.fetcher.Fetcher --out build/fetcher"
-                + " models/coffee",
+                    + " models/coffee",
             "  arcomat diagram --format png --out build/pictures models/coffee",
+            "  arcomat diagram --highlight analysis --out build/pictures models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
             "write. Each picture is a file by the name of what it shows; index.html shows them all."
         })
-final class DiagramCommand extends Command {
+final class DiagramCommand extends LimitedCommand {
+    enum Highlight {
+        analysis
+    }
+
     private static final int DEEPEST = 1000;
 
     @Option(
@@ -43,6 +50,16 @@ final class DiagramCommand extends Command {
             defaultValue = "svg",
             description = "How to write pictures: ${COMPLETION-CANDIDATES}; default svg.")
     private Format format;
+
+    @Option(
+            names = "--highlight",
+            paramLabel = "WHAT",
+            description = {
+                "Mark what is found: ${COMPLETION-CANDIDATES} (overlaps, inputs that are not"
+                    + " handled,",
+                "states never reached, and all else that 'analyze' finds)."
+            })
+    private Highlight highlight;
 
     @Option(
             names = "--depth",
@@ -70,12 +87,17 @@ final class DiagramCommand extends Command {
             throw new WrongUse("--depth " + depth + " is no number of levels");
         }
         DiagramResult result =
-                pipeline.diagram(new DiagramRequest(components, format, out, depth), paths);
+                pipeline.diagram(
+                        new DiagramRequest(components, format, out, depth, sought()), paths);
         if (result.check().hasErrors()) {
             return reportErrors(result.check());
         }
         print(FindingsText.render(result.check().findings(), console.style()));
         printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
         return ExitStatus.FINE;
+    }
+
+    private Optional<AnalysisLimits> sought() throws WrongUse {
+        return highlight == null ? Optional.empty() : Optional.of(limits());
     }
 }

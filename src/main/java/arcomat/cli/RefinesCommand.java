@@ -21,6 +21,7 @@ import java.util.Optional;
             "  arcomat refines coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash models/coffee",
             "  arcomat refines --completion ignore,ignore p.New p.Old models",
             "  arcomat refines p.Robot 'p.Robot#waits' models    one automaton of several",
+            "  arcomat refines --diagram failure.svg p.New p.Old models    draws a counterexample",
             "  arcomat refines --engine mona p.New p.Old models    a second opinion",
             "",
             "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
@@ -56,6 +57,12 @@ final class RefinesCommand extends ComparisonCommand {
             description = "Search nothing: verify such a file.")
     private String doubted;
 
+    @Option(
+            names = "--diagram",
+            paramLabel = "FILE",
+            description = "Where it fails, draw how: an .svg or .png file.")
+    private String diagram;
+
     RefinesCommand(Console console) {
         super(console);
     }
@@ -80,7 +87,16 @@ final class RefinesCommand extends ComparisonCommand {
                                 answered.right(),
                                 answered.verdict(),
                                 console.style()));
+        if (diagram != null && !answered.verdict().trace().isEmpty()) {
+            tellAbout(diagram);
+        }
         return status(result.answer());
+    }
+
+    private void tellAbout(String picture) {
+        if (!isJson()) {
+            printLine("drawn in " + picture);
+        }
     }
 
     private Optional<String> asked() throws WrongUse {
@@ -95,6 +111,11 @@ final class RefinesCommand extends ComparisonCommand {
     @Override
     Optional<String> certificate() {
         return Optional.ofNullable(certificate);
+    }
+
+    @Override
+    Optional<String> diagram() {
+        return Optional.ofNullable(diagram);
     }
 
     @Override

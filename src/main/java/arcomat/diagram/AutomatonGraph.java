@@ -24,9 +24,26 @@ import java.util.stream.IntStream;
  * named by their index in the automaton.
  */
 public final class AutomatonGraph {
-    private AutomatonGraph() {}
+    private final Automaton automaton;
+    private final Highlights highlights;
+
+    private AutomatonGraph(Automaton automaton, Highlights highlights) {
+        this.automaton = automaton;
+        this.highlights = highlights;
+    }
 
     public static Graph of(Component component, Automaton automaton) {
+        return of(component.title(automaton), automaton, Highlights.NONE);
+    }
+
+    /**
+     * @param title above the picture
+     */
+    public static Graph of(String title, Automaton automaton, Highlights highlights) {
+        return new AutomatonGraph(automaton, highlights).graph(title);
+    }
+
+    private Graph graph(String title) {
         List<Node> nodes = new ArrayList<>();
         List<Edge> edges = new ArrayList<>();
         for (int i = 0; i < automaton.initials().size(); i++) {
@@ -34,32 +51,40 @@ public final class AutomatonGraph {
             nodes.add(Node.leaf(Mark.of("start", dot(i), initial.span()), Form.DOT, List.of()));
             edges.add(
                     new Edge(
-                            Mark.unplaced("arrow", dot(i)),
+                            Mark.unplaced("arrow", dot(i)).styled("edge"),
                             End.of(dot(i)),
                             End.of(state(initial.state())),
                             caption(
                                     Mark.of("initial", String.valueOf(i), initial.span()),
                                     TransitionText.label(initial))));
         }
-        for (int i : inOrderOfVisit(automaton)) {
-            Mark mark = Mark.of("state", state(i), automaton.places().get(i));
-            nodes.add(Node.leaf(mark, Form.ROUND, List.of(Line.plain(automaton.states().get(i)))));
+        for (int i : inOrderOfVisit()) {
+            nodes.add(stateNode(i));
         }
-        edges.addAll(arrows(automaton));
+        edges.addAll(arrows());
         Node frame =
                 new Node(
                         Mark.of("frame", "", automaton.span()),
                         Form.BOX,
-                        title(component, automaton),
+                        head(title),
                         List.of(),
                         nodes,
                         edges,
                         0);
-        return new Graph(component.title(automaton), List.of(frame), List.of(), Graph.Flow.EITHER);
+        return new Graph(title, List.of(frame), List.of(), Graph.Flow.EITHER);
+    }
+
+    private Node stateNode(int index) {
+        List<Highlights.Highlight> found = highlights.states().getOrDefault(index, List.of());
+        Mark mark = Mark.of("state", state(index), automaton.places().get(index));
+        List<Line> lines = new ArrayList<>();
+        lines.add(Line.plain(automaton.states().get(index)));
+        lines.addAll(Highlights.tags(found));
+        return Node.leaf(Highlights.apply(mark, found, "calm", ""), Form.ROUND, lines);
     }
 
     /** From the beginnings on, nearest first: so the picture is read. */
-    private static Set<Integer> inOrderOfVisit(Automaton automaton) {
+    private Set<Integer> inOrderOfVisit() {
         Set<Integer> order = new LinkedHashSet<>();
         automaton.initials().forEach(initial -> order.add(initial.state()));
         List<Integer> open = new ArrayList<>(order);
@@ -74,23 +99,27 @@ public final class AutomatonGraph {
     }
 
     /** Transitions between the same states share an arrow, named by all of them. */
-    private static List<Edge> arrows(Automaton automaton) {
+    private List<Edge> arrows() {
         Map<String, List<Integer>> shared = new LinkedHashMap<>();
         for (int i = 0; i < automaton.transitions().size(); i++) {
             Automaton.Transition each = automaton.transitions().get(i);
             shared.computeIfAbsent(each.source() + " " + each.target(), key -> new ArrayList<>())
                     .add(i);
         }
-        return shared.values().stream().map(indices -> arrow(automaton, indices)).toList();
+        return shared.values().stream().map(this::arrow).toList();
     }
 
-    private static Edge arrow(Automaton automaton, List<Integer> indices) {
+    private Edge arrow(List<Integer> indices) {
         Automaton.Transition first = automaton.transitions().get(indices.get(0));
         String name = indices.stream().map(String::valueOf).collect(Collectors.joining(" "));
         List<Graph.Caption> captions = new ArrayList<>();
-        indices.forEach(index -> captions.addAll(caption(automaton, index)));
+        indices.forEach(index -> captions.addAll(caption(index)));
+        // The captions tell the story; the arrow only shows the colour.
+        List<Highlights.Highlight> found = new ArrayList<>();
+        indices.forEach(i -> found.addAll(highlights.transitions().getOrDefault(i, List.of())));
+        found.replaceAll(each -> new Highlights.Highlight(each.kind(), each.tag(), ""));
         return new Edge(
-                Mark.of("arrow", name, first.span()),
+                Highlights.apply(Mark.of("arrow", name, first.span()), found, "edge", "edge-"),
                 End.of(state(first.source())),
                 End.of(state(first.target())),
                 captions);
@@ -100,7 +129,7 @@ public final class AutomatonGraph {
         return lines.isEmpty() ? List.of() : List.of(new Graph.Caption(mark, lines));
     }
 
-    private static List<Graph.Caption> caption(Automaton automaton, int index) {
+    private List<Graph.Caption> caption(int index) {
         Automaton.Transition transition = automaton.transitions().get(index);
         String story =
                 automaton.states().get(transition.source())
@@ -108,14 +137,16 @@ public final class AutomatonGraph {
                         + automaton.states().get(transition.target())
                         + " "
                         + TransitionText.full(transition);
-        return caption(
-                Mark.of("transition", String.valueOf(index), transition.span()).telling(story),
-                TransitionText.label(transition));
+        List<Highlights.Highlight> found = highlights.transitions().getOrDefault(index, List.of());
+        Mark mark = Mark.of("transition", String.valueOf(index), transition.span()).telling(story);
+        List<Line> lines = new ArrayList<>(TransitionText.label(transition));
+        lines.addAll(Highlights.tags(found));
+        return caption(Highlights.apply(mark, found, "label", "label-"), lines);
     }
 
-    private static List<Line> title(Component component, Automaton automaton) {
+    private List<Line> head(String title) {
         List<Line> lines = new ArrayList<>();
-        lines.add(Line.bold(component.title(automaton)));
+        lines.add(Line.bold(title));
         for (Variable variable : automaton.variables()) {
             lines.add(Line.small(TypeNames.of(variable.type()) + " " + variable.name()));
         }

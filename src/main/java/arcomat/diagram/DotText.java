@@ -5,16 +5,19 @@ import arcomat.diagram.Graph.End;
 import arcomat.diagram.Graph.Line;
 import arcomat.diagram.Graph.Node;
 
-import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /** Writes a graph in the language of Graphviz, whose programs find places of their own. */
 public final class DotText {
     private final StringBuilder text = new StringBuilder();
-    private final Map<String, String> names = new HashMap<>();
+    private final Set<String> open = new HashSet<>();
+
+    /** Tells nodes of one outermost node from those of another. */
+    private String prefix = "";
 
     private DotText() {}
 
@@ -24,7 +27,10 @@ public final class DotText {
         dot.text.append("  rankdir=LR;\n");
         dot.text.append("  node [shape=box, fontname=Helvetica, fontsize=12];\n");
         dot.text.append("  edge [fontname=Helvetica, fontsize=10];\n");
-        graph.roots().forEach(node -> dot.node(node, "  "));
+        for (Node root : graph.roots()) {
+            dot.prefix = graph.roots().size() > 1 ? root.name() + " " : "";
+            dot.node(root, "  ");
+        }
         dot.edges(graph.edges(), "", "  ");
         return dot.text.append("}\n").toString();
     }
@@ -42,7 +48,7 @@ public final class DotText {
                     .append(shape + "];\n");
             return;
         }
-        text.append(indent + "subgraph " + quoted("cluster " + node.name()) + " {\n");
+        text.append(indent + "subgraph " + quoted("cluster " + prefix + node.name()) + " {\n");
         String deeper = indent + "  ";
         text.append(deeper + "label=" + label(node.lines()) + ";\n");
         for (Graph.Port port : node.ports()) {
@@ -52,7 +58,7 @@ public final class DotText {
         node.children().forEach(child -> node(child, deeper));
         node.children().stream()
                 .filter(child -> !child.children().isEmpty())
-                .forEach(child -> names.put(child.name(), ""));
+                .forEach(child -> open.add(child.name()));
         edges(node.edges(), node.name(), deeper);
         text.append(indent + "}\n");
     }
@@ -72,7 +78,7 @@ public final class DotText {
     }
 
     private String atEnd(String attribute, End end) {
-        if (end.port().isEmpty() || end.node().isEmpty() || names.containsKey(end.node().get())) {
+        if (end.port().isEmpty() || end.node().isEmpty() || open.contains(end.node().get())) {
             return "";
         }
         String path = end.port().get();
@@ -80,19 +86,19 @@ public final class DotText {
     }
 
     private String end(End end) {
-        Optional<String> open =
-                end.node().isEmpty() || names.containsKey(end.node().get())
+        Optional<String> port =
+                end.node().isEmpty() || open.contains(end.node().get())
                         ? end.port()
                         : Optional.empty();
-        return open.map(port -> "port " + port).orElseGet(() -> end.node().orElse(""));
+        return port.map(name -> "port " + name).orElseGet(() -> end.node().orElse(""));
     }
 
     private static List<Line> lines(Edge edge) {
         return edge.captions().stream().flatMap(caption -> caption.lines().stream()).toList();
     }
 
-    private static String key(String name) {
-        return quoted(name);
+    private String key(String name) {
+        return quoted(prefix + name);
     }
 
     private static String label(List<Line> lines) {

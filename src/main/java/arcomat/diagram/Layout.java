@@ -43,7 +43,7 @@ import java.util.Map;
 public final class Layout {
     static final double PORT = 9;
 
-    /** A picture that is not wider fits a page; people rather scroll down than aside. */
+    /** Width and height of a page on a screen. */
     private static final double PAGE = 1100;
 
     static final double DOT = 11;
@@ -76,17 +76,27 @@ public final class Layout {
 
     public static Picture of(Graph graph) {
         Picture right = of(graph, Direction.RIGHT);
-        if (graph.flow() == Graph.Flow.RIGHT || right.width() <= PAGE) {
+        if (graph.flow() == Graph.Flow.RIGHT || scale(right) == 1) {
             return right;
         }
         Picture down = of(graph, Direction.DOWN);
-        return down.width() < right.width() ? down : right;
+        return scale(down) > scale(right) ? down : right;
+    }
+
+    /** To what part of its size a picture has to shrink to fit a page. */
+    private static double scale(Picture picture) {
+        return Math.min(1, Math.min(PAGE / picture.width(), PAGE / picture.height()));
     }
 
     private static Picture of(Graph graph, Direction direction) {
         Layout layout = new Layout(direction);
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
+        root.setProperty(LayeredOptions.SEPARATE_CONNECTED_COMPONENTS, false);
+        // Side by side what leads down, one below the other what leads to the right.
+        root.setProperty(
+                LayeredOptions.DIRECTION,
+                direction == Direction.DOWN ? Direction.RIGHT : Direction.DOWN);
         root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
         graph.roots().forEach(node -> layout.add(node, root, true));
         layout.connect(graph.edges(), graph.roots(), null, root);

@@ -56,7 +56,7 @@ public final class SvgText {
         text.append("<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" role=\"img\"")
                 .append(" width=\"" + width + "\" height=\"" + height + "\"")
                 .append(" viewBox=\"0 0 " + width + " " + height + "\">\n")
-                .append("<title>" + escaped(picture.title()) + "</title>\n");
+                .append("<title>" + Markup.escaped(picture.title()) + "</title>\n");
     }
 
     private String close(Picture picture) {
@@ -68,14 +68,17 @@ public final class SvgText {
         Mark mark = element.mark();
         String styles = String.join(" ", mark.styles());
         text.append("<g class=\"" + mark.kind() + (styles.isEmpty() ? "" : " " + styles) + "\"")
-                .append(" data-" + mark.kind() + "=\"" + escaped(mark.name()) + "\"");
+                .append(" data-" + mark.kind() + "=\"" + Markup.escaped(mark.name()) + "\"");
         mark.place()
-                .ifPresent(place -> text.append(" data-place=\"" + escaped(lineOf(place)) + "\""));
+                .ifPresent(
+                        place ->
+                                text.append(
+                                        " data-place=\"" + Markup.escaped(lineOf(place)) + "\""));
         text.append(">");
         Optional<String> link = mark.place().flatMap(links);
-        link.ifPresent(address -> text.append("<a href=\"" + escaped(address) + "\">"));
+        link.ifPresent(address -> text.append("<a href=\"" + Markup.escaped(address) + "\">"));
         if (!mark.tooltip().isEmpty()) {
-            text.append("<title>" + escaped(mark.tooltip()) + "</title>");
+            text.append("<title>" + Markup.escaped(mark.tooltip()) + "</title>");
         }
         element.shapes().forEach(this::shape);
         text.append(link.isPresent() ? "</a></g>\n" : "</g>\n");
@@ -114,7 +117,7 @@ public final class SvgText {
                 .append(at(line.box().x(), baseline))
                 .append(attribute("textLength", line.box().width()))
                 .append(" lengthAdjust=\"spacingAndGlyphs\" xml:space=\"preserve\">")
-                .append(escaped(line.line().text()) + "</text>");
+                .append(Markup.escaped(line.line().text()) + "</text>");
     }
 
     private void arrow(List<Point> points) {
@@ -165,27 +168,5 @@ public final class SvgText {
         String exact = String.format(Locale.ROOT, "%.1f", value + 0.0);
         String shorter = exact.endsWith(".0") ? exact.substring(0, exact.length() - 2) : exact;
         return shorter.equals("-0") ? "0" : shorter;
-    }
-
-    private static String escaped(String raw) {
-        StringBuilder escaped = new StringBuilder(raw.length());
-        raw.codePoints()
-                .forEach(
-                        c -> {
-                            switch (c) {
-                                case '<' -> escaped.append("&lt;");
-                                case '>' -> escaped.append("&gt;");
-                                case '&' -> escaped.append("&amp;");
-                                case '"' -> escaped.append("&quot;");
-                                case '\n' -> escaped.append("&#10;");
-                                default -> escaped.appendCodePoint(isXml(c) ? c : 0xFFFD);
-                            }
-                        });
-        return escaped.toString();
-    }
-
-    /** XML has no place for most control characters and for halves of pairs, even escaped. */
-    private static boolean isXml(int c) {
-        return c >= 0x20 && c <= 0xD7FF || c >= 0xE000 && c <= 0xFFFD || c >= 0x10000 || c == '\t';
     }
 }

@@ -40,13 +40,29 @@ final class AnalyzeStep {
         if (promises.isEmpty() && unexamined.isEmpty()) {
             throw new WrongUse("there is no automaton in " + String.join(", ", paths));
         }
-        Budget budget = request.limits().budget();
+        List<Examination> examinations = examine(promises, request.limits(), progress);
+        return withoutMeant(examinations, unexamined, checked);
+    }
+
+    /** What is found about automata and not declared to be meant. */
+    static List<Examination> examine(
+            List<Promise> promises,
+            CheckedModels checked,
+            AnalysisLimits limits,
+            Progress progress) {
+        List<Examination> examinations = examine(promises, limits, progress);
+        return withoutMeant(examinations, List.of(), checked).examinations();
+    }
+
+    private static List<Examination> examine(
+            List<Promise> promises, AnalysisLimits limits, Progress progress) {
+        Budget budget = limits.budget();
         List<Examination> examinations = new ArrayList<>();
         for (Promise promise : promises) {
             progress.step("examining " + promise.title());
             examinations.addAll(Analyses.examine(promise, budget));
         }
-        return withoutMeant(examinations, unexamined, checked);
+        return examinations;
     }
 
     private static List<Promise> named(AnalyzeRequest request, CheckedModels checked, Model model)

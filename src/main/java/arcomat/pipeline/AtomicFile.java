@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,17 +9,21 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.util.Set;
 
-/** Replaces the text of a file at once: whoever looks sees the old text or the new one. */
+/** Replaces what is in a file at once: whoever looks sees the old or the new. */
 final class AtomicFile {
     private AtomicFile() {}
 
     static void write(Path file, String text) throws IOException {
-        // A link stays a link; what it leads to gets the text.
+        write(file, text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    static void write(Path file, byte[] content) throws IOException {
+        // A link stays a link; what it leads to gets the content.
         Path target = Files.exists(file) ? file.toRealPath() : file;
         Path folder = target.toAbsolutePath().getParent();
         Path fresh = Files.createTempFile(folder, ".arcomat-", ".tmp");
         try {
-            Files.writeString(fresh, text);
+            Files.write(fresh, content);
             if (Files.exists(target)) {
                 keepPermissions(target, fresh);
             }

@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Pictures that are asked for.
@@ -9,8 +10,15 @@ import java.util.List;
  *     name
  * @param out the folder to be written, as a whole
  * @param depth how many levels of parts are shown inside a component
+ * @param highlight how long to look for findings about automata, which are then marked; empty for
+ *     plain pictures
  */
-public record DiagramRequest(List<String> components, Format format, String out, int depth) {
+public record DiagramRequest(
+        List<String> components,
+        Format format,
+        String out,
+        int depth,
+        Optional<AnalysisLimits> highlight) {
     public DiagramRequest {
         components = List.copyOf(components);
     }

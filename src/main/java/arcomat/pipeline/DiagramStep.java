@@ -1,6 +1,9 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Promise;
+import arcomat.analysis.automaton.Examination;
 import arcomat.diagram.DotText;
+import arcomat.diagram.GalleryPage;
 import arcomat.diagram.Graph;
 import arcomat.diagram.Layout;
 import arcomat.diagram.SvgText;
@@ -28,7 +31,9 @@ final class DiagramStep {
         if (checked.hasErrors()) {
             return new DiagramResult(checked.result(), List.of());
         }
-        Map<String, Graph> graphs = drawings(request, checked, checked.lower(progress)).graphs();
+        Model model = checked.lower(progress);
+        List<Examination> examinations = examinations(request, checked, model, progress);
+        Map<String, Graph> graphs = drawings(request, checked, model, examinations).graphs();
         if (graphs.isEmpty()) {
             throw new WrongUse("there is nothing to draw in " + String.join(", ", paths));
         }
@@ -39,13 +44,31 @@ final class DiagramStep {
             byte[] content = content(each.getValue(), request.format(), links);
             files.put(each.getKey() + "." + request.format(), content);
         }
+        if (request.format() != DiagramRequest.Format.dot) {
+            String title = "Pictures of " + String.join(", ", paths);
+            files.put("index.html", bytes(GalleryPage.render(title, List.copyOf(files.keySet()))));
+        }
         OutputFolder.replace(names.resolve(request.out()), request.out(), files);
         return new DiagramResult(checked.result(), List.copyOf(files.keySet()));
     }
 
-    private static Drawings drawings(DiagramRequest request, CheckedModels checked, Model model)
+    private static List<Examination> examinations(
+            DiagramRequest request, CheckedModels checked, Model model, Progress progress) {
+        if (request.highlight().isEmpty()) {
+            return List.of();
+        }
+        List<Promise> promises = new InstancePromises(model, checked).all();
+        AnalysisLimits limits = request.highlight().get();
+        return AnalyzeStep.examine(promises, checked, limits, progress);
+    }
+
+    private static Drawings drawings(
+            DiagramRequest request,
+            CheckedModels checked,
+            Model model,
+            List<Examination> examinations)
             throws WrongUse {
-        Drawings drawings = new Drawings(request.depth());
+        Drawings drawings = new Drawings(request.depth(), examinations);
         for (String name : request.components()) {
             drawings.add(MainComponent.component(name, checked, model));
         }
@@ -63,7 +86,7 @@ final class DiagramStep {
         return drawings;
     }
 
-    private static byte[] content(
+    static byte[] content(
             Graph graph, DiagramRequest.Format format, Function<Span, Optional<String>> links)
             throws WrongUse {
         return switch (format) {

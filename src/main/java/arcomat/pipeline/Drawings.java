@@ -1,8 +1,10 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.automaton.Examination;
 import arcomat.diagram.AutomatonGraph;
 import arcomat.diagram.ComponentGraph;
 import arcomat.diagram.Graph;
+import arcomat.diagram.Highlights;
 import arcomat.diagram.TypesGraph;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -25,11 +27,16 @@ import java.util.TreeSet;
  */
 final class Drawings {
     private final int depth;
+    private final List<Examination> examinations;
     private final Map<String, Graph> graphs = new LinkedHashMap<>();
     private final Set<String> taken = new TreeSet<>();
 
-    Drawings(int depth) {
+    /**
+     * @param examinations whose findings are marked
+     */
+    Drawings(int depth, List<Examination> examinations) {
         this.depth = depth;
+        this.examinations = examinations;
     }
 
     Map<String, Graph> graphs() {
@@ -46,7 +53,11 @@ final class Drawings {
         for (int i = 0; i < automata.size(); i++) {
             String own = automata.get(i).name().isEmpty() ? "" + (i + 1) : automata.get(i).name();
             boolean sole = automata.size() == 1 && !drawn;
-            add(sole ? name : name + "-" + own, AutomatonGraph.of(component, automata.get(i)));
+            Automaton automaton = automata.get(i);
+            Highlights highlights = FindingHighlights.of(automaton, examinations);
+            add(
+                    sole ? name : name + "-" + own,
+                    AutomatonGraph.of(component.title(automaton), automaton, highlights));
         }
     }
 

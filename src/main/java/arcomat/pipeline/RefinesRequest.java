@@ -12,6 +12,7 @@ import java.util.Optional;
  * @param mona name or path of the program MONA, where it is to be asked instead of the engine
  * @param certificate file to write the proof to, where there is one
  * @param doubted file with a proof that is to be verified; nothing is searched then
+ * @param diagram file for a picture of how it fails, where it does
  */
 public record RefinesRequest(
         String left,
@@ -21,4 +22,5 @@ public record RefinesRequest(
         Optional<String> mona,
         Optional<String> certificate,
         Optional<String> doubted,
+        Optional<String> diagram,
         AnalysisLimits limits) {}

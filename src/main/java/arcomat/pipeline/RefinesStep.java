@@ -5,6 +5,7 @@ import arcomat.analysis.Certification;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Refinement;
 import arcomat.analysis.Verdict;
+import arcomat.diagram.Graph;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Model;
 
@@ -26,8 +27,13 @@ final class RefinesStep {
         Model model = checked.lower(progress);
         Promise left = promise(request.left(), request.leftCompletion(), checked, model);
         Promise right = promise(request.right(), request.rightCompletion(), checked, model);
+        DiagramFile.requireKnown(request.diagram());
         progress.step("comparing");
         Verdict verdict = verdict(left, right, request, names);
+        if (request.diagram().isPresent() && !verdict.trace().isEmpty()) {
+            Graph failure = FailurePicture.of(left, right, verdict);
+            DiagramFile.write(request.diagram().get(), failure, names);
+        }
         return new AnalysisResult(
                 checked.result(),
                 List.of(

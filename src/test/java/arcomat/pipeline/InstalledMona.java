@@ -37,6 +37,7 @@ public final class InstalledMona {
                             Optional.of("mona"),
                             Optional.empty(),
                             Optional.empty(),
+                            Optional.empty(),
                             LIMITS),
                     NAMES);
         } catch (WrongUse e) {

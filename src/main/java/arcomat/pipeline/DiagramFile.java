@@ -1,0 +1,48 @@
+package arcomat.pipeline;
+
+import arcomat.diagram.Graph;
+import arcomat.pipeline.DiagramRequest.Format;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+
+/** One picture in a file of its own; its name says the format. */
+final class DiagramFile {
+    private DiagramFile() {}
+
+    /** Before long work whose result could not be written. */
+    static void requireKnown(Optional<String> file) throws WrongUse {
+        if (file.isPresent()) {
+            format(file.get());
+        }
+    }
+
+    static void write(String file, Graph graph, PathNames names) throws WrongUse {
+        Path path = names.resolve(file).toAbsolutePath().normalize();
+        String folder = path.getParent().toString();
+        byte[] content =
+                DiagramStep.content(graph, format(file), new SourceLinks(names, folder)::of);
+        try {
+            Files.createDirectories(path.getParent());
+            AtomicFile.write(path, content);
+        } catch (IOException e) {
+            throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
+        }
+    }
+
+    private static Format format(String file) throws WrongUse {
+        return Arrays.stream(Format.values())
+                .filter(format -> file.endsWith("." + format))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                new WrongUse(
+                                        "'"
+                                                + file
+                                                + "' says no format; pictures end in .svg, .png or"
+                                                + " .dot"));
+    }
+}
