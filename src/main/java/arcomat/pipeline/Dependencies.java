@@ -26,10 +26,17 @@ final class Dependencies {
         files.forEach(file -> this.files.put(file.path(), Footprint.of(file)));
     }
 
-    /** Files and all that they refer to, over any number of steps. */
+    /**
+     * Files, those that claim the same as one of them, and all that they refer to, over any number
+     * of steps.
+     */
     Set<String> neededBy(Set<String> paths) {
         Set<String> needed = new HashSet<>(paths);
-        Deque<String> open = new ArrayDeque<>(paths);
+        Map<String, List<String>> claimants = claimants();
+        for (String path : paths) {
+            files.get(path).claims().forEach(claim -> needed.addAll(claimants.get(claim)));
+        }
+        Deque<String> open = new ArrayDeque<>(needed);
         while (!open.isEmpty() && needed.size() < files.size()) {
             Set<String> mentions = files.get(open.remove()).mentions();
             files.forEach(
