@@ -30,10 +30,14 @@ final class Changes {
         return map;
     }
 
-    /** The files there are now whose findings may be others than before. */
-    Set<String> affected() {
+    /**
+     * The files there are now whose findings may be others than before.
+     *
+     * @param dependencies between these files
+     */
+    Set<String> affected(Dependencies dependencies) {
         Set<String> affected =
-                new HashSet<>(new Dependencies(after.values()).affectedBy(footprints()));
+                new HashSet<>(dependencies.affectedBy(footprints()));
         changed().stream().filter(after::containsKey).forEach(affected::add);
         boolean otherNames = !names(before).equals(names(after));
         boolean otherwiseComplete = isComplete(before) != isComplete(after);

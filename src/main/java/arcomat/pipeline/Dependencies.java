@@ -21,9 +21,11 @@ import java.util.Set;
  */
 final class Dependencies {
     private final Map<String, Footprint> files = new LinkedHashMap<>();
+    private final Map<String, List<String>> claimants;
 
     Dependencies(Collection<CheckState.File> files) {
         files.forEach(file -> this.files.put(file.path(), Footprint.of(file)));
+        this.claimants = claimants();
     }
 
     /**
@@ -32,7 +34,6 @@ final class Dependencies {
      */
     Set<String> neededBy(Set<String> paths) {
         Set<String> needed = new HashSet<>(paths);
-        Map<String, List<String>> claimants = claimants();
         for (String path : paths) {
             files.get(path).claims().forEach(claim -> needed.addAll(claimants.get(claim)));
         }
@@ -59,7 +60,6 @@ final class Dependencies {
      */
     Set<String> affectedBy(Collection<Footprint> changed) {
         Set<String> affected = new HashSet<>();
-        Map<String, List<String>> claimants = claimants();
         Deque<Footprint> open = new ArrayDeque<>(changed);
         while (!open.isEmpty()) {
             Footprint current = open.remove();

@@ -4,8 +4,10 @@ import arcomat.check.Profile;
 import arcomat.report.CheckState;
 import arcomat.report.CheckState.File;
 import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -35,10 +37,22 @@ record IncrementalCheck(
         Set<Path> searched = ModelLoader.searchedFolders(paths, names);
         String key = Digest.of(tool + "\n" + profile + "\n" + new TreeSet<>(searched));
         NamedFiles named = NamedFiles.read(paths, names, progress);
-        Optional<CheckState> before = file.read(key, named::source);
+        Optional<CheckState> before = file.read(key, path -> source(path, named));
         Surroundings around = new Surroundings(names, searched, named.paths());
         return before.flatMap(state -> update(state, named, around))
                 .orElseGet(() -> full(key, searched));
+    }
+
+    /** Findings may be about a file that others need; there are few of them. */
+    private SourceFile source(String path, NamedFiles named) {
+        if (named.readable().containsKey(path)) {
+            return named.source(path);
+        }
+        Path place = names.resolve(path);
+        if (Library.isShown(path) && !Files.exists(place)) {
+            return Library.file(path);
+        }
+        return FileReader.read(place, path).file().orElseGet(() -> new SourceFile(path, ""));
     }
 
     private Outcome full(String key, Set<Path> searched) {

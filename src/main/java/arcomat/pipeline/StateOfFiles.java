@@ -23,6 +23,7 @@ record StateOfFiles(Surroundings around) {
     /** Of all files of a check. */
     List<File> of(CheckedModels models) {
         LoadedModels loaded = models.loaded();
+        Set<String> named = Set.copyOf(loaded.named());
         Map<String, Unit> units = new HashMap<>();
         loaded.units().forEach(unit -> units.put(unit.file().path(), unit));
         Map<String, List<Diagnostic>> findings = byFile(models.findings());
@@ -32,14 +33,14 @@ record StateOfFiles(Surroundings around) {
         for (SourceFile source : loaded.sources()) {
             String path = source.path();
             unreadable.remove(path);
-            File file =
-                    of(source, Optional.ofNullable(units.get(path)), loaded.isNamedByUser(path));
+            Optional<Unit> unit = Optional.ofNullable(units.get(path));
+            File file = of(source, unit, named.contains(path));
             files.add(
                     file.with(
                             findings.getOrDefault(path, List.of()),
                             suppressed.getOrDefault(path, List.of())));
         }
-        unreadable.forEach(path -> files.add(unreadable(path, loaded.isNamedByUser(path))));
+        unreadable.forEach(path -> files.add(unreadable(path, named.contains(path))));
         return files;
     }
 

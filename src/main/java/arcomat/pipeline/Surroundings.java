@@ -32,7 +32,6 @@ final class Surroundings {
         for (String file : files) {
             Path place = place(file);
             places.add(place);
-            named.add(real(place));
         }
     }
 
@@ -46,10 +45,21 @@ final class Surroundings {
                 .map(root -> roots.neededBy(unit, place, root))
                 .orElse(Set.of())
                 .stream()
-                .filter(path -> !named.contains(real(path)))
+                .filter(path -> !isNamed(path))
                 .forEach(path -> needed.add(names.shown(path, absolute)));
         needed.addAll(library.pathsFor(unit, places));
         return needed;
+    }
+
+    /** Asking the file system for all real names takes longer than most checks; links are rare. */
+    private boolean isNamed(Path path) {
+        if (places.contains(path.toAbsolutePath().normalize())) {
+            return true;
+        }
+        if (named.isEmpty()) {
+            places.forEach(place -> named.add(real(place)));
+        }
+        return named.contains(real(path));
     }
 
     /** The folders that were looked into so far, with digests of what else is in there. */

@@ -36,6 +36,7 @@ final class Update {
     private final Map<String, SourceFile> others = new HashMap<>();
     private final Map<String, Parsed> parsed = new HashMap<>();
     private final Set<String> affected = new TreeSet<>();
+    private Dependencies dependencies;
 
     private Update(List<File> before, NamedFiles named, PathNames names, Progress progress) {
         this.before = before;
@@ -68,7 +69,8 @@ final class Update {
                 after.put(file.path(), notNamed(file, old, states));
             }
         }
-        affected.addAll(new Changes(before, after.values()).affected());
+        dependencies = new Dependencies(after.values());
+        affected.addAll(new Changes(before, after.values()).affected(dependencies));
     }
 
     private static File unreadable(String path, boolean named) {
@@ -140,7 +142,7 @@ final class Update {
         if (affected.isEmpty()) {
             return List.copyOf(after.values());
         }
-        Set<String> needed = new Dependencies(after.values()).neededBy(affected);
+        Set<String> needed = dependencies.neededBy(affected);
         parse(needed);
         List<Unit> units = new ArrayList<>();
         List<Outline> outlines = new ArrayList<>();
