@@ -100,7 +100,11 @@ final class CheckCommand extends Command {
         CheckResult result = recheck.result();
         if (verbose) {
             console.err()
-                    .printf(Locale.ROOT, "checked %,d of %,d files\n", recheck.checked(), result.files());
+                    .printf(
+                            Locale.ROOT,
+                            "checked %,d of %,d files\n",
+                            recheck.checked(),
+                            result.files());
         }
         return result;
     }

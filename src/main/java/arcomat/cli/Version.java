@@ -22,7 +22,9 @@ final class Version implements CommandLine.IVersionProvider {
         }
     }
 
-    /** Of this very build, also where the number stays the same while somebody works on the tool. */
+    /**
+     * Of this very build, also where the number stays the same while somebody works on the tool.
+     */
     static String identity() {
         try {
             URI place = Version.class.getProtectionDomain().getCodeSource().getLocation().toURI();

@@ -36,8 +36,7 @@ final class Changes {
      * @param dependencies between these files
      */
     Set<String> affected(Dependencies dependencies) {
-        Set<String> affected =
-                new HashSet<>(dependencies.affectedBy(footprints()));
+        Set<String> affected = new HashSet<>(dependencies.affectedBy(footprints()));
         changed().stream().filter(after::containsKey).forEach(affected::add);
         boolean otherNames = !names(before).equals(names(after));
         boolean otherwiseComplete = isComplete(before) != isComplete(after);

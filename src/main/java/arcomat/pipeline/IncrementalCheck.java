@@ -75,8 +75,7 @@ record IncrementalCheck(
         Map<String, String> folders = new HashMap<>(before.folders());
         folders.putAll(around.folders());
         CheckState state = new CheckState(before.key(), folders, files);
-        return Optional.of(
-                new Outcome(result(files, named), state, update.numberOfCheckedFiles()));
+        return Optional.of(new Outcome(result(files, named), state, update.numberOfCheckedFiles()));
     }
 
     private static CheckResult result(List<File> files, NamedFiles named) {

@@ -111,7 +111,10 @@ final class ModelRoot {
      */
     Set<String> referable(Path folder) {
         return listing(folder).stream()
-                .filter(name -> name.indexOf('.') < 0 || REFERABLE.stream().anyMatch(name::endsWith))
+                .filter(
+                        name ->
+                                name.indexOf('.') < 0
+                                        || REFERABLE.stream().anyMatch(name::endsWith))
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 

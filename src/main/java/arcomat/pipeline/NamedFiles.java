@@ -15,8 +15,7 @@ import java.util.Map;
  * @param readable by their paths, in the same order
  * @param findings about finding and reading
  */
-record NamedFiles(
-        List<String> paths, Map<String, SourceFile> readable, List<Diagnostic> findings) {
+record NamedFiles(List<String> paths, Map<String, SourceFile> readable, List<Diagnostic> findings) {
 
     static NamedFiles read(List<String> written, PathNames names, Progress progress) {
         FileFinder finder = new FileFinder(names);

@@ -52,8 +52,8 @@ public final class Pipeline {
     }
 
     /**
-     * Checks files and folders as {@link #check} does, but only what has changed since the last time
-     * and what that touches. The result is the same.
+     * Checks files and folders as {@link #check} does, but only what has changed since the last
+     * time and what that touches. The result is the same.
      *
      * @param state a file in which the check leaves for the next one what it needs to know
      * @param tool whatever tells this tool from others that may find something else

@@ -62,7 +62,8 @@ final class Update {
         before.forEach(file -> old.put(file.path(), file));
         for (String path : named.paths()) {
             SourceFile source = named.readable().get(path);
-            after.put(path, source == null ? unreadable(path, true) : now(source, true, old, states));
+            after.put(
+                    path, source == null ? unreadable(path, true) : now(source, true, old, states));
         }
         for (File file : before) {
             if (!file.named() && !after.containsKey(file.path())) {
@@ -123,9 +124,7 @@ final class Update {
     private boolean changesSurroundings(File old, File fresh) {
         if (old == null || fresh == null) {
             File single = old == null ? fresh : old;
-            return !single.named()
-                    || !single.needs().isEmpty()
-                    || Library.mayHide(single.path());
+            return !single.named() || !single.needs().isEmpty() || Library.mayHide(single.path());
         }
         return isAmbiguous(fresh)
                 || old.named() != fresh.named()

@@ -32,7 +32,9 @@ final class EditedModels {
     private final SortedSet<String> paths = new TreeSet<>();
 
     private record Model(String path, String text) {
-        /** Without the comments that say what to expect: they would mention what they do not use. */
+        /**
+         * Without the comments that say what to expect: they would mention what they do not use.
+         */
         static Model of(SourceFile file) {
             return new Model(file.path(), file.text().replaceAll("(?m)^//.*\n?", ""));
         }
@@ -47,15 +49,16 @@ final class EditedModels {
         this.random = random;
     }
 
-    /** The models of every law's test, and those of files that need one another by several steps. */
+    /**
+     * The models of every law's test, and those of files that need one another by several steps.
+     */
     private static List<List<Model>> families() {
         List<List<Model>> families = new ArrayList<>();
         for (Path data : List.of(DATA, NEIGHBOURS)) {
             try (Stream<Path> files = Files.walk(data)) {
                 for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
                     if (file.toString().endsWith(".arc")) {
-                        families.add(
-                                DataFile.read(file).files().stream().map(Model::of).toList());
+                        families.add(DataFile.read(file).files().stream().map(Model::of).toList());
                     }
                 }
             } catch (IOException e) {
