@@ -50,6 +50,8 @@ final class Replay {
     /** What the terminal shows instead of a block, where they differ. */
     private final Map<Fence, Session> news = new LinkedHashMap<>();
 
+    private boolean hasBuild;
+
     /**
      * @param mona whether sessions with the program MONA can be tried here
      */
@@ -78,6 +80,7 @@ final class Replay {
         } else if (fence.language().equals("groovy") && !title.equals("Jenkinsfile")) {
             assertThat(title).as(where(fence)).matches("(onto )?(build|settings)\\.gradle");
             unread.put(title, fence.line());
+            hasBuild |= title.equals("build.gradle");
         } else if (!title.isEmpty() && !title.equals("Jenkinsfile")) {
             write(fence);
         } else {
@@ -119,12 +122,17 @@ final class Replay {
         List<Step> actual = new ArrayList<>();
         for (Step step : shown) {
             noteFilesOf(step.command());
-            boolean elsewhere = step.command().startsWith("gradle ");
-            actual.add(elsewhere ? step : replay(step));
+            actual.add(step.command().startsWith("gradle ") ? built(step) : replay(step));
         }
         if (!actual.equals(shown)) {
             news.put(fence, new Session(actual));
         }
+    }
+
+    /** The tests of the plugin do this, for pages with a build. */
+    private Step built(Step step) {
+        assertThat(hasBuild).as(step.command()).isTrue();
+        return step;
     }
 
     /** The step itself if it shows what happens. */

@@ -27,6 +27,7 @@ class ReplayTest {
                 "```arc a/A.arc\ncomponent A {}\n```\n\n```console\n$ arcomat check b\n...\n```",
                 "```console\nno command\n```",
                 "```console\n$ rm -r /\n```",
+                "```console\n$ gradle build\n...\n```",
                 "```java of build.gradle\nint i;\n```",
                 "```yaml\nrun: arcomat check --formt sarif models\n```",
                 "```yaml\nrun: arcomat check --format sraif models\n```",
