@@ -35,6 +35,16 @@ import ${type.packageName}.${type.name};
 
 </#if>
 </#macro>
+<#-- Of a class that names no constant: enums are numbers there. -->
+<#macro classes head>
+<#local types = head.mentions?filter(type -> type.kind != "enum" && !type.neighbour)>
+<#list types as type>
+import ${type.packageName}.${type.name};
+</#list>
+<#if types?has_content>
+
+</#if>
+</#macro>
 <#macro ports head>
 <#list head.inputs + head.outputs as port>
     /** ${port.comment} */

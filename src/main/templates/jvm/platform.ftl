@@ -1,6 +1,6 @@
 <#import "parts.ftl" as parts>
 <@parts.header head/>
-<@parts.imports head/>
+<@parts.classes head/>
 /**
  * Platform component ${head.model}. On this target its ports are the border of the program: whoever
  * drives it sets the outputs before a slice and reads the inputs after it.

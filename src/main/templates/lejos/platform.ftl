@@ -10,7 +10,7 @@ public final class ${head.name} extends ${general} {
 <#else>
 package ${head.packageName};
 
-<@parts.imports head/>
+<@parts.classes head/>
 /** Platform component ${head.model} on the brick. */
 public final class ${head.name} {
 <@parts.ports head/>

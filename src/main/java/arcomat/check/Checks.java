@@ -4,6 +4,7 @@ import arcomat.check.Suppressions.Suppression;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
+import arcomat.tree.Unit;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Collector;
 import java.util.stream.Stream;
 
@@ -149,7 +151,16 @@ public final class Checks {
 
     /** The findings, and those that the models declare to be meant. */
     public static Review review(Workspace workspace, Profile profile) {
-        List<Consumer<Walk>> steps = Walk.steps(workspace);
+        return review(workspace, profile, unit -> true);
+    }
+
+    /**
+     * As above, but only about some of the files.
+     *
+     * @param wanted files to look at; findings of laws about all files together may be about others
+     */
+    public static Review review(Workspace workspace, Profile profile, Predicate<Unit> wanted) {
+        List<Consumer<Walk>> steps = Walk.steps(workspace, wanted);
         Stream<Consumer<Walk>> stream =
                 steps.size() > WORTH_A_SECOND_THREAD ? steps.parallelStream() : steps.stream();
         Walk walk =
@@ -174,7 +185,7 @@ public final class Checks {
     public static Review sort(Workspace workspace, List<Diagnostic> findings) {
         Listeners nobody = new Listeners(List.of(), Profile.REQUIREMENTS);
         Walk walk = new Walk(workspace, Profile.REQUIREMENTS, nobody);
-        Walk.steps(workspace).forEach(step -> step.accept(walk));
+        Walk.steps(workspace, unit -> true).forEach(step -> step.accept(walk));
         return sort(findings, walk.suppressions(), Profile.REQUIREMENTS);
     }
 

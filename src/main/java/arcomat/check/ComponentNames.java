@@ -2,6 +2,7 @@ package arcomat.check;
 
 import arcomat.source.Fix;
 import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Outline;
 import arcomat.symbols.Resolution;
 import arcomat.tree.QualifiedName;
 
@@ -44,9 +45,9 @@ final class ComponentNames {
     /** The one component of that name in another package, if it was named without its package. */
     private static Optional<String> elsewhere(QualifiedName name, Context context) {
         List<String> found =
-                context.workspace().components().stream()
-                        .filter(c -> name.isSimple() && c.name().equals(name.text()))
-                        .map(ComponentSymbol::qualifiedName)
+                context.workspace().outlines().stream()
+                        .flatMap(file -> file.components().stream())
+                        .filter(c -> name.isSimple() && Outline.simple(c).equals(name.text()))
                         .toList();
         return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
     }
@@ -54,10 +55,12 @@ final class ComponentNames {
     /** Qualified names for a qualified one; else the simple names of the same package. */
     private static List<String> candidates(QualifiedName name, Context context) {
         String here = context.unit().packageText();
-        return context.workspace().components().stream()
-                .filter(c -> context.component().filter(c::equals).isEmpty())
-                .filter(c -> !name.isSimple() || c.unit().packageText().equals(here))
-                .map(c -> name.isSimple() ? c.name() : c.qualifiedName())
+        Optional<String> self = context.component().map(ComponentSymbol::qualifiedName);
+        return context.workspace().outlines().stream()
+                .filter(file -> !name.isSimple() || file.packageName().equals(here))
+                .flatMap(file -> file.components().stream())
+                .filter(c -> !self.equals(Optional.of(c)))
+                .map(c -> name.isSimple() ? Outline.simple(c) : c)
                 .distinct()
                 .toList();
     }

@@ -2,8 +2,7 @@ package arcomat.check;
 
 import arcomat.symbols.BuiltinType;
 import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.DefinedType;
-import arcomat.symbols.DiagramSymbol;
+import arcomat.symbols.Outline;
 import arcomat.symbols.TypeVariable;
 import arcomat.symbols.Workspace;
 import arcomat.tree.Import;
@@ -27,30 +26,29 @@ final class VisibleNames {
                 names.add(inner.name());
             }
         }
-        for (ComponentSymbol component : context.workspace().topLevelComponents()) {
-            if (isReached(component.qualifiedName(), context)) {
-                names.add(component.name());
-            }
+        for (Outline file : context.workspace().outlines()) {
+            file.topLevelComponent()
+                    .filter(component -> isReached(component, context))
+                    .ifPresent(component -> names.add(Outline.simple(component)));
         }
         return names;
     }
 
     /** Full names of message types of a simple name, in whatever package. */
     static List<String> typesElsewhere(QualifiedName name, Context context) {
-        return context.workspace().diagrams().stream()
-                .flatMap(diagram -> diagram.types().stream())
-                .filter(type -> name.isSimple() && type.text().equals(name.text()))
-                .map(DefinedType::qualifiedName)
+        return context.workspace().outlines().stream()
+                .flatMap(file -> file.types().stream())
+                .filter(type -> name.isSimple() && Outline.simple(type).equals(name.text()))
                 .distinct()
                 .toList();
     }
 
     /** Full names of top-level components of a simple name, in whatever package. */
     static List<String> componentsElsewhere(QualifiedName name, Context context) {
-        return context.workspace().topLevelComponents().stream()
-                .filter(component -> name.isSimple() && component.name().equals(name.text()))
-                .filter(component -> !component.unit().packageText().isEmpty())
-                .map(ComponentSymbol::qualifiedName)
+        return context.workspace().outlines().stream()
+                .filter(file -> !file.packageName().isEmpty())
+                .flatMap(file -> file.topLevelComponent().stream())
+                .filter(each -> name.isSimple() && Outline.simple(each).equals(name.text()))
                 .distinct()
                 .toList();
     }
@@ -67,10 +65,10 @@ final class VisibleNames {
         for (BuiltinType type : BuiltinType.values()) {
             names.add(type.text());
         }
-        for (DiagramSymbol diagram : context.workspace().diagrams()) {
-            for (DefinedType type : diagram.types()) {
-                if (isReached(type.qualifiedName(), context)) {
-                    names.add(type.text());
+        for (Outline file : context.workspace().outlines()) {
+            for (String type : file.types()) {
+                if (isReached(type, context)) {
+                    names.add(Outline.simple(type));
                 }
             }
         }
@@ -80,14 +78,10 @@ final class VisibleNames {
     /** What an import could name: packages do not count. */
     static List<String> qualified(Workspace workspace) {
         List<String> names = new ArrayList<>();
-        for (ComponentSymbol component : workspace.topLevelComponents()) {
-            names.add(component.qualifiedName());
-        }
-        for (DiagramSymbol diagram : workspace.diagrams()) {
-            names.add(diagram.qualifiedName());
-            for (DefinedType type : diagram.types()) {
-                names.add(type.qualifiedName());
-            }
+        for (Outline file : workspace.outlines()) {
+            file.topLevelComponent().ifPresent(names::add);
+            file.diagram().ifPresent(names::add);
+            names.addAll(file.types());
         }
         return names;
     }

@@ -14,6 +14,7 @@ import arcomat.tree.Unit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * The one walk over a workspace: files and what they define. Its steps do not depend on one
@@ -38,15 +39,30 @@ final class Walk {
         this.components = new ComponentWalk(listeners, stereotypes, expressions, behaviours);
     }
 
-    /** All steps: the laws about all files together, then one step for each definition. */
-    static List<Consumer<Walk>> steps(Workspace workspace) {
+    /** The laws about all files together, then one step for each definition in wanted files. */
+    static List<Consumer<Walk>> steps(Workspace workspace, Predicate<Unit> wanted) {
         List<Consumer<Walk>> steps = new ArrayList<>();
         steps.add(Walk::workspace);
-        workspace.topLevelComponents().forEach(each -> steps.add(walk -> walk.component(each)));
-        workspace.bareAutomata().forEach(each -> steps.add(walk -> walk.automaton(each)));
-        workspace.diagrams().forEach(each -> steps.add(walk -> walk.diagram(each)));
-        workspace.testSuites().forEach(each -> steps.add(walk -> walk.suite(each)));
+        for (ComponentSymbol each : workspace.topLevelComponents()) {
+            add(wanted, each.unit(), walk -> walk.component(each), steps);
+        }
+        for (AutomatonSymbol each : workspace.bareAutomata()) {
+            add(wanted, each.unit(), walk -> walk.automaton(each), steps);
+        }
+        for (DiagramSymbol each : workspace.diagrams()) {
+            add(wanted, each.unit(), walk -> walk.diagram(each), steps);
+        }
+        for (TestSuiteSymbol each : workspace.testSuites()) {
+            add(wanted, each.unit(), walk -> walk.suite(each), steps);
+        }
         return steps;
+    }
+
+    private static void add(
+            Predicate<Unit> wanted, Unit unit, Consumer<Walk> step, List<Consumer<Walk>> steps) {
+        if (wanted.test(unit)) {
+            steps.add(step);
+        }
     }
 
     /** Takes over what another walk has seen. */

@@ -24,7 +24,9 @@ abstract class AnalysisCommand extends LimitedCommand {
     /** Models with errors cannot be asked anything: their findings are the answer. */
     final int refuse(CheckResult check) {
         if (isJson()) {
-            print(CheckRendering.refused("", check, console).text(ReportFormat.json, console.style()));
+            print(
+                    CheckRendering.refused("", check, console)
+                            .text(ReportFormat.json, console.style()));
         } else {
             reportErrors(check);
         }

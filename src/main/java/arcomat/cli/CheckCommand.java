@@ -2,6 +2,7 @@ package arcomat.cli;
 
 import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Recheck;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.CheckReport;
 import arcomat.source.Diagnostic;
@@ -12,6 +13,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
+import java.util.Locale;
 
 /** {@code arcomat check}: all findings about files and folders. */
 @CommandLine.Command(
@@ -45,6 +47,17 @@ final class CheckCommand extends Command {
     @Option(names = "--strict", description = "Treat warnings as errors.")
     private boolean strict;
 
+    @Option(
+            names = "--state",
+            paramLabel = "FILE",
+            description =
+                    "Remember findings in that file, and check only what changed since the last"
+                            + " time and what depends on it.")
+    private String state;
+
+    @Option(names = "--verbose", description = "Tell how many files were checked.")
+    private boolean verbose;
+
     @Mixin private BaselineOptions baselines = new BaselineOptions();
 
     @Mixin private ReportOptions reports = new ReportOptions();
@@ -61,7 +74,7 @@ final class CheckCommand extends Command {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
-        CheckResult result = pipeline.check(paths, profile == Profile.executable);
+        CheckResult result = check(pipeline);
         CheckReport report = baselines.apply(result, pipeline);
         Rendering rendering =
                 new CheckRendering("check", report, strict, MachineFormats.of(console));
@@ -73,5 +86,26 @@ final class CheckCommand extends Command {
         boolean fails =
                 strict ? !findings.isEmpty() : findings.stream().anyMatch(Diagnostic::isError);
         return fails ? ExitStatus.FINDINGS : ExitStatus.FINE;
+    }
+
+    private CheckResult check(Pipeline pipeline) throws WrongUse {
+        boolean executable = profile == Profile.executable;
+        if (state == null) {
+            return tell(Recheck.full(pipeline.check(paths, executable)));
+        }
+        return tell(pipeline.checkAgain(paths, executable, state, Version.identity()));
+    }
+
+    private CheckResult tell(Recheck recheck) {
+        CheckResult result = recheck.result();
+        if (verbose) {
+            console.err()
+                    .printf(
+                            Locale.ROOT,
+                            "checked %,d of %,d files\n",
+                            recheck.checked(),
+                            result.files());
+        }
+        return result;
     }
 }

@@ -29,7 +29,7 @@ import java.util.Optional;
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
             "generate. Code for the JVM needs the installation's lib/arcomat-runtime-VERSION.jar"
-                + " on",
+                    + " on",
             "its class path."
         })
 final class GenerateCommand extends Command {

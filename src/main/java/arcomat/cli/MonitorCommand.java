@@ -23,7 +23,7 @@ import java.util.List;
             "  arcomat monitor 'p.Robot#waits' --out build/monitor models",
             "",
             "The classes need the installation's lib/arcomat-runtime-VERSION.jar on their class"
-                + " path.",
+                    + " path.",
             "To watch a run of the simulator: arcomat simulate --monitor."
         })
 final class MonitorCommand extends AnalysisCommand {

@@ -29,7 +29,7 @@ import java.util.List;
             "  arcomat verify models/coffee",
             "  arcomat verify --timeout 60 --format json models > verdicts.json",
             "  arcomat verify --report junit=build/verify.xml --report sarif=build/verify.sarif"
-                + " models",
+                    + " models",
             "",
             "Exit status: 0 all hold; 1 one fails; 3 one is unknown; 2 wrong use or models with"
                     + " errors."

@@ -44,15 +44,49 @@ final class Library {
         if (referring.isEmpty()) {
             return List.of();
         }
-        if (files.isEmpty()) {
-            files = index();
-            own.forEach(path -> files.remove(qualifiedName(path)));
-        }
+        index(own);
         Set<String> needed = new LinkedHashSet<>();
         referring.forEach(unit -> addFilesOf(unit, needed));
         needed.removeAll(taken);
         taken.addAll(needed);
         return needed.stream().map(path -> new SourceFile(ROOT + "/" + path, text(path))).toList();
+    }
+
+    /**
+     * The paths, as findings show them, of the library's files that a unit refers to, handed out or
+     * not.
+     *
+     * @param own as above
+     */
+    List<String> pathsFor(Unit unit, Collection<Path> own) {
+        if (!refersToPackage(unit)) {
+            return List.of();
+        }
+        index(own);
+        Set<String> needed = new LinkedHashSet<>();
+        addFilesOf(unit, needed);
+        return needed.stream().map(path -> ROOT + "/" + path).toList();
+    }
+
+    /** A file by the path that findings show. */
+    static SourceFile file(String shown) {
+        return new SourceFile(shown, text(shown.substring(ROOT.length() + 1)));
+    }
+
+    static boolean isShown(String path) {
+        return path.startsWith(ROOT + "/");
+    }
+
+    /** Whether a file of the user's may stand in the place of one of the library's. */
+    static boolean mayHide(String path) {
+        return PACKAGES.stream().anyMatch(name -> ("/" + path).contains("/" + name + "/"));
+    }
+
+    private void index(Collection<Path> own) {
+        if (files.isEmpty()) {
+            files = index();
+            own.forEach(path -> files.remove(qualifiedName(path)));
+        }
     }
 
     private static boolean refersToPackage(Unit unit) {

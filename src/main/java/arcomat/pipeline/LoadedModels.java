@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;
@@ -13,6 +14,7 @@ import java.util.stream.Collectors;
  * The files behind a set of paths, parsed.
  *
  * @param named paths of the files that the user named, by file or by folder
+ * @param sources all files that could be read, in that order
  * @param units the trees of all files that parse, files that others need included
  * @param broken paths of the files that could not be read or parsed
  * @param findings about reading and parsing
@@ -20,12 +22,14 @@ import java.util.stream.Collectors;
  */
 record LoadedModels(
         List<String> named,
+        List<SourceFile> sources,
         List<Unit> units,
         Set<String> broken,
         List<Diagnostic> findings,
         Set<String> needed) {
     LoadedModels {
         named = List.copyOf(named);
+        sources = List.copyOf(sources);
         units = List.copyOf(units);
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);
@@ -36,6 +40,7 @@ record LoadedModels(
     LoadedModels withoutTests() {
         return new LoadedModels(
                 named.stream().filter(path -> !isTest(path)).toList(),
+                sources.stream().filter(file -> !isTest(file.path())).toList(),
                 units.stream().filter(unit -> !isTest(unit.file().path())).toList(),
                 broken.stream().filter(path -> !isTest(path)).collect(Collectors.toSet()),
                 findings.stream().filter(each -> !isTest(each.span().file().path())).toList(),

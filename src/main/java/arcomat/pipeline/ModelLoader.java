@@ -26,6 +26,7 @@ final class ModelLoader {
 
     private final PathNames names;
     private final Progress progress;
+    private final List<SourceFile> sources = new ArrayList<>();
     private final List<Unit> units = new ArrayList<>();
     private final Set<String> broken = new HashSet<>();
     private final List<Diagnostic> findings = new ArrayList<>();
@@ -46,7 +47,7 @@ final class ModelLoader {
         paths.forEach(finder::find);
         findings.addAll(finder.findings());
         List<Unit> fresh = parse(read(finder.files()));
-        Set<Path> folders = searchedFolders(paths);
+        Set<Path> folders = searchedFolders(paths, names);
         ModelRoot roots = new ModelRoot();
         Set<String> needed = new HashSet<>();
         while (!fresh.isEmpty()) {
@@ -62,10 +63,11 @@ final class ModelLoader {
             fresh = parse(more);
         }
         List<String> named = finder.files().stream().map(FileFinder.Found::shown).toList();
-        return new LoadedModels(named, units, broken, findings, needed);
+        return new LoadedModels(named, sources, units, broken, findings, needed);
     }
 
-    private Set<Path> searchedFolders(List<String> paths) {
+    /** Those of the paths that are folders. */
+    static Set<Path> searchedFolders(List<String> paths, PathNames names) {
         Set<Path> folders = new HashSet<>();
         for (String written : paths) {
             Path path = names.resolve(written);
@@ -94,22 +96,28 @@ final class ModelLoader {
         return read;
     }
 
-    private List<Unit> parse(List<SourceFile> sources) {
-        progress.step("parsing", sources.size(), "file");
-        long size = sources.stream().mapToLong(file -> file.text().length()).sum();
-        Stream<SourceFile> stream =
-                size > WORTH_A_SECOND_THREAD ? sources.parallelStream() : sources.stream();
-        List<Parsed> parsed = stream.map(Parser::parse).toList();
-        List<Unit> fresh = new ArrayList<>();
+    private List<Unit> parse(List<SourceFile> fresh) {
+        sources.addAll(fresh);
+        List<Parsed> parsed = parse(fresh, progress);
+        List<Unit> parsedUnits = new ArrayList<>();
         for (int i = 0; i < parsed.size(); i++) {
             findings.addAll(parsed.get(i).findings());
-            parsed.get(i).unit().ifPresent(fresh::add);
+            parsed.get(i).unit().ifPresent(parsedUnits::add);
             if (parsed.get(i).unit().isEmpty()) {
-                broken.add(sources.get(i).path());
+                broken.add(fresh.get(i).path());
             }
         }
-        units.addAll(fresh);
-        return fresh;
+        units.addAll(parsedUnits);
+        return parsedUnits;
+    }
+
+    /** Large amounts of text by several threads. */
+    static List<Parsed> parse(List<SourceFile> files, Progress progress) {
+        progress.step("parsing", files.size(), "file");
+        long size = files.stream().mapToLong(file -> file.text().length()).sum();
+        Stream<SourceFile> stream =
+                size > WORTH_A_SECOND_THREAD ? files.parallelStream() : files.stream();
+        return stream.map(Parser::parse).toList();
     }
 
     /** Files that units refer to, where their model root was not searched anyway. */

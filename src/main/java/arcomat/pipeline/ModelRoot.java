@@ -100,6 +100,24 @@ final class ModelRoot {
         }
     }
 
+    /** The folders that were looked into. */
+    Set<Path> folders() {
+        return listings.keySet();
+    }
+
+    /**
+     * The names in a folder that a model could refer to: files with models, and what may be folders
+     * of a package.
+     */
+    Set<String> referable(Path folder) {
+        return listing(folder).stream()
+                .filter(
+                        name ->
+                                name.indexOf('.') < 0
+                                        || REFERABLE.stream().anyMatch(name::endsWith))
+                .collect(Collectors.toCollection(TreeSet::new));
+    }
+
     private Set<String> listing(Path folder) {
         return listings.computeIfAbsent(folder, ModelRoot::list);
     }

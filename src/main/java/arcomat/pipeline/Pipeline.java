@@ -52,6 +52,24 @@ public final class Pipeline {
     }
 
     /**
+     * Checks files and folders as {@link #check} does, but only what has changed since the last
+     * time and what that touches. The result is the same.
+     *
+     * @param state a file in which the check leaves for the next one what it needs to know
+     * @param tool whatever tells this tool from others that may find something else
+     * @throws WrongUse where the state cannot be written
+     */
+    public Recheck checkAgain(List<String> paths, boolean executable, String state, String tool)
+            throws WrongUse {
+        Profile profile = executable ? Profile.EXECUTABLE : Profile.REQUIREMENTS;
+        IncrementalCheck.Outcome outcome =
+                new IncrementalCheck(paths, profile, tool, names, progress)
+                        .run(new StateFile(state, names));
+        writeFile(state, StateFile.text(outcome.state()));
+        return new Recheck(outcome.result(), outcome.checked());
+    }
+
+    /**
      * Tells findings that are new from those that a baseline knows.
      *
      * @param file the baseline, as the user wrote it

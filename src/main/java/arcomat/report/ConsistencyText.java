@@ -119,7 +119,7 @@ public final class ConsistencyText {
             return contradiction.decided()
                     ? "which inputs show that depends on what is answered:"
                     : "what to send depends on what is answered, or takes a search that was given"
-                          + " up:";
+                            + " up:";
         }
         List<Letter> word = contradiction.word().get();
         if (word.isEmpty()) {

@@ -33,6 +33,13 @@ final class Index {
         }
     }
 
+    /** Notes the packages, components and diagrams of a file that is not looked at. */
+    void addQualifiers(Outline outline) {
+        addQualifier(outline.packageName());
+        outline.components().forEach(this::addQualifier);
+        outline.diagram().ifPresent(this::addQualifier);
+    }
+
     /** Notes a file without a tree: whatever it should define is excused. */
     void addBroken(String path) {
         String name = path.substring(path.lastIndexOf('/') + 1);

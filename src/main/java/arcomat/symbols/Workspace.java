@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /**
  * Everything that a set of files defines. Names across files are resolved on demand; nothing here
@@ -28,12 +29,16 @@ public final class Workspace {
     private final List<AutomatonSymbol> bareAutomata = new ArrayList<>();
     private final List<TestSuiteSymbol> testSuites = new ArrayList<>();
     private final boolean complete;
+    private final List<Outline> others;
+    private final Lazy<List<Outline>> outlines = new Lazy<>(this::allOutlines);
     private final Delays delays = new Delays();
 
-    private Workspace(List<Unit> units, Set<String> brokenFiles) {
+    private Workspace(List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
         this.complete = brokenFiles.isEmpty();
         this.units = List.copyOf(units);
+        this.others = List.copyOf(others);
         brokenFiles.forEach(index::addBroken);
+        this.others.forEach(index::addQualifiers);
         this.units.forEach(this::add);
     }
 
@@ -42,7 +47,17 @@ public final class Workspace {
      *     excused
      */
     public static Workspace of(List<Unit> units, Set<String> brokenFiles) {
-        return new Workspace(units, brokenFiles);
+        return of(units, brokenFiles, List.of());
+    }
+
+    /**
+     * A part of a larger set of files. Of the others only the names are known, which is enough
+     * where no file of the part refers to them.
+     *
+     * @param brokenFiles as above, those of the other part included
+     */
+    public static Workspace of(List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
+        return new Workspace(units, brokenFiles, others);
     }
 
     /** Whether every file has a tree, so that nothing is excused. */
@@ -98,6 +113,15 @@ public final class Workspace {
 
     public List<Unit> units() {
         return units;
+    }
+
+    /** The names that all files define, those included of which only the names are known. */
+    public List<Outline> outlines() {
+        return outlines.get();
+    }
+
+    private List<Outline> allOutlines() {
+        return Stream.concat(units.stream().map(Outline::of), others.stream()).toList();
     }
 
     /** What the names in a file reach. */

@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 
 /** The tasks of this project's build, as its scripts and the Gradle plugin name them. */
 record BuildTasks(String scripts) {
-    private static final Pattern TASK = Pattern.compile("(?<= )(?::[\\w-]+:)?[a-z]\\w+");
+    private static final Pattern TASK = Pattern.compile("(?<= )(?::[\\w-]+:)?[a-z]\\w+(?= |$)");
 
     /** Tasks that Gradle has by itself. */
     private static final String BUILT_IN = "'build' 'check' 'publishToMavenLocal'";

@@ -7,6 +7,8 @@ import arcomat.check.Law;
 import arcomat.check.Profile;
 import arcomat.pipeline.Explanations;
 import arcomat.source.Severity;
+import arcomat.source.SourceFile;
+import arcomat.syntax.Parser;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -32,6 +34,8 @@ import java.util.stream.Stream;
  */
 class ErrorIndexTest {
     private static final Path INDEX = Path.of("docs/errors.md");
+    private static final String PAGES = "src/main/resources/explain/";
+    private static final Set<String> MODELS = Set.of("arc", "cd", "mt", "ioautomaton");
     private static final boolean UPDATE = Boolean.getBoolean("transcripts.update");
     private static final Pattern SEEN = Pattern.compile("\\b(error|warning) (ARC\\d{4})\\b");
 
@@ -90,6 +94,22 @@ class ErrorIndexTest {
         }
     }
 
+    /** Models of checks are tried with the checks; those on other pages follow the grammar. */
+    @Test
+    void modelsOnThePagesFollowTheGrammar() throws IOException {
+        Set<String> checks = new TreeSet<>();
+        Checks.laws().forEach(law -> checks.add(law.code()));
+        for (String code : Explanations.titles().keySet()) {
+            boolean aboutFiles = code.startsWith("ARC00");
+            for (Fence fence : Fence.of(Path.of(PAGES + code + ".md"))) {
+                if (!aboutFiles && !checks.contains(code) && MODELS.contains(fence.language())) {
+                    SourceFile model = new SourceFile(code + "." + fence.language(), fence.text());
+                    assertThat(Parser.parse(model).findings()).as(code).isEmpty();
+                }
+            }
+        }
+    }
+
     private static String index() {
         StringBuilder page = new StringBuilder(BEGINNING);
         Map<String, String> titles = new TreeMap<>(Explanations.titles());
@@ -105,8 +125,8 @@ class ErrorIndexTest {
     }
 
     private static String row(String code, String title) {
-        return "| [%s](../src/main/resources/explain/%s.md) | %s | %s |\n"
-                .formatted(code, code, title, severity(code));
+        return "| [%s](../%s%s.md) | %s | %s |\n"
+                .formatted(code, PAGES, code, title, severity(code));
     }
 
     private static String severity(String code) {

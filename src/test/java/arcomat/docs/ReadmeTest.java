@@ -96,6 +96,14 @@ class ReadmeTest {
         }
     }
 
+    /** Code that is only indented would be seen by nobody. */
+    @ParameterizedTest
+    @MethodSource("pages")
+    void hasFencesAroundAllBlocks(Path page) throws IOException {
+        String text = Files.readString(page).replaceAll("(?ms)^ *```.*?^ *```$", "");
+        assertThat(text.lines()).noneMatch(line -> line.matches("( {4,}|\t).*"));
+    }
+
     private static boolean hasMona() {
         return Arrays.stream(System.getenv("PATH").split(File.pathSeparator))
                 .anyMatch(folder -> Files.isExecutable(Path.of(folder, "mona")));

@@ -50,8 +50,7 @@ final class CodeTasks {
 
     private void generate(GenerateArc task) {
         main.readBy(task);
-        // What is wrong with all models is better told first than what is wrong with those of main.
-        task.shouldRunAfter(tasks.named("checkArc"));
+        task.mustRunAfter(tasks.named(ModelTasks.CHECK)); // which tells what is wrong, once
         task.getPlatformCode().from(main.platformCode());
         task.getMain().convention(settings.getMain());
         task.getChoose().convention(settings.getChoose());

@@ -10,6 +10,8 @@ import org.gradle.language.base.plugins.LifecycleBasePlugin;
 
 /** Tasks about all models of a project: those of main, and those of test, which see the others. */
 final class ModelTasks {
+    static final String CHECK = "checkArc";
+
     private final ArcomatExtension settings;
     private final ModelSources main;
     private final ModelSources test;
@@ -51,7 +53,7 @@ final class ModelTasks {
 
     private TaskProvider<CheckArc> checkArc() {
         TaskProvider<CheckArc> provider =
-                register("checkArc", CheckArc.class, "Reports what is wrong with the models.");
+                register(CHECK, CheckArc.class, "Reports what is wrong with the models.");
         provider.configure(
                 task -> {
                     task.getProfile().convention(settings.getProfile());
@@ -114,6 +116,9 @@ final class ModelTasks {
                     task.setDescription(description);
                     main.readBy(task);
                     test.readBy(task);
+                    if (!name.equals(CHECK)) {
+                        task.mustRunAfter(tasks.named(CHECK)); // which tells what is wrong, once
+                    }
                 });
     }
 

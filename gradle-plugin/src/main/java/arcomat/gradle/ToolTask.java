@@ -21,7 +21,7 @@ import javax.inject.Inject;
 
 /**
  * A task that runs commands of the tool, in worker processes: the build goes on with other tasks
- * meanwhile, and a process waits for the next command, in this build or a later one. There are two
+ * meanwhile, and a process serves the commands of a build one after the other. There are two
  * actions, for Gradle waits between them without keeping the project to itself, as it would while
  * one action waits.
  */
@@ -84,7 +84,9 @@ public abstract class ToolTask extends DefaultTask {
             ToolTask it = (ToolTask) task;
             List<ToolResult> results = new ArrayList<>();
             for (int number = 0; number < it.commands().size(); number++) {
-                results.add(new ToolOutput(it.getTemporaryDir(), number).result());
+                ToolResult result = new ToolOutput(it.getTemporaryDir(), number).result();
+                it.getLogger().info(result.err().stripTrailing());
+                results.add(result);
             }
             it.conclude(results);
         }

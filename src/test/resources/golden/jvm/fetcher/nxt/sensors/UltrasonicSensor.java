@@ -2,8 +2,6 @@
 
 package nxt.sensors;
 
-import nxt.brick.SensorPortCode;
-
 /**
  * Platform component nxt.UltrasonicSensor. On this target its ports are the border of the program: whoever
  * drives it sets the outputs before a slice and reads the inputs after it.

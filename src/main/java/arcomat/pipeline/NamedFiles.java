@@ -1,0 +1,41 @@
+package arcomat.pipeline;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The files that the user named, by file or by folder, read but not parsed.
+ *
+ * @param paths as they are shown
+ * @param readable by their paths, in the same order
+ * @param findings about finding and reading
+ */
+record NamedFiles(List<String> paths, Map<String, SourceFile> readable, List<Diagnostic> findings) {
+
+    static NamedFiles read(List<String> written, PathNames names, Progress progress) {
+        FileFinder finder = new FileFinder(names);
+        written.forEach(finder::find);
+        progress.step("reading", finder.files().size(), "file");
+        List<String> paths = new ArrayList<>();
+        Map<String, SourceFile> readable = new LinkedHashMap<>();
+        List<Diagnostic> findings = new ArrayList<>(finder.findings());
+        for (FileFinder.Found found : finder.files()) {
+            paths.add(found.shown());
+            FileReader.Read result = FileReader.read(found.path(), found.shown());
+            result.file().ifPresent(file -> readable.put(found.shown(), file));
+            result.finding().ifPresent(findings::add);
+        }
+        return new NamedFiles(paths, readable, findings);
+    }
+
+    /** The text of a file; empty where it could not be read, or was not named. */
+    SourceFile source(String path) {
+        SourceFile file = readable.get(path);
+        return file == null ? new SourceFile(path, "") : file;
+    }
+}
