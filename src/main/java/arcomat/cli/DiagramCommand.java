@@ -41,7 +41,7 @@ final class DiagramCommand extends LimitedCommand {
     @Option(
             names = "--component",
             paramLabel = "QNAME",
-            description = "Only this component; may be given again. All that PATH names if absent.")
+            description = "Only this component or class diagram; may be given again. All if absent.")
     private List<String> components = new ArrayList<>();
 
     @Option(

@@ -21,6 +21,8 @@ import java.util.stream.Collectors;
  * by their path from the component.
  */
 public final class ComponentGraph {
+    private static final String LEGEND = "\u25a0 sends one slice later";
+
     private final int depth;
 
     private ComponentGraph(int depth) {
@@ -33,9 +35,23 @@ public final class ComponentGraph {
     public static Graph of(Component component, int depth) {
         ComponentGraph drawing = new ComponentGraph(depth);
         Mark mark = Mark.of("frame", "", component.span());
-        List<Line> title = List.of(Line.bold(component.qualifiedName()));
+        List<Line> title = new ArrayList<>();
+        title.add(Line.bold(component.qualifiedName()));
+        if (drawing.showsDelay(component, 0)) {
+            title.add(Line.small(LEGEND));
+        }
         Node frame = drawing.node(mark, title, component, "", 0);
         return new Graph(component.qualifiedName(), List.of(frame), List.of(), Graph.Flow.RIGHT);
+    }
+
+    private boolean showsDelay(Component component, int level) {
+        if (component.outputs().stream().anyMatch(port -> port.delay() > 0)) {
+            return true;
+        }
+        return level < depth
+                && component.body() instanceof Component.Composite composite
+                && composite.parts().stream()
+                        .anyMatch(part -> showsDelay(part.component(), level + 1));
     }
 
     private Node node(Mark mark, List<Line> title, Component component, String path, int level) {

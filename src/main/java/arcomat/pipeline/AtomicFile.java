@@ -6,8 +6,10 @@ import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
 import java.util.Set;
+import java.util.UUID;
 
 /** Replaces what is in a file at once: whoever looks sees the old or the new. */
 final class AtomicFile {
@@ -21,9 +23,9 @@ final class AtomicFile {
         // A link stays a link; what it leads to gets the content.
         Path target = Files.exists(file) ? file.toRealPath() : file;
         Path folder = target.toAbsolutePath().getParent();
-        Path fresh = Files.createTempFile(folder, ".arcomat-", ".tmp");
+        Path fresh = folder.resolve(".arcomat-" + UUID.randomUUID() + ".tmp");
         try {
-            Files.write(fresh, content);
+            Files.write(fresh, content, StandardOpenOption.CREATE_NEW);
             if (Files.exists(target)) {
                 keepPermissions(target, fresh);
             }

@@ -11,6 +11,7 @@ import arcomat.diagram.Theme;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.source.Span;
+import arcomat.symbols.DiagramSymbol;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
@@ -70,7 +71,14 @@ final class DiagramStep {
             throws WrongUse {
         Drawings drawings = new Drawings(request.depth(), examinations);
         for (String name : request.components()) {
-            drawings.add(MainComponent.component(name, checked, model));
+            List<DiagramSymbol> types =
+                    checked.workspace().diagrams().stream()
+                            .filter(each -> each.qualifiedName().equals(name))
+                            .toList();
+            if (types.isEmpty() || model.component(name).isPresent()) {
+                drawings.add(MainComponent.component(name, checked, model));
+            }
+            types.forEach(drawings::add);
         }
         if (request.components().isEmpty()) {
             LoadedModels loaded = checked.loaded();

@@ -6,6 +6,7 @@ import com.github.weisj.jsvg.parser.SVGLoader;
 import com.github.weisj.jsvg.view.FloatSize;
 
 import java.awt.AWTError;
+import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
@@ -26,7 +27,7 @@ final class PngImage {
     static byte[] of(String svg) throws WrongUse {
         System.setProperty("java.awt.headless", "true");
         try {
-            return paint(svg);
+            return paint(readable(svg));
         } catch (LinkageError | AWTError | InternalError | IOException e) {
             throw new WrongUse(
                     "this Java cannot paint letters ("
@@ -34,6 +35,22 @@ final class PngImage {
                             + "): install fonts, on Debian the package fonts-liberation, and a Java"
                             + " with them; --format svg needs neither");
         }
+    }
+
+    /** The machine's fonts for what Liberation Sans has no letters for; boxes help nobody. */
+    private static String readable(String svg) throws WrongUse {
+        String letters = svg.replaceAll("(?s)<style>.*?</style>|<[^>]*>", "");
+        if (new Font("Liberation Sans", Font.PLAIN, 1).canDisplayUpTo(letters) < 0) {
+            return svg;
+        }
+        int missing = new Font(Font.SANS_SERIF, Font.PLAIN, 1).canDisplayUpTo(letters);
+        if (missing < 0) {
+            return svg.replace("\"Liberation Sans\", Arimo", "SansSerif");
+        }
+        throw new WrongUse(
+                "this machine has no font with the letter '"
+                        + Character.toString(letters.codePointAt(missing))
+                        + "'; install one, or take --format svg");
     }
 
     private static byte[] paint(String svg) throws IOException {
