@@ -41,7 +41,8 @@ final class DiagramCommand extends LimitedCommand {
     @Option(
             names = "--component",
             paramLabel = "QNAME",
-            description = "Only this component or class diagram; may be given again. All if absent.")
+            description =
+                    "Only this component or class diagram; may be given again. All if absent.")
     private List<String> components = new ArrayList<>();
 
     @Option(
@@ -56,7 +57,7 @@ final class DiagramCommand extends LimitedCommand {
             paramLabel = "WHAT",
             description = {
                 "Mark what is found: ${COMPLETION-CANDIDATES} (overlaps, inputs that are not"
-                    + " handled,",
+                        + " handled,",
                 "states never reached, and all else that 'analyze' finds)."
             })
     private Highlight highlight;

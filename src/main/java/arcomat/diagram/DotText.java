@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 public final class DotText {
     private final StringBuilder text = new StringBuilder();
     private final Set<String> open = new HashSet<>();
+    private final Set<String> delayed = new HashSet<>();
 
     /** Tells nodes of one outermost node from those of another. */
     private String prefix = "";
@@ -36,6 +37,9 @@ public final class DotText {
     }
 
     private void node(Node node, String indent) {
+        node.ports().stream()
+                .filter(port -> port.mark().styles().contains("delayed"))
+                .forEach(port -> delayed.add(port.mark().name()));
         if (node.children().isEmpty()) {
             String shape =
                     switch (node.form()) {
@@ -53,7 +57,7 @@ public final class DotText {
         text.append(deeper + "label=" + label(node.lines()) + ";\n");
         for (Graph.Port port : node.ports()) {
             text.append(deeper + key("port " + port.mark().name()) + " [label=")
-                    .append(quoted(port.label()) + ", shape=plain];\n");
+                    .append(quoted(sign(port.mark().name()) + port.label()) + ", shape=plain];\n");
         }
         node.children().forEach(child -> node(child, deeper));
         node.children().stream()
@@ -82,7 +86,8 @@ public final class DotText {
             return "";
         }
         String path = end.port().get();
-        return ", " + attribute + "=" + quoted(path.substring(path.lastIndexOf('.') + 1));
+        String name = path.substring(path.lastIndexOf('.') + 1);
+        return ", " + attribute + "=" + quoted(sign(path) + name);
     }
 
     private String end(End end) {
@@ -91,6 +96,11 @@ public final class DotText {
                         ? end.port()
                         : Optional.empty();
         return port.map(name -> "port " + name).orElseGet(() -> end.node().orElse(""));
+    }
+
+    /** As in other pictures, what sends one slice later is filled. */
+    private String sign(String port) {
+        return delayed.contains(port) ? "\u25a0 " : "";
     }
 
     private static List<Line> lines(Edge edge) {

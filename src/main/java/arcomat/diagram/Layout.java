@@ -93,10 +93,12 @@ public final class Layout {
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
         root.setProperty(LayeredOptions.SEPARATE_CONNECTED_COMPONENTS, false);
-        // Side by side what leads down, one below the other what leads to the right.
-        root.setProperty(
-                LayeredOptions.DIRECTION,
-                direction == Direction.DOWN ? Direction.RIGHT : Direction.DOWN);
+        if (graph.roots().size() > 1) {
+            // Side by side what leads down, one below the other what leads to the right.
+            root.setProperty(
+                    LayeredOptions.DIRECTION,
+                    direction == Direction.DOWN ? Direction.RIGHT : Direction.DOWN);
+        }
         root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
         graph.roots().forEach(node -> layout.add(node, root, true));
         layout.connect(graph.edges(), graph.roots(), null, root);
