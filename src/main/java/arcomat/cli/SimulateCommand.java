@@ -8,11 +8,13 @@ import arcomat.pipeline.WrongUse;
 import arcomat.report.Printable;
 import arcomat.report.TraceCsv;
 import arcomat.report.TraceJson;
+import arcomat.report.TracePage;
 import arcomat.report.TraceTable;
 import arcomat.report.WatchedText;
 import arcomat.simulate.Watched;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -35,6 +37,7 @@ import java.util.OptionalInt;
             "  arcomat simulate --main coffee.fig5.AvoidCrash --monitor coffee.fig3.AvoidCrash"
                     + " models/coffee",
             "  arcomat simulate --input RobotTest.mt#waits --engine compiled",
+            "  arcomat simulate --input RobotTest.mt#waits --report build/run models/coffee",
             "",
             "Without --input, letters are drawn with the seed: the same seed, the same run."
         })
@@ -122,6 +125,8 @@ final class SimulateCommand extends Command {
             })
     private List<String> monitors = List.of();
 
+    @Mixin private PageOption report = new PageOption();
+
     @Parameters(
             paramLabel = "PATH",
             arity = "0..*",
@@ -140,10 +145,12 @@ final class SimulateCommand extends Command {
         if (slices != null && slices < 0) {
             throw new WrongUse("--slices " + slices + " is negative");
         }
+        report.prepare(pipeline);
         SimulationResult result = pipeline.simulate(request(), paths, dialogue());
         if (result.trace().isEmpty()) {
             return reportErrors(result.check());
         }
+        report.write(() -> TracePage.of(result.trace().get(), result.watched()), pipeline);
         print(
                 switch (trace) {
                     case table -> TraceTable.render(result.trace().get(), console.style());

@@ -5,6 +5,8 @@ import arcomat.brick.BrickReport;
 import arcomat.brick.api.BrickTable;
 import arcomat.check.Profile;
 import arcomat.report.Baseline;
+import arcomat.report.page.Page;
+import arcomat.report.page.PageText;
 import arcomat.source.Diagnostic;
 
 import java.io.IOException;
@@ -39,6 +41,27 @@ public final class Pipeline {
         } catch (IOException e) {
             throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
         }
+    }
+
+    /**
+     * Finds out whether a report can be written, before anything is done.
+     *
+     * @param folder as the user wrote it
+     * @throws WrongUse where it cannot
+     */
+    public void requireReportFolder(String folder) throws WrongUse {
+        new ReportPage(folder, names).requireWritable();
+    }
+
+    /**
+     * Writes a page into a folder, at once or not at all.
+     *
+     * @param folder as the user wrote it; it is made if need be
+     * @throws WrongUse where it cannot be written
+     */
+    public void writeReport(String folder, Page page) throws WrongUse {
+        progress.step("writing " + folder + "/" + ReportPage.NAME);
+        new ReportPage(folder, names).write(PageText.render(page));
     }
 
     /**

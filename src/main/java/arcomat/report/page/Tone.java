@@ -1,0 +1,9 @@
+package arcomat.report.page;
+
+/** How good news is. */
+public enum Tone {
+    GOOD,
+    BAD,
+    OPEN,
+    PLAIN
+}

@@ -1,0 +1,124 @@
+// Draws a track's lane: only what is to be seen. Where runs are narrower than pixels, one column
+// stands for many; the next one is found by halving, so a lane costs what its width costs.
+
+const LANE = { height: 24, top: 3, bottom: 21 };
+const COLUMN = 2;
+const LETTER = 6.7;
+const PADDING = 5;
+
+function drawLane(lane, track, view, colours, flaws) {
+  const shapes = [];
+  const paths = new Map();
+  if (track.numbers && view.pixelsPerStep < 24) {
+    drawCurve(shapes, track, view);
+  } else {
+    drawBoxes(shapes, paths, track, view, colours);
+  }
+  for (const [style, path] of paths) {
+    shapes.push(shape("path", { class: style, d: path.join("") }));
+  }
+  for (const flaw of flaws) {
+    const width = Math.max(3, view.pixelsPerStep);
+    if (flaw.at + 1 >= view.from && flaw.at <= view.from + view.span) {
+      const x = view.x(flaw.at);
+      shapes.push(shape("rect", { class: "flaw", x: x + 0.75, y: 1, width: width - 1.5, height: LANE.height - 2, rx: 3 }));
+    }
+  }
+  lane.replaceChildren(...shapes);
+}
+
+/** A box for each run with its text, columns of colour where boxes have no room. */
+function drawBoxes(shapes, paths, track, view, colours) {
+  const end = Math.min(view.from + view.span, view.length);
+  let step = view.from;
+  while (step < end && track.count > 0) {
+    const run = track.runAt(step);
+    const from = view.x(track.starts[run]);
+    const to = view.x(track.starts[run + 1]);
+    const code = track.codes[run];
+    if (to - from >= COLUMN * 2) {
+      drawBox(shapes, paths, track, code, Math.max(from, -9), Math.min(to, view.width + 9), colours);
+      step = track.starts[run + 1];
+    } else {
+      const x = Math.floor(view.x(step) / COLUMN) * COLUMN;
+      if (code !== NOTHING) {
+        addColumn(paths, "run " + colours.of(track, code), x, COLUMN);
+      }
+      const next = view.from + (x + COLUMN) / view.pixelsPerStep;
+      step = next > step ? next : step + 1;
+    }
+  }
+}
+
+function drawBox(shapes, paths, track, code, from, to, colours) {
+  if (code === NOTHING) {
+    const middle = LANE.height / 2;
+    add(paths, "silence", `M${round(from + 1)} ${middle}H${round(to - 1)}`);
+    return;
+  }
+  const width = to - from - 1;
+  const style = "run " + colours.of(track, code);
+  if (width < 8) {
+    addColumn(paths, style, from + 0.5, width);
+    return;
+  }
+  const box = { class: style, x: round(from + 0.5), y: LANE.top, width: round(width), height: LANE.bottom - LANE.top, rx: 4 };
+  shapes.push(shape("rect", box));
+  // What begins left of the window says its name where it can be read.
+  const left = Math.max(from, 0) + PADDING;
+  const text = fitting(track.values[code], to - PADDING - left);
+  if (text !== "") {
+    shapes.push(shape("text", { x: round(left), y: LANE.height / 2 + 4 }, text));
+  }
+}
+
+function fitting(text, width) {
+  const letters = Math.floor((width + 1) / LETTER);
+  if (text.length <= letters) {
+    return text;
+  }
+  return letters < 2 ? "" : text.slice(0, letters - 1) + "\u2026";
+}
+
+function addColumn(paths, style, x, width) {
+  add(paths, style, `M${round(x)} ${LANE.top}h${round(width)}V${LANE.bottom}h-${round(width)}z`);
+}
+
+function add(paths, style, path) {
+  if (!paths.has(style)) {
+    paths.set(style, []);
+  }
+  paths.get(style).push(path);
+}
+
+/** Numbers as a curve of steps. */
+function drawCurve(shapes, track, view) {
+  const scale = (LANE.bottom - LANE.top - 2) / (track.greatest - track.least);
+  const y = (code) => round(LANE.bottom - 1 - (track.numbers[code] - track.least) * scale);
+  const path = [];
+  let open = false;
+  let lastColumn = -1;
+  const last = Math.min(view.from + view.span, view.length) - 0.001;
+  const end = track.count === 0 ? -1 : track.runAt(last);
+  for (let run = track.count === 0 ? 0 : track.runAt(view.from); run <= end; run++) {
+    const code = track.codes[run];
+    const from = Math.max(view.x(track.starts[run]), -2);
+    const to = Math.min(view.x(track.starts[run + 1]), view.width + 2);
+    if (code === NOTHING) {
+      open = false;
+      continue;
+    }
+    if (open && to - from < 1 && Math.floor(from) === lastColumn) {
+      path.push(`V${y(code)}`);
+      continue;
+    }
+    path.push(open ? `H${round(from)}V${y(code)}` : `M${round(from)} ${y(code)}`, `H${round(to)}`);
+    lastColumn = Math.floor(from);
+    open = true;
+  }
+  shapes.push(shape("path", { class: "curve", d: path.join("") }));
+}
+
+function round(value) {
+  return Math.round(value * 10) / 10;
+}

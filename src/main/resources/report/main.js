@@ -1,0 +1,4 @@
+// Begins.
+
+const stories = new Stories(JSON.parse(document.getElementById("data").textContent).stories);
+listenToKeys(stories);
