@@ -15,7 +15,7 @@ class Moment {
     const table = element("table");
     let body = null;
     let group = null;
-    for (const track of this.story.tracks) {
+    for (const track of this.story.tracks.filter((each) => each.kind !== "path")) {
       if (track.group !== group) {
         group = track.group;
         body = element("tbody", {}, element("tr", {}, element("th", { colspan: 3, scope: "rowgroup" }, group)));
@@ -68,7 +68,6 @@ class Moment {
   }
 
   chip(track, step, text) {
-    const style = track.numbers ? "many" : this.colours.of(track, track.codeAt(step));
-    return element("span", { class: "chip " + style }, text);
+    return element("span", { class: "chip " + this.colours.of(track, track.codeAt(step)) }, text);
   }
 }

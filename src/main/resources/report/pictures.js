@@ -1,5 +1,8 @@
 // Pictures that follow the run: what the tracks show at a step is marked in them.
 
+/** Smaller than that, a picture is scrolled rather than shrunk. */
+const SMALLEST = 0.7;
+
 class Pictures {
   constructor(story) {
     this.story = story;
@@ -8,6 +11,8 @@ class Pictures {
       const svg = templates[drawing.picture].content.firstElementChild.cloneNode(true);
       const tracks = story.tracks.filter((track) => drawing.tracks.includes(track.name));
       const figure = element("figure", {}, element("figcaption", {}, drawing.title), element("div", { class: "drawing" }, svg));
+      figure.style.flexBasis = svg.getAttribute("width") + "px";
+      svg.style.minWidth = Math.round(svg.getAttribute("width") * SMALLEST) + "px";
       return { figure, svg, tracks };
     });
     const figures = this.all.map((each) => each.figure);
@@ -20,24 +25,29 @@ class Pictures {
         marked.classList.remove("active", "left");
       }
       for (const track of tracks) {
-        if (step > 0 && track.kind === "state") {
-          mark(svg, track.elementsAt(step - 1), "left");
-        }
+        const before = step > 0 ? track.elementsAt(step - 1) : [];
+        mark(svg, before.filter((name) => name.startsWith("state ")), "left");
         mark(svg, track.elementsAt(step), "active");
       }
     }
   }
 }
 
-/** Elements are named by their kind and which one of it: "state 2"; some stand for several. */
+/**
+ * Elements are named by their kind and which one of it: "state 2". Transitions between the same
+ * states share an arrow, "2 5"; the arrow of a beginning is "initial 0".
+ */
 function mark(svg, elements, style) {
   for (const name of elements) {
     const [kind, which] = name.split(" ");
-    for (const found of svg.querySelectorAll(`[data-${kind}~="${CSS.escape(which)}"]`)) {
-      found.classList.add(style);
-    }
+    const selectors = [`[data-${kind}="${CSS.escape(which)}"]`];
     if (kind === "transition") {
-      mark(svg, ["arrow " + which], style);
+      selectors.push(`[data-arrow~="${CSS.escape(which)}"]:not([data-arrow^="initial"])`);
+    } else if (kind === "initial") {
+      selectors.push(`[data-arrow="${CSS.escape(name)}"]`);
+    }
+    for (const found of svg.querySelectorAll(selectors.join(","))) {
+      found.classList.add(style);
     }
   }
 }

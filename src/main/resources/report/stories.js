@@ -19,12 +19,14 @@ class Story {
     const go = (step) => this.go(step);
     const parts = [element("h2", {}, this.title), element("p", { class: "headline " + this.tone, hidden: this.headline === "" }, this.headline)];
     parts.push(remarks(this, go));
+    this.pictures = new Pictures(this);
     if (this.length > 0) {
       this.timeline = new Timeline(this, this.colours, { go, select: (track) => this.select(track) });
       this.moment = new Moment(this, this.colours, go);
-      this.pictures = new Pictures(this);
       this.search = new Search(this, (steps) => this.found(steps), go);
       parts.push(this.toolbar(), this.timeline.element, element("div", { class: "beside" }, this.moment.element, this.pictures.element));
+    } else {
+      parts.push(this.pictures.element);
     }
     place.replaceChildren(...parts);
     if (this.length > 0) {

@@ -10,7 +10,7 @@ class Timeline {
     this.actions = actions;
     this.view = new View(story.length);
     this.found = [];
-    this.tracks = story.tracks.filter((track) => track.kind !== "reason");
+    this.tracks = story.tracks.filter((track) => track.kind !== "reason" && track.kind !== "path");
     this.redraw = onceAFrame(() => this.draw());
     this.element = this.build();
     this.isFresh = true;
@@ -51,7 +51,7 @@ class Timeline {
   }
 
   row(track) {
-    const lane = shape("svg", { class: "lane " + track.kind, height: LANE.height, "aria-hidden": "true" });
+    const lane = shape("svg", { class: "lane", height: LANE.height, "aria-hidden": "true" });
     const name = element("span", { class: "name", title: track.name }, track.name);
     const row = element("div", { class: "row track" }, name, lane);
     const flaws = this.story.flaws.filter((flaw) => flaw.track === track.name);
@@ -94,7 +94,9 @@ class Timeline {
     for (let step = Math.ceil(view.from / tick) * tick; step < view.from + view.span; step += tick) {
       const x = view.x(step + 0.5);
       shapes.push(shape("path", { class: "tick", d: `M${round(x)} 20v5` }));
-      shapes.push(shape("text", { x: round(x), y: 15 }, this.story.label(step)));
+      const label = this.story.label(step);
+      const half = (label.length * LETTER) / 2;
+      shapes.push(shape("text", { x: round(clamp(x, half, view.width - half)), y: 15 }, label));
     }
     const marks = thinned(this.found, view, view.from, view.from + view.span);
     const path = marks.map((x) => `M${round(x - 3)} 25h6l-3 -5z`).join("");

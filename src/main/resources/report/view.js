@@ -1,7 +1,7 @@
 // The part of a run that is to be seen: from which step, how many steps, on how many pixels.
 
 const FEWEST_STEPS = 4;
-const EASY_TO_READ = 26;
+const EASY_TO_READ = 36;
 
 class View {
   constructor(length) {

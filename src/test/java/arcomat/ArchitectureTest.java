@@ -62,7 +62,8 @@ class ArchitectureTest {
                     Map.entry(
                             "report",
                             row(
-                                    "analysis semantics brick simulate generate model sim world",
+                                    "analysis semantics brick simulate generate diagram model sim"
+                                            + " world",
                                     "com.fasterxml.jackson")),
                     Map.entry(
                             "pipeline",

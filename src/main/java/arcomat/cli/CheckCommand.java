@@ -74,6 +74,7 @@ final class CheckCommand extends Command {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
+        reports.requireFiles();
         CheckResult result = check(pipeline);
         CheckReport report = baselines.apply(result, pipeline);
         Rendering rendering =

@@ -6,9 +6,11 @@ import arcomat.pipeline.ContradictionsResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.ConsistencyJson;
+import arcomat.report.ConsistencyPage;
 import arcomat.report.ConsistencyText;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -24,6 +26,7 @@ import java.util.Optional;
             "  arcomat contradictions p.Robot models",
             "  arcomat contradictions --all p.Robot models    all minimal contradicting sets",
             "  arcomat contradictions p.Robot --out build/controller models",
+            "  arcomat contradictions p.Robot --report build/report models    to look at",
             "",
             "Exit status: 0 none, and a system that keeps all of them is shown; 1 a contradiction;"
                     + " 3",
@@ -56,12 +59,15 @@ final class ContradictionsCommand extends AnalysisCommand {
             description = "Model files and model roots.")
     private List<String> paths;
 
+    @Mixin private PageOption report = new PageOption();
+
     ContradictionsCommand(Console console) {
         super(console);
     }
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
+        report.prepare(pipeline);
         ContradictionsResult result =
                 pipeline.contradictions(
                         new ContradictionsRequest(
@@ -71,6 +77,11 @@ final class ContradictionsCommand extends AnalysisCommand {
             return refuse(result.check());
         }
         Consistency found = result.found().get();
+        report.write(
+                () ->
+                        ConsistencyPage.of(
+                                result.asked().orElseThrow(), found, result.controller()),
+                pipeline);
         print(
                 isJson()
                         ? ConsistencyJson.render(found, result.controller(), result.file())

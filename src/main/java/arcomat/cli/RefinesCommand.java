@@ -5,9 +5,11 @@ import arcomat.pipeline.AnalysisResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.VerdictJson;
+import arcomat.report.VerdictPage;
 import arcomat.report.VerdictText;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 import java.util.Optional;
@@ -23,6 +25,7 @@ import java.util.Optional;
             "  arcomat refines p.Robot 'p.Robot#waits' models    one automaton of several",
             "  arcomat refines --diagram failure.svg p.New p.Old models    draws a counterexample",
             "  arcomat refines --engine mona p.New p.Old models    a second opinion",
+            "  arcomat refines --report build/refines p.New p.Old models    to look at",
             "",
             "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
         })
@@ -63,6 +66,8 @@ final class RefinesCommand extends ComparisonCommand {
             description = "Where it fails, draw how: an .svg or .png file.")
     private String diagram;
 
+    @Mixin private PageOption report = new PageOption();
+
     RefinesCommand(Console console) {
         super(console);
     }
@@ -74,11 +79,13 @@ final class RefinesCommand extends ComparisonCommand {
                     "--verify-certificate searches nothing, so there is nothing to write for"
                             + " --certificate; leave one of them out");
         }
+        report.prepare(pipeline);
         AnalysisResult result = pipeline.refines(request(asked()), paths());
         if (result.check().hasErrors()) {
             return refuse(result.check());
         }
         Answered answered = result.answers().get(0);
+        report.write(() -> VerdictPage.of("refines", answered), pipeline);
         print(
                 isJson()
                         ? VerdictJson.render(answered.verdict())

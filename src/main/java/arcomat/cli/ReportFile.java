@@ -4,22 +4,32 @@ import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.TypeConversionException;
 
 import java.util.Arrays;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** {@code FORMAT=FILE}: a report to be written beside what is printed. */
-record ReportFile(ReportFormat format, String file) {
+/**
+ * A report to be written beside what is printed: {@code FORMAT=FILE}, or {@code DIR} for a page.
+ *
+ * @param format empty for a page
+ * @param file the file, or the folder of the page
+ */
+record ReportFile(Optional<ReportFormat> format, String file) {
 
     /** Reads what the user wrote. */
     static final class Reader implements ITypeConverter<ReportFile> {
         @Override
         public ReportFile convert(String written) {
             int equals = written.indexOf('=');
+            if (equals < 0 && !written.isEmpty()) {
+                return new ReportFile(Optional.empty(), written);
+            }
             if (equals < 0 || equals == written.length() - 1) {
                 throw new TypeConversionException(
                         "'" + written + "' is not FORMAT=FILE, as in junit=build/results.xml");
             }
             return new ReportFile(
-                    format(written.substring(0, equals)), written.substring(equals + 1));
+                    Optional.of(format(written.substring(0, equals))),
+                    written.substring(equals + 1));
         }
 
         private static ReportFormat format(String name) {

@@ -4,6 +4,7 @@ import arcomat.pipeline.BrickRunRequest;
 import arcomat.pipeline.BrickRunResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.BrickPage;
 import arcomat.report.BrickTraceCsv;
 import arcomat.report.BrickTraceJson;
 import arcomat.report.BrickTraceText;
@@ -11,6 +12,7 @@ import arcomat.report.FindingsText;
 import arcomat.report.Printable;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 import java.util.Locale;
@@ -25,6 +27,7 @@ import java.util.OptionalInt;
         footer = {
             "  arcomat run-brick --jar build/brick/Fetcher.jar --script meets-another.script",
             "  arcomat run-brick --jar build/brick/Fetcher.jar --seconds 60 --trace csv > run.csv",
+            "  arcomat run-brick --jar build/brick/Fetcher.jar --report build/run",
             "",
             "A script has one line per event: milliseconds since switching on, what, and how.",
             "  0     S1 255              a sensor's value in its own unit",
@@ -69,6 +72,8 @@ final class RunBrickCommand extends Command {
                             + " leaves out cycles that change nothing.")
     private TraceFormat trace;
 
+    @Mixin private PageOption report = new PageOption();
+
     RunBrickCommand(Console console) {
         super(console);
     }
@@ -78,6 +83,7 @@ final class RunBrickCommand extends Command {
         if (seconds != null && seconds < 1) {
             throw new WrongUse("--seconds " + seconds + " is less than 1");
         }
+        report.prepare(pipeline);
         OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);
         BrickRunResult result =
                 pipeline.runBrick(new BrickRunRequest(jar, Optional.ofNullable(script), limit));
@@ -86,7 +92,13 @@ final class RunBrickCommand extends Command {
             printLine(FindingsText.summary(result.findings(), 1, console.style()));
             return ExitStatus.FINDINGS;
         }
-        return report(result.run().get());
+        BrickRunResult.Run run = result.run().get();
+        report.write(
+                () ->
+                        BrickPage.of(
+                                jar, run.trace(), run.ending(), run.failure(), run.screen()),
+                pipeline);
+        return report(run);
     }
 
     private int report(BrickRunResult.Run run) {

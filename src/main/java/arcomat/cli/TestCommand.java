@@ -8,6 +8,7 @@ import arcomat.report.JunitXml;
 import arcomat.report.StreamTestCases;
 import arcomat.report.StreamTestFindings;
 import arcomat.report.StreamTestJson;
+import arcomat.report.StreamTestPage;
 import arcomat.report.StreamTestText;
 import arcomat.report.Style;
 
@@ -26,6 +27,7 @@ import java.util.List;
             "  arcomat test models/coffee",
             "  arcomat test models/coffee/coffee/fig6/AvoidCrashTest.mt",
             "  arcomat test --report junit=build/tests.xml models/coffee",
+            "  arcomat test --report build/tests models/coffee",
             "",
             "A test passes if what it expects is among the outputs that its model allows. It",
             "passes vacuously if the model allows it only because it promises nothing any more."
@@ -42,12 +44,15 @@ final class TestCommand extends Command {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
+        reports.prepare(pipeline);
         TestResult result = pipeline.test(paths);
         CheckResult check = result.check();
         if (check.hasErrors()) {
             reports.write(CheckRendering.refused("test", check, console), pipeline, console);
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
+        reports.writePage(
+                () -> StreamTestPage.of(String.join(", ", paths), result.tests()), pipeline);
         reports.write((format, style) -> text(result, format, style), pipeline, console);
         return result.hasFailures() ? ExitStatus.FINDINGS : ExitStatus.FINE;
     }

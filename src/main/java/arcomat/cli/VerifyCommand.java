@@ -12,6 +12,7 @@ import arcomat.report.Style;
 import arcomat.report.VerdictCases;
 import arcomat.report.VerdictFindings;
 import arcomat.report.VerdictJson;
+import arcomat.report.VerdictPage;
 import arcomat.report.VerdictText;
 
 import picocli.CommandLine;
@@ -46,6 +47,7 @@ final class VerifyCommand extends LimitedCommand {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
+        reports.prepare(pipeline);
         AnalysisResult result = pipeline.verify(paths, limits());
         if (result.check().hasErrors()) {
             Rendering findings = CheckRendering.refused("verify", result.check(), console);
@@ -53,6 +55,8 @@ final class VerifyCommand extends LimitedCommand {
             return ExitStatus.WRONG_USE;
         }
         List<Answered> answers = result.answers();
+        reports.writePage(
+                () -> VerdictPage.of("verify", String.join(", ", paths), answers), pipeline);
         reports.write((format, style) -> text(answers, format, style), pipeline, console);
         return status(result.answer());
     }

@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.analysis.Consistency;
+import arcomat.analysis.Promise;
 
 import java.util.Optional;
 
@@ -9,6 +10,7 @@ import java.util.Optional;
  *
  * @param found empty exactly where the models have errors
  * @param title whose requirements they are
+ * @param asked the requirements; empty where the models have errors
  * @param controller the text of a controller that keeps them; empty where there is none
  * @param file where the controller was written; empty if it was not
  */
@@ -16,5 +18,6 @@ public record ContradictionsResult(
         CheckResult check,
         Optional<Consistency> found,
         String title,
+        Optional<Promise> asked,
         Optional<String> controller,
         Optional<String> file) {}

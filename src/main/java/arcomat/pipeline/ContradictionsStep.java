@@ -31,7 +31,12 @@ final class ContradictionsStep {
                 CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
         if (checked.hasErrors()) {
             return new ContradictionsResult(
-                    checked.result(), Optional.empty(), "", Optional.empty(), Optional.empty());
+                    checked.result(),
+                    Optional.empty(),
+                    "",
+                    Optional.empty(),
+                    Optional.empty(),
+                    Optional.empty());
         }
         Promise promise = required(request, checked, progress);
         progress.step("looking for contradictions");
@@ -46,6 +51,7 @@ final class ContradictionsStep {
                 checked.result(),
                 Optional.of(found),
                 promise.title(),
+                Optional.of(promise),
                 controller.map(GeneratedFile::text),
                 written);
     }

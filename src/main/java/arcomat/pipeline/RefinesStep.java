@@ -38,7 +38,11 @@ final class RefinesStep {
                 checked.result(),
                 List.of(
                         new Answered(
-                                left.title(), right.title(), left.component().span(), verdict)));
+                                left.title(),
+                                right.title(),
+                                left.component().span(),
+                                verdict,
+                                List.of(left, right))));
     }
 
     private static Verdict verdict(

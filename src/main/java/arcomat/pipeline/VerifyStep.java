@@ -4,6 +4,7 @@ import arcomat.analysis.Answered;
 import arcomat.analysis.Budget;
 import arcomat.analysis.Obligation;
 import arcomat.analysis.Obligations;
+import arcomat.analysis.Promise;
 import arcomat.analysis.Refinement;
 import arcomat.analysis.Verdict;
 import arcomat.model.Component;
@@ -36,7 +37,8 @@ final class VerifyStep {
             String right = obligation.right().title();
             progress.step("comparing " + left + " with " + right);
             Verdict verdict = Refinement.check(obligation.left(), obligation.right(), budget);
-            answers.add(new Answered(left, right, obligation.place(), verdict));
+            List<Promise> sides = List.of(obligation.left(), obligation.right());
+            answers.add(new Answered(left, right, obligation.place(), verdict, sides));
         }
         all.open()
                 .forEach(name -> answers.add(takesArguments(model.component(name).orElseThrow())));

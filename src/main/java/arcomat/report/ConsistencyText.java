@@ -48,7 +48,7 @@ public final class ConsistencyText {
         return out.append(style.quiet(explored)).append('\n').toString();
     }
 
-    private static String headline(String title, Consistency found) {
+    static String headline(String title, Consistency found) {
         return switch (found.answer()) {
             case HOLDS -> "the requirements of " + title + " do not contradict each other";
             case FAILS -> "requirements of " + title + " contradict each other";
@@ -74,7 +74,7 @@ public final class ConsistencyText {
         return contradiction.requirements().stream().map(ConsistencyText::name).toList();
     }
 
-    private static String name(Automaton automaton) {
+    static String name(Automaton automaton) {
         return automaton.name().isEmpty()
                 ? "the automaton in line " + automaton.span().startPosition().line()
                 : automaton.name();
@@ -114,7 +114,7 @@ public final class ConsistencyText {
         return out.append(all > shown ? "and " + (all - shown) + " more\n" : "").toString();
     }
 
-    private static String summary(Contradiction contradiction) {
+    static String summary(Contradiction contradiction) {
         if (contradiction.word().isEmpty()) {
             return contradiction.decided()
                     ? "which inputs show that depends on what is answered:"

@@ -1,14 +1,12 @@
 package arcomat.report;
 
 import arcomat.model.Trace;
-import arcomat.model.Value;
 import arcomat.report.page.Page;
 import arcomat.report.page.Remark;
 import arcomat.report.page.Story;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
 import arcomat.report.page.Tone;
-import arcomat.report.page.Track;
 import arcomat.simulate.Violation;
 import arcomat.simulate.Watched;
 
@@ -21,11 +19,11 @@ public final class TracePage {
     private TracePage() {}
 
     public static Page of(Trace trace, List<Watched> watched) {
-        TraceColumns columns = TraceColumns.of(trace);
+        TraceTracks tracks = new TraceTracks(trace);
         List<Remark> remarks = new ArrayList<>();
         List<Flaw> flaws = new ArrayList<>();
         for (Watched each : watched) {
-            remarks.add(remark(each, columns.unit()));
+            remarks.add(remark(each, tracks.unit()));
             each.violation().ifPresent(v -> flaws.add(new Flaw(v.slice(), "", v.message())));
         }
         int length = trace.steps().size();
@@ -34,20 +32,20 @@ public final class TracePage {
         }
         Timeline timeline =
                 new Timeline(
-                        columns.unit(), length, List.of(), TraceTracks.of(trace, columns), flaws);
+                        tracks.unit(), length, List.of(), tracks.all(), flaws);
         Story story =
                 new Story(
                         "",
-                        Tone.PLAIN,
+                        Tone.NEUTRAL,
                         "",
                         remarks,
                         timeline,
-                        List.of());
+                        tracks.drawings());
         return new Page(
                 "simulate",
                 trace.component().qualifiedName(),
                 tone(trace, watched),
-                headline(trace, watched, columns.unit()),
+                headline(trace, watched, tracks.unit()),
                 List.of(story));
     }
 
@@ -56,7 +54,7 @@ public final class TracePage {
                 || watched.stream().anyMatch(each -> each.violation().isPresent())) {
             return Tone.BAD;
         }
-        return watched.isEmpty() ? Tone.PLAIN : Tone.GOOD;
+        return watched.isEmpty() ? Tone.NEUTRAL : Tone.GOOD;
     }
 
     private static String headline(Trace trace, List<Watched> watched, String unit) {

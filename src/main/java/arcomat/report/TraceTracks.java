@@ -3,6 +3,7 @@ package arcomat.report;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.report.page.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 
@@ -13,35 +14,70 @@ import java.util.Map;
 import java.util.function.Function;
 
 /**
- * A trace as tracks: ports, then for each automaton its state, why it changed, and its variables.
- * In drawings, states and transitions are called {@code state 0}, {@code transition 0} by their
- * index.
+ * A trace as tracks: ports, then for each automaton its state, why it changed, and its variables;
+ * with a drawing of each automaton.
  */
 final class TraceTracks {
     static final String INPUTS = "inputs";
     static final String OUTPUTS = "outputs";
     static final String STATES = "states";
 
-    private TraceTracks() {}
+    private final Trace trace;
+    private final TraceColumns columns;
+    private final Map<String, AutomatonTracks> automata = new LinkedHashMap<>();
 
-    static List<Track> of(Trace trace, TraceColumns columns) {
-        List<Track> tracks = new ArrayList<>();
-        columns.inputs()
-                .forEach(port -> tracks.add(port(INPUTS, port, trace, Trace.Step::inputs)));
-        columns.outputs()
-                .forEach(port -> tracks.add(port(OUTPUTS, port, trace, Trace.Step::outputs)));
-        Map<String, AutomatonTracks> automata = new LinkedHashMap<>();
-        columns.automata().forEach(name -> automata.put(name, new AutomatonTracks(name)));
+    TraceTracks(Trace trace) {
+        this.trace = trace;
+        columns = TraceColumns.of(trace);
+        for (Trace.Step step : trace.steps()) {
+            for (Trace.Activity activity : step.activities()) {
+                automata.computeIfAbsent(
+                        TraceColumns.nameOf(activity),
+                        name -> new AutomatonTracks(name, trace.component(), activity));
+            }
+        }
         for (Trace.Step step : trace.steps()) {
             Map<String, Trace.Activity> activities = TraceColumns.activities(step);
-            automata.forEach((name, track) -> track.add(activities.get(name)));
+            automata.forEach((name, tracks) -> tracks.add(activities.get(name)));
         }
-        automata.values().forEach(each -> tracks.addAll(each.build()));
+    }
+
+    String unit() {
+        return columns.unit();
+    }
+
+    List<Track> all() {
+        List<Track> tracks = inputs();
+        columns.outputs().forEach(port -> tracks.add(output(port)));
+        tracks.addAll(states());
         return tracks;
     }
 
-    private static Track port(
-            String group, String port, Trace trace, Function<Trace.Step, Letter> letter) {
+    List<Track> inputs() {
+        List<Track> tracks = new ArrayList<>();
+        columns.inputs().forEach(port -> tracks.add(port(INPUTS, port, Trace.Step::inputs)));
+        return tracks;
+    }
+
+    List<String> outputs() {
+        return columns.outputs();
+    }
+
+    Track output(String port) {
+        return port(OUTPUTS, port, Trace.Step::outputs);
+    }
+
+    List<Track> states() {
+        List<Track> tracks = new ArrayList<>();
+        automata.values().forEach(each -> tracks.addAll(each.tracks()));
+        return tracks;
+    }
+
+    List<Drawing> drawings() {
+        return automata.values().stream().flatMap(each -> each.drawing().stream()).toList();
+    }
+
+    private Track port(String group, String port, Function<Trace.Step, Letter> letter) {
         Track.Builder track = new Track.Builder(group, port, Kind.PORT);
         for (Trace.Step step : trace.steps()) {
             List<Value> messages = letter.apply(step).messages(port);
@@ -52,67 +88,5 @@ final class TraceTracks {
             }
         }
         return track.build();
-    }
-
-    /** What one automaton does. In an event it may be asked for nothing: it stays where it is. */
-    private static final class AutomatonTracks {
-        private final String name;
-        private final Track.Builder state;
-        private final Track.Builder reason;
-        private final Map<String, Track.Builder> variables = new LinkedHashMap<>();
-        private final Map<String, String> values = new LinkedHashMap<>();
-        private String where = "";
-
-        AutomatonTracks(String name) {
-            this.name = name.isEmpty() ? "state" : name;
-            this.state = new Track.Builder(STATES, this.name, Kind.STATE);
-            this.reason = new Track.Builder(STATES, this.name + " because", Kind.REASON);
-        }
-
-        void add(Trace.Activity activity) {
-            int step = state.steps();
-            if (activity == null) {
-                reason.addNothing();
-            } else {
-                if (where.isEmpty()) {
-                    state.startingAs(activity.before());
-                }
-                where = activity.after();
-                reason.add(CauseText.of(activity.cause()), elements(activity.cause()));
-                activity.variables()
-                        .forEach((variable, value) -> values.put(variable, value.toString()));
-            }
-            if (where.isEmpty()) {
-                state.addNothing();
-            } else {
-                state.add(where);
-            }
-            values.forEach(
-                    (variable, value) ->
-                            variables
-                                    .computeIfAbsent(variable, this::variable)
-                                    .silentUntil(step)
-                                    .add(value));
-        }
-
-        private Track.Builder variable(String variable) {
-            return new Track.Builder(STATES, prefix() + variable, Kind.VARIABLE);
-        }
-
-        private String prefix() {
-            return name.equals("state") ? "" : name + ".";
-        }
-
-        private static List<String> elements(Trace.Cause cause) {
-            return cause instanceof Trace.Taken taken
-                    ? List.of("transition " + taken.index())
-                    : List.of();
-        }
-
-        List<Track> build() {
-            List<Track> tracks = new ArrayList<>(List.of(state.build(), reason.build()));
-            variables.values().forEach(each -> tracks.add(each.build()));
-            return tracks;
-        }
     }
 }

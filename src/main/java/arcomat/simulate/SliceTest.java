@@ -124,14 +124,7 @@ final class SliceTest {
 
     /** Streams side by side; no cell of a test that passes differs. */
     private List<Cell> cells() {
-        Trace actual;
-        try {
-            Interpreter interpreter =
-                    new Interpreter(test.component(), test.arguments(), Choice.first());
-            actual = Simulation.run(interpreter, StreamTests.letters(test, test.component()));
-        } catch (ModelError error) {
-            actual = new Trace(test.component(), List.of(), Optional.of(error.getMessage()));
-        }
+        Trace actual = StreamTests.firstRun(test);
         return StreamTests.cells(test, actual, allowed).stream()
                 .map(cell -> with(cell, false))
                 .toList();

@@ -13,6 +13,7 @@ import arcomat.simulate.StreamTestResult.Verdict;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import arcomat.rt.ModelError;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -60,6 +61,17 @@ public final class StreamTests {
     /** The length of the longest expected stream. */
     static int length(StreamTest test) {
         return test.expected().values().stream().mapToInt(List::size).max().orElse(0);
+    }
+
+    /** A run over the inputs of a test, with the first choice wherever the model leaves one. */
+    public static Trace firstRun(StreamTest test) {
+        try {
+            Interpreter interpreter =
+                    new Interpreter(test.component(), test.arguments(), Choice.first());
+            return Simulation.run(interpreter, letters(test, test.component()));
+        } catch (ModelError error) {
+            return new Trace(test.component(), List.of(), Optional.of(error.getMessage()));
+        }
     }
 
     /**

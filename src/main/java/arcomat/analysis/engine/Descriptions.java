@@ -9,10 +9,11 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Configurations in words. */
-final class Descriptions {
+public final class Descriptions {
     private Descriptions() {}
 
-    static String of(Behaviour behaviour, List<Configuration> configurations) {
+    /** One configuration per automaton of the behaviour. */
+    public static String of(Behaviour behaviour, List<Configuration> configurations) {
         List<String> words = new ArrayList<>();
         for (int i = 0; i < configurations.size(); i++) {
             Configuration configuration = configurations.get(i);

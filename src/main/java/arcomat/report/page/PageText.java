@@ -1,5 +1,6 @@
 package arcomat.report.page;
 
+import arcomat.diagram.Theme;
 import arcomat.report.Printable;
 
 import java.io.IOException;
@@ -46,7 +47,7 @@ public final class PageText {
     private PageText() {}
 
     public static String render(Page page) {
-        String style = join(STYLES);
+        String style = Theme.ADAPTIVE.css() + join(STYLES);
         String script = "\"use strict\";\n(() => {\n" + join(SCRIPTS) + "})();\n";
         Map<String, String> slots =
                 Map.of(

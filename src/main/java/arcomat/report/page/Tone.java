@@ -5,5 +5,5 @@ public enum Tone {
     GOOD,
     BAD,
     OPEN,
-    PLAIN
+    NEUTRAL
 }

@@ -31,7 +31,9 @@ public record Track(
         STATE,
         VARIABLE,
         /** Why the track above it changed; shown for one step at a time. */
-        REASON
+        REASON,
+        /** The way through a drawing; shown there only. */
+        PATH
     }
 
     /**
@@ -83,6 +85,11 @@ public record Track(
 
         public Builder add(String text) {
             return add(text, List.of());
+        }
+
+        /** Nothing, if the text is empty. */
+        public Builder addUnlessEmpty(String text) {
+            return text.isEmpty() ? addNothing() : add(text);
         }
 
         public Builder add(String text, List<String> elements) {

@@ -1,0 +1,168 @@
+package arcomat.analysis;
+
+import arcomat.analysis.engine.Descriptions;
+import arcomat.model.Automaton;
+import arcomat.model.Trace;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Behaviour;
+import arcomat.semantics.Configuration;
+import arcomat.semantics.Input;
+import arcomat.semantics.Output;
+import arcomat.semantics.Reaction;
+import arcomat.semantics.Sent;
+import arcomat.semantics.Start;
+import arcomat.semantics.StepRelation;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+
+/**
+ * The way of a trace through an automaton of one of its sides: the moments say in words where a
+ * side is, and this finds the states and transitions again that are meant.
+ */
+public final class Footprints {
+    private final Promise side;
+    private final Behaviour behaviour;
+    private final StepRelation relation;
+
+    /**
+     * What is taken and reached in a moment; several where a side may be in several states.
+     *
+     * @param states positions among the states of the automaton
+     * @param transitions positions among its transitions
+     * @param initials positions among its initial clauses; of the first moment only
+     */
+    public record Footprint(Set<Integer> states, Set<Integer> transitions, Set<Integer> initials) {
+        public Footprint {
+            states = Set.copyOf(states);
+            transitions = Set.copyOf(transitions);
+            initials = Set.copyOf(initials);
+        }
+    }
+
+    /** Collects a footprint, with all that it was made in. */
+    private static final class Step {
+        private final Set<Configuration> configurations = new LinkedHashSet<>();
+        private final Set<Integer> transitions = new LinkedHashSet<>();
+        private final Set<Integer> initials = new LinkedHashSet<>();
+
+        Footprint footprint() {
+            Set<Integer> states = new LinkedHashSet<>();
+            for (Configuration each : configurations) {
+                if (each.isState()) {
+                    states.add(each.state());
+                }
+            }
+            return new Footprint(states, transitions, initials);
+        }
+    }
+
+    private Footprints(Promise side, Automaton automaton) {
+        this.side = side;
+        behaviour = Behaviour.of(side.component(), List.of(automaton), side.arguments());
+        relation = behaviour.relations().get(0);
+    }
+
+    /**
+     * One footprint per moment; an empty one where the words say nothing about the automaton.
+     *
+     * @param automaton of the side
+     * @param isLeft whether it is the left side of the trace
+     */
+    public static List<Footprint> of(
+            Promise side, Automaton automaton, List<Moment> trace, boolean isLeft) {
+        return new Footprints(side, automaton)
+                .follow(trace, each -> Optional.of(isLeft ? List.of(each.left()) : each.right()));
+    }
+
+    /** As {@link #of}, where the moments do not say where a side is: wherever it may be. */
+    public static List<Footprint> anywhere(
+            Promise side, Automaton automaton, List<Moment> trace) {
+        return new Footprints(side, automaton).follow(trace, each -> Optional.empty());
+    }
+
+    private List<Footprint> follow(
+            List<Moment> trace, Function<Moment, Optional<List<String>>> words) {
+        List<Footprint> found = new ArrayList<>();
+        Step last = null;
+        for (Moment moment : trace) {
+            last =
+                    last == null
+                            ? begin(words.apply(moment))
+                            : step(last.configurations, moment, words.apply(moment));
+            found.add(last.footprint());
+        }
+        return found;
+    }
+
+    private Step begin(Optional<List<String>> words) {
+        Step step = new Step();
+        for (Start start : relation.starts()) {
+            if (isMeant(start.configuration(), words)) {
+                step.configurations.add(start.configuration());
+                step.initials.add(relation.automaton().initials().indexOf(start.initial()));
+            }
+        }
+        return step;
+    }
+
+    private Step step(Set<Configuration> before, Moment moment, Optional<List<String>> words) {
+        Step step = new Step();
+        Input input = Input.of(side.component(), moment.input());
+        for (Configuration each : before) {
+            for (Reaction reaction : reactions(each, input)) {
+                if (isMeant(reaction.next(), words) && allows(reaction.output(), moment)) {
+                    step.configurations.add(reaction.next());
+                    if (reaction.cause() instanceof Trace.Taken taken) {
+                        step.transitions.add(taken.index());
+                    }
+                }
+            }
+        }
+        return step;
+    }
+
+    private List<Reaction> reactions(Configuration before, Input input) {
+        try {
+            return before.isState() ? relation.reactions(before, input) : List.of();
+        } catch (ModelError wrong) {
+            return List.of();
+        }
+    }
+
+    /** What a moment leaves open, the automaton may leave open, too. */
+    private boolean allows(Output output, Moment moment) {
+        for (int i = 0; i < output.ports().size(); i++) {
+            String port = side.component().outputs().get(i).name();
+            Sent sent = moment.outputs().get(port);
+            Optional<Sent> both = sent == null ? Optional.of(sent(output, i)) : sent.meet(sent(output, i));
+            if (both.isEmpty()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static Sent sent(Output output, int port) {
+        return output.ports().get(port);
+    }
+
+    /** Of several automata, the words are listed one after the other. */
+    private boolean isMeant(Configuration configuration, Optional<List<String>> words) {
+        if (words.isEmpty()) {
+            return true;
+        }
+        String own = Descriptions.of(behaviour, List.of(configuration));
+        boolean several = side.automata().size() > 1;
+        return words.get().stream()
+                .anyMatch(
+                        each ->
+                                several
+                                        ? (", " + each + ", ").contains(", " + own + ", ")
+                                        : each.equals(own));
+    }
+}

@@ -1,0 +1,74 @@
+package arcomat.report;
+
+import arcomat.analysis.Footprints.Footprint;
+import arcomat.diagram.AutomatonGraph;
+import arcomat.diagram.Layout;
+import arcomat.diagram.SvgText;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.report.page.Drawing;
+import arcomat.report.page.Track;
+import arcomat.report.page.Track.Kind;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** Pictures of automata beside a run. */
+final class AutomatonDrawing {
+    private AutomatonDrawing() {}
+
+    /**
+     * @param tracks that are marked in it
+     */
+    static Drawing of(String title, Component component, Automaton automaton, List<String> tracks) {
+        String svg = SvgText.embedded(Layout.of(AutomatonGraph.of(component, automaton)));
+        return new Drawing(title, svg, tracks);
+    }
+
+    /** A track that only drawings show: where an automaton goes. */
+    static Track way(String name, List<Footprint> footprints) {
+        Track.Builder track = new Track.Builder("", name, Kind.PATH);
+        for (Footprint footprint : footprints) {
+            List<String> elements = new ArrayList<>();
+            sorted(footprint.states()).forEach(each -> elements.add(state(each)));
+            sorted(footprint.transitions()).forEach(each -> elements.add(transition(each)));
+            sorted(footprint.initials()).forEach(each -> elements.add("initial " + each));
+            track.add("", elements);
+        }
+        return track.build();
+    }
+
+    private static Set<Integer> sorted(Set<Integer> numbers) {
+        return new TreeSet<>(numbers);
+    }
+
+    static String state(int index) {
+        return "state " + index;
+    }
+
+    static String transition(int index) {
+        return "transition " + index;
+    }
+
+    /** A part of a part, by its path; empty for the whole. */
+    static Optional<Component> part(Component whole, String path) {
+        Component found = whole;
+        for (String name : path.isEmpty() ? List.<String>of() : Arrays.asList(path.split("\\."))) {
+            Optional<Component.Part> part =
+                    found.body() instanceof Component.Composite composite
+                            ? composite.parts().stream()
+                                    .filter(each -> each.name().equals(name))
+                                    .findFirst()
+                            : Optional.empty();
+            if (part.isEmpty()) {
+                return Optional.empty();
+            }
+            found = part.get().component();
+        }
+        return Optional.of(found);
+    }
+}

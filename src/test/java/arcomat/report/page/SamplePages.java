@@ -1,0 +1,129 @@
+package arcomat.report.page;
+
+import arcomat.source.SourceFile;
+
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Optional;
+import java.util.Random;
+
+/** Pages made by hand, for tests. */
+final class SamplePages {
+    /** Whatever a browser might take for more than text. */
+    static final List<String> HOSTILE =
+            List.of(
+                    "</script><img src=x onerror=window.hacked=1>",
+                    "<!--<script>window.hacked=2",
+                    "\"><svg onload=window.hacked=3>",
+                    "'-window.hacked-'",
+                    "{{data}}{{script}}",
+                    "$1\\u003c\\",
+                    "]]>&lt;script&gt;",
+                    "\u202egnp\ud800\u0000\u2028");
+
+    private SamplePages() {}
+
+    /** Two tracks, ten steps, a flaw in step 7. */
+    static Page small() {
+        Track.Builder command = new Track.Builder("outputs", "cmd", Track.Kind.PORT);
+        Track.Builder state = new Track.Builder("states", "state", Track.Kind.STATE);
+        for (int step = 0; step < 10; step++) {
+            if (step % 3 == 0) {
+                command.add("fwd");
+            } else {
+                command.addNothing();
+            }
+            state.add(step < 5 ? "driving" : "backing", List.of("state " + (step < 5 ? 0 : 1)));
+        }
+        Timeline timeline =
+                new Timeline(
+                        "slice",
+                        10,
+                        List.of(),
+                        List.of(command.build(), state.build()),
+                        List.of(new Timeline.Flaw(7, "cmd", "fwd is missing")));
+        String svg =
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\" height=\"20\">"
+                        + "<g class=\"state\" data-state=\"0\"><rect width=\"30\" height=\"20\"/></g>"
+                        + "<g class=\"state\" data-state=\"1\"><rect x=\"40\" width=\"30\" height=\"20\"/></g>"
+                        + "</svg>";
+        Story story =
+                new Story(
+                        "",
+                        Tone.BAD,
+                        "",
+                        List.of(Remark.of(Tone.BAD, "It should go on.").at(7)),
+                        timeline,
+                        List.of(new Drawing("the robot", svg, List.of("state"))));
+        return new Page("simulate", "p.Robot", Tone.BAD, "it fails", List.of(story));
+    }
+
+    /** Everywhere a text that is up to no good. */
+    static Page hostile() {
+        return new Page(
+                HOSTILE.get(0),
+                HOSTILE.get(1),
+                Tone.BAD,
+                String.join(" ", HOSTILE),
+                HOSTILE.stream().map(SamplePages::hostileStory).toList());
+    }
+
+    private static Story hostileStory(String text) {
+        SourceFile file = new SourceFile(text, text + "\n" + text);
+        Remark remark =
+                new Remark(
+                        Tone.BAD,
+                        text,
+                        Optional.of(file.span(2, file.text().length() - 2)),
+                        OptionalInt.of(1));
+        Track.Builder track = new Track.Builder(text, text, Track.Kind.STATE).startingAs(text);
+        HOSTILE.forEach(each -> track.add(each, List.of(each, "state " + each)));
+        Track.Builder reason = new Track.Builder(text, text + "!", Track.Kind.REASON);
+        HOSTILE.forEach(reason::add);
+        Timeline timeline =
+                new Timeline(
+                        text,
+                        HOSTILE.size(),
+                        List.of(),
+                        List.of(track.build(), reason.build()),
+                        List.of(new Timeline.Flaw(1, text, text)));
+        return new Story(text, Tone.BAD, text, List.of(remark), timeline, List.of());
+    }
+
+    /** Many tracks that change all the time. */
+    static Page large(int steps, int tracks) {
+        Random random = new Random(7);
+        List<Track> all =
+                random.ints(tracks, 2, 300).mapToObj(values -> noise(values, steps, random)).toList();
+        Timeline timeline = new Timeline("slice", steps, List.of(), named(all), List.of());
+        Story story = new Story("", Tone.NEUTRAL, "", List.of(), timeline, List.of());
+        return new Page("simulate", "p.Large", Tone.NEUTRAL, "long", List.of(story));
+    }
+
+    private static Track noise(int values, int steps, Random random) {
+        Track.Builder track = new Track.Builder("inputs", "noise", Track.Kind.PORT);
+        for (int step = 0; step < steps; step++) {
+            int value = random.nextInt(values + 1);
+            if (value == values) {
+                track.addNothing();
+            } else {
+                track.add(values % 2 == 0 ? "v" + value : "" + value);
+            }
+        }
+        return track.build();
+    }
+
+    private static List<Track> named(List<Track> tracks) {
+        return java.util.stream.IntStream.range(0, tracks.size())
+                .mapToObj(
+                        i ->
+                                new Track(
+                                        "inputs",
+                                        "noise" + i,
+                                        Track.Kind.PORT,
+                                        "",
+                                        tracks.get(i).values(),
+                                        tracks.get(i).runs()))
+                .toList();
+    }
+}
