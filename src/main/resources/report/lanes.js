@@ -91,7 +91,7 @@ function add(paths, style, path) {
   paths.get(style).push(path);
 }
 
-/** Numbers as a curve of steps. */
+/** Numbers as a curve of steps; where it would fill its lane, in a paler colour. */
 function drawCurve(shapes, track, view) {
   const scale = (LANE.bottom - LANE.top - 2) / (track.greatest - track.least);
   const y = (code) => round(LANE.bottom - 1 - (track.numbers[code] - track.least) * scale);
@@ -100,7 +100,8 @@ function drawCurve(shapes, track, view) {
   let lastColumn = -1;
   const last = Math.min(view.from + view.span, view.length) - 0.001;
   const end = track.count === 0 ? -1 : track.runAt(last);
-  for (let run = track.count === 0 ? 0 : track.runAt(view.from); run <= end; run++) {
+  const first = track.count === 0 ? 0 : track.runAt(view.from);
+  for (let run = first; run <= end; run++) {
     const code = track.codes[run];
     const from = Math.max(view.x(track.starts[run]), -2);
     const to = Math.min(view.x(track.starts[run + 1]), view.width + 2);
@@ -116,7 +117,8 @@ function drawCurve(shapes, track, view) {
     lastColumn = Math.floor(from);
     open = true;
   }
-  shapes.push(shape("path", { class: "curve", d: path.join("") }));
+  const isDense = end - first > view.width / 2;
+  shapes.push(shape("path", { class: isDense ? "dense curve" : "curve", d: path.join("") }));
 }
 
 function round(value) {

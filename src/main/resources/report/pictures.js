@@ -21,16 +21,21 @@ class Pictures {
 
   show(step) {
     for (const { svg, tracks } of this.all) {
-      for (const marked of svg.querySelectorAll(".active, .left")) {
-        marked.classList.remove("active", "left");
+      for (const marked of svg.querySelectorAll(".active, .left, .stuck")) {
+        marked.classList.remove("active", "left", "stuck");
       }
       for (const track of tracks) {
-        const before = step > 0 ? track.elementsAt(step - 1) : [];
-        mark(svg, before.filter((name) => name.startsWith("state ")), "left");
-        mark(svg, track.elementsAt(step), "active");
+        const now = track.elementsAt(step);
+        const before = step > 0 ? track.elementsAt(step - 1).filter(isState) : [];
+        mark(svg, before, track.kind === "path" && !now.some(isState) ? "stuck" : "left");
+        mark(svg, now, "active");
       }
     }
   }
+}
+
+function isState(name) {
+  return name.startsWith("state ");
 }
 
 /**

@@ -80,8 +80,7 @@ public final class Footprints {
     }
 
     /** As {@link #of}, where the moments do not say where a side is: wherever it may be. */
-    public static List<Footprint> anywhere(
-            Promise side, Automaton automaton, List<Moment> trace) {
+    public static List<Footprint> anywhere(Promise side, Automaton automaton, List<Moment> trace) {
         return new Footprints(side, automaton).follow(trace, each -> Optional.empty());
     }
 
@@ -139,7 +138,8 @@ public final class Footprints {
         for (int i = 0; i < output.ports().size(); i++) {
             String port = side.component().outputs().get(i).name();
             Sent sent = moment.outputs().get(port);
-            Optional<Sent> both = sent == null ? Optional.of(sent(output, i)) : sent.meet(sent(output, i));
+            Optional<Sent> both =
+                    sent == null ? Optional.of(sent(output, i)) : sent.meet(sent(output, i));
             if (both.isEmpty()) {
                 return false;
             }

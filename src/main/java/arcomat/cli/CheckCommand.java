@@ -74,7 +74,6 @@ final class CheckCommand extends Command {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
-        reports.requireFiles();
         CheckResult result = check(pipeline);
         CheckReport report = baselines.apply(result, pipeline);
         Rendering rendering =

@@ -78,9 +78,7 @@ final class ContradictionsCommand extends AnalysisCommand {
         }
         Consistency found = result.found().get();
         report.write(
-                () ->
-                        ConsistencyPage.of(
-                                result.asked().orElseThrow(), found, result.controller()),
+                () -> ConsistencyPage.of(result.asked().orElseThrow(), found, result.controller()),
                 pipeline);
         print(
                 isJson()

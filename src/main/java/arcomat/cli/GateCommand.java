@@ -60,7 +60,6 @@ final class GateCommand extends LimitedCommand {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
-        reports.requireFiles();
         GateResult result = pipeline.gate(new GateRequest(base, paths, limits()));
         if (result.gate().isEmpty()) {
             reports.write((format, style) -> refusal(result, format, style), pipeline, console);

@@ -15,37 +15,50 @@ import java.util.stream.Collectors;
  */
 record ReportFile(Optional<ReportFormat> format, String file) {
 
-    /** Reads what the user wrote. */
+    /** Reads {@code FORMAT=FILE}. */
     static final class Reader implements ITypeConverter<ReportFile> {
         @Override
         public ReportFile convert(String written) {
             int equals = written.indexOf('=');
-            if (equals < 0 && !written.isEmpty()) {
-                return new ReportFile(Optional.empty(), written);
-            }
             if (equals < 0 || equals == written.length() - 1) {
                 throw new TypeConversionException(
                         "'" + written + "' is not FORMAT=FILE, as in junit=build/results.xml");
             }
-            return new ReportFile(
-                    Optional.of(format(written.substring(0, equals))),
-                    written.substring(equals + 1));
+            String name = written.substring(0, equals);
+            ReportFormat format =
+                    format(name)
+                            .orElseThrow(
+                                    () ->
+                                            new TypeConversionException(
+                                                    "there is no format '"
+                                                            + name
+                                                            + "', only "
+                                                            + all()));
+            return new ReportFile(Optional.of(format), written.substring(equals + 1));
         }
+    }
 
-        private static ReportFormat format(String name) {
-            return Arrays.stream(ReportFormat.values())
-                    .filter(each -> each.name().equals(name))
-                    .findFirst()
-                    .orElseThrow(
-                            () ->
-                                    new TypeConversionException(
-                                            "there is no format '" + name + "', only " + all()));
+    /** Reads {@code DIR} as well. */
+    static final class ReaderOfPages implements ITypeConverter<ReportFile> {
+        @Override
+        public ReportFile convert(String written) {
+            // Whoever writes only a format has forgotten the file.
+            boolean folder = written.indexOf('=') < 0 && !written.isEmpty();
+            return folder && format(written).isEmpty()
+                    ? new ReportFile(Optional.empty(), written)
+                    : new Reader().convert(written);
         }
+    }
 
-        private static String all() {
-            return Arrays.stream(ReportFormat.values())
-                    .map(ReportFormat::name)
-                    .collect(Collectors.joining(", "));
-        }
+    private static Optional<ReportFormat> format(String name) {
+        return Arrays.stream(ReportFormat.values())
+                .filter(each -> each.name().equals(name))
+                .findFirst();
+    }
+
+    private static String all() {
+        return Arrays.stream(ReportFormat.values())
+                .map(ReportFormat::name)
+                .collect(Collectors.joining(", "));
     }
 }

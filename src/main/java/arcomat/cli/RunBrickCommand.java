@@ -94,9 +94,7 @@ final class RunBrickCommand extends Command {
         }
         BrickRunResult.Run run = result.run().get();
         report.write(
-                () ->
-                        BrickPage.of(
-                                jar, run.trace(), run.ending(), run.failure(), run.screen()),
+                () -> BrickPage.of(jar, run.trace(), run.ending(), run.failure(), run.screen()),
                 pipeline);
         return report(run);
     }

@@ -33,7 +33,7 @@ import java.util.List;
             "passes vacuously if the model allows it only because it promises nothing any more."
         })
 final class TestCommand extends Command {
-    @Mixin private ReportOptions reports = new ReportOptions();
+    @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Suites (.mt) and model roots.")
     private List<String> paths;

@@ -36,7 +36,7 @@ import java.util.List;
                     + " errors."
         })
 final class VerifyCommand extends LimitedCommand {
-    @Mixin private ReportOptions reports = new ReportOptions();
+    @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;

@@ -34,16 +34,22 @@ final class ReportPage {
      * @throws WrongUse where it cannot
      */
     void requireWritable() throws WrongUse {
+        if (written.isBlank()) {
+            throw new WrongUse("--report names a folder, such as build/report");
+        }
         Path existing = folder.toAbsolutePath().normalize();
         while (existing != null && !Files.exists(existing)) {
             existing = existing.getParent();
         }
         if (existing == null || !Files.isDirectory(existing)) {
-            boolean itself = existing != null && existing.equals(folder.toAbsolutePath().normalize());
+            boolean itself =
+                    existing != null && existing.equals(folder.toAbsolutePath().normalize());
             throw new WrongUse(
                     itself
                             ? "'" + written + "' is a file; --report names a folder"
-                            : "cannot write to '" + written + "': a file is in the way of a folder");
+                            : "cannot write to '"
+                                    + written
+                                    + "': a file is in the way of a folder");
         }
         if (!Files.isWritable(existing)) {
             throw new WrongUse("cannot write to '" + written + "': permission denied");

@@ -48,7 +48,8 @@ public final class ConsistencyPage {
      */
     public static Page of(Promise asked, Consistency found, Optional<String> controller) {
         List<Story> stories = new ArrayList<>();
-        found.contradictions().forEach(each -> stories.add(new ConsistencyPage(asked, each).story()));
+        found.contradictions()
+                .forEach(each -> stories.add(new ConsistencyPage(asked, each).story()));
         if (stories.isEmpty()) {
             stories.add(harmony(asked, found, controller));
         }
@@ -65,7 +66,11 @@ public final class ConsistencyPage {
         List<Remark> remarks = new ArrayList<>();
         found.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
         controller.ifPresent(
-                any -> remarks.add(Remark.of(Tone.GOOD, "A controller keeps them all; --out writes it.")));
+                any ->
+                        remarks.add(
+                                Remark.of(
+                                        Tone.GOOD,
+                                        "A controller keeps them all; --out writes it.")));
         List<Drawing> drawings =
                 asked.automata().stream()
                         .map(
@@ -148,10 +153,11 @@ public final class ConsistencyPage {
 
     private Track way(Automaton automaton, String name) {
         List<Moment> moments =
-                steps.stream().map(step -> new Moment(step.input(), sent(step), "", List.of())).toList();
+                steps.stream()
+                        .map(step -> new Moment(step.input(), sent(step), "", List.of()))
+                        .toList();
         return isStraight()
-                ? AutomatonDrawing.way(
-                        name, Footprints.anywhere(asked, automaton, moments))
+                ? AutomatonDrawing.way(name, Footprints.anywhere(asked, automaton, moments))
                 : AutomatonDrawing.way(name, List.of());
     }
 

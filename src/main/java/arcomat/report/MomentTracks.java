@@ -99,15 +99,10 @@ final class MomentTracks {
             String sideName = isLeft ? "left" : "right";
             String title = side.component().title(automaton);
             String name = sideName + ": " + title + WAY;
-            tracks.add(
-                    AutomatonDrawing.way(
-                            name, Footprints.of(side, automaton, trace, isLeft)));
+            tracks.add(AutomatonDrawing.way(name, Footprints.of(side, automaton, trace, isLeft)));
             drawings.add(
                     AutomatonDrawing.of(
-                            sideName + ": " + title,
-                            side.component(),
-                            automaton,
-                            List.of(name)));
+                            sideName + ": " + title, side.component(), automaton, List.of(name)));
         }
     }
 }

@@ -38,7 +38,8 @@ public final class StreamTestPage {
     }
 
     public static Page of(String title, List<StreamTestResult> results) {
-        List<Story> stories = results.stream().map(each -> new StreamTestPage(each).story()).toList();
+        List<Story> stories =
+                results.stream().map(each -> new StreamTestPage(each).story()).toList();
         boolean failed = results.stream().anyMatch(each -> each.verdict() == Verdict.FAILED);
         String headline = StreamTestText.summary(results, Style.PLAIN);
         return new Page("test", title, failed ? Tone.BAD : Tone.GOOD, headline, stories);
@@ -91,8 +92,7 @@ public final class StreamTestPage {
     }
 
     private Track expected(String port) {
-        Track.Builder track =
-                new Track.Builder(TraceTracks.OUTPUTS, port + EXPECTED, Kind.PORT);
+        Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port + EXPECTED, Kind.PORT);
         List<List<Value>> stream = test.expected().get(port);
         for (int slice = 0; slice < run.steps().size(); slice++) {
             if (slice < stream.size() && !stream.get(slice).isEmpty()) {

@@ -30,17 +30,8 @@ public final class TracePage {
         if (trace.failure().isPresent() && length > 0) {
             flaws.add(new Flaw(length - 1, "", "stopped: " + trace.failure().get()));
         }
-        Timeline timeline =
-                new Timeline(
-                        tracks.unit(), length, List.of(), tracks.all(), flaws);
-        Story story =
-                new Story(
-                        "",
-                        Tone.NEUTRAL,
-                        "",
-                        remarks,
-                        timeline,
-                        tracks.drawings());
+        Timeline timeline = new Timeline(tracks.unit(), length, List.of(), tracks.all(), flaws);
+        Story story = new Story("", Tone.NEUTRAL, "", remarks, timeline, tracks.drawings());
         return new Page(
                 "simulate",
                 trace.component().qualifiedName(),

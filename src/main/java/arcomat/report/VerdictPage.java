@@ -14,7 +14,6 @@ import arcomat.report.page.Tone;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.OptionalInt;
 
 /** Verdicts as a page: each counterexample as a run, beside the models of both sides. */
@@ -74,8 +73,7 @@ public final class VerdictPage {
                             : verdict.explanation().get(0).text();
             flaws.add(new Flaw(trace.size() - 1, MomentTracks.RIGHT, text));
         }
-        Timeline timeline =
-                new Timeline("step", trace.size(), List.of(), tracks.tracks(), flaws);
+        Timeline timeline = new Timeline("step", trace.size(), List.of(), tracks.tracks(), flaws);
         return new Story(
                 title,
                 tone(verdict.answer()),

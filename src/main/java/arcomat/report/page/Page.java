@@ -10,8 +10,7 @@ import java.util.List;
  * @param headline what came of it, in a sentence
  * @param stories runs, the first one is shown first
  */
-public record Page(
-        String command, String title, Tone tone, String headline, List<Story> stories) {
+public record Page(String command, String title, Tone tone, String headline, List<Story> stories) {
     public Page {
         stories = List.copyOf(stories);
     }

@@ -93,8 +93,7 @@ public record Track(
         }
 
         public Builder add(String text, List<String> elements) {
-            return append(
-                    values.computeIfAbsent(new Entry(text, elements), any -> values.size()));
+            return append(values.computeIfAbsent(new Entry(text, elements), any -> values.size()));
         }
 
         public Builder addNothing() {

@@ -188,7 +188,9 @@ class PageBrowserTest {
         assertThat(Duration.between(begin, Instant.now())).isLessThan(Duration.ofSeconds(20));
         browser.picture("long");
         assertThat(drawn()).as("only what is to be seen is drawn").isLessThan(20_000);
-        assertThat((Number) browser.run(TIME_OF_A_STEP)).as("ms").extracting(Number::doubleValue)
+        assertThat((Number) browser.run(TIME_OF_A_STEP))
+                .as("ms")
+                .extracting(Number::doubleValue)
                 .satisfies(each -> assertThat(each).isLessThan(100));
     }
 
@@ -266,7 +268,8 @@ class PageBrowserTest {
                 """);
         arcomat(1, "contradictions", "Rules", "--report", folder.toString(), models.toString());
         browser.open(folder.resolve("index.html"));
-        assertThat(browser.text(".rows")).contains("near", "drive");
+        assertThat(browser.text(".rows")).contains("near", "may be answered", "none complies");
+        assertThat(browser.findAll(".drawing .transition.active")).hasSize(2);
         assertThat(browser.findAll(".drawing")).hasSize(2);
         photograph("contradictions");
     }

@@ -21,7 +21,8 @@ class PageTextTest {
         String page = PageText.render(SamplePages.hostile());
         assertThat(page)
                 .contains("style-src 'sha256-" + hash(between(page, "<style>", "</style>")) + "'")
-                .contains("script-src 'sha256-" + hash(between(page, "<script>", "</script>")) + "'")
+                .contains(
+                        "script-src 'sha256-" + hash(between(page, "<script>", "</script>")) + "'")
                 .contains("default-src 'none'");
     }
 
@@ -72,8 +73,7 @@ class PageTextTest {
     void theSamePictureIsThereOnce() {
         Page page = SamplePages.small();
         Story story = page.stories().get(0);
-        Page twice =
-                new Page("test", "p", Tone.BAD, "", java.util.List.of(story, story));
+        Page twice = new Page("test", "p", Tone.BAD, "", java.util.List.of(story, story));
         assertThat(count(PageText.render(twice), "<template")).isEqualTo(1);
     }
 

@@ -3,8 +3,8 @@ package arcomat.report.page;
 import arcomat.source.SourceFile;
 
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.Random;
 
 /** Pages made by hand, for tests. */
@@ -43,10 +43,10 @@ final class SamplePages {
                         List.of(command.build(), state.build()),
                         List.of(new Timeline.Flaw(7, "cmd", "fwd is missing")));
         String svg =
-                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\" height=\"20\">"
-                        + "<g class=\"state\" data-state=\"0\"><rect width=\"30\" height=\"20\"/></g>"
-                        + "<g class=\"state\" data-state=\"1\"><rect x=\"40\" width=\"30\" height=\"20\"/></g>"
-                        + "</svg>";
+                "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
+                    + " height=\"20\"><g class=\"state\" data-state=\"0\"><rect width=\"30\""
+                    + " height=\"20\"/></g><g class=\"state\" data-state=\"1\"><rect x=\"40\""
+                    + " width=\"30\" height=\"20\"/></g></svg>";
         Story story =
                 new Story(
                         "",
@@ -94,7 +94,9 @@ final class SamplePages {
     static Page large(int steps, int tracks) {
         Random random = new Random(7);
         List<Track> all =
-                random.ints(tracks, 2, 300).mapToObj(values -> noise(values, steps, random)).toList();
+                random.ints(tracks, 2, 300)
+                        .mapToObj(values -> noise(values, steps, random))
+                        .toList();
         Timeline timeline = new Timeline("slice", steps, List.of(), named(all), List.of());
         Story story = new Story("", Tone.NEUTRAL, "", List.of(), timeline, List.of());
         return new Page("simulate", "p.Large", Tone.NEUTRAL, "long", List.of(story));

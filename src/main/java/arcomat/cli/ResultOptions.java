@@ -1,0 +1,32 @@
+package arcomat.cli;
+
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.Style;
+
+import picocli.CommandLine.Option;
+
+import java.util.List;
+
+/** How a command writes its result: to the console in one format, to files in any. */
+abstract class ResultOptions {
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            defaultValue = "text",
+            description = "How to write results: ${COMPLETION-CANDIDATES}; default text.")
+    private ReportFormat format;
+
+    /** What is to be written beside what is printed. */
+    abstract List<ReportFile> files();
+
+    /** Writes the files first: they are complete when the console says what happened. */
+    final void write(Rendering result, Pipeline pipeline, Console console) throws WrongUse {
+        for (ReportFile each : files()) {
+            if (each.format().isPresent()) {
+                pipeline.writeFile(each.file(), result.text(each.format().get(), Style.PLAIN));
+            }
+        }
+        console.out().print(result.text(format, console.style()));
+    }
+}
