@@ -1,8 +1,7 @@
 package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WorldRequest;
-import arcomat.pipeline.WorldResult;
+import arcomat.pipeline.PreparedWorld;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.FindingsText;
 import arcomat.report.WorldText;
@@ -11,8 +10,6 @@ import arcomat.world.Recording;
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-
-import java.util.Optional;
 
 /** {@code arcomat world}: robots on a floor. */
 @CommandLine.Command(
@@ -23,6 +20,7 @@ import java.util.Optional;
         footer = {
             "  arcomat world models/coffee/world/meeting.world",
             "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
+            "  arcomat world models/coffee/world/meeting.world --runs 100",
             "",
             "Exit status 1: robots collided, a program failed, or the world's goal was not reached."
         })
@@ -38,14 +36,21 @@ final class WorldCommand extends Command {
             defaultValue = "1",
             description =
                     "Of what is drawn: noise, offsets of sensors, where robots really stand;"
-                        + " default 1. The same seed gives the same run.")
+                            + " default 1. The same seed gives the same run.")
     private long seed;
 
     @Option(
             names = "--report",
             paramLabel = "DIR",
-            description = "Write what happened to this folder.")
+            description = "Write what happened to DIR/recording.json.")
     private String report;
+
+    @Option(
+            names = "--runs",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Run with N seeds, this one and the next; tell only how each ended.")
+    private int runs;
 
     WorldCommand(Console console) {
         super(console);
@@ -53,20 +58,48 @@ final class WorldCommand extends Command {
 
     @Override
     int run(Pipeline pipeline) throws WrongUse {
-        WorldRequest request = new WorldRequest(world, seed, Optional.ofNullable(report));
-        WorldResult result = pipeline.world(request);
-        print(FindingsText.render(result.findings(), console.style()));
-        if (result.recording().isEmpty()) {
-            printLine(FindingsText.summary(result.findings(), result.files(), console.style()));
+        if (runs < 1) {
+            throw new WrongUse("--runs " + runs + " is less than 1");
+        }
+        if (runs > 1 && report != null) {
+            throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
+        }
+        if (report != null) {
+            pipeline.requireReplayFolder(report);
+        }
+        PreparedWorld prepared = pipeline.prepareWorld(world);
+        print(FindingsText.render(prepared.findings(), console.style()));
+        if (!prepared.canRun()) {
+            printLine(FindingsText.summary(prepared.findings(), prepared.files(), console.style()));
             return ExitStatus.FINDINGS;
         }
-        Recording recording = result.recording().get();
+        return runs == 1 ? runOnce(prepared, pipeline) : runOften(prepared);
+    }
+
+    private int runOnce(PreparedWorld prepared, Pipeline pipeline) throws WrongUse {
+        Recording recording = prepared.run(seed);
         print(WorldText.events(recording, console.style()));
         printLine("");
         printLine(WorldText.summary(recording));
         if (report != null) {
-            printLine("written to " + report);
+            pipeline.writeReplay(recording, report);
+            printLine("wrote " + report + "/recording.json");
         }
-        return recording.succeeded() ? ExitStatus.FINE : ExitStatus.FINDINGS;
+        return status(recording.succeeded());
+    }
+
+    private int runOften(PreparedWorld prepared) {
+        int good = 0;
+        for (long each = seed; each < seed + runs; each++) {
+            Recording recording = prepared.run(each);
+            good += recording.succeeded() ? 1 : 0;
+            printLine("seed " + each + ": " + WorldText.summary(recording));
+        }
+        printLine(good + " of " + runs + " runs succeeded");
+        return status(good == runs);
+    }
+
+    private static int status(boolean succeeded) {
+        return succeeded ? ExitStatus.FINE : ExitStatus.FINDINGS;
     }
 }

@@ -8,6 +8,7 @@ import arcomat.report.Baseline;
 import arcomat.report.page.Page;
 import arcomat.report.page.PageText;
 import arcomat.source.Diagnostic;
+import arcomat.world.Recording;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -169,12 +170,31 @@ public final class Pipeline {
     }
 
     /**
-     * Runs the robots of a world.
+     * Brings the programs of a world's robots.
      *
-     * @throws WrongUse where the world cannot be read, or the report cannot be written
+     * @param file the world, as the user wrote it
+     * @throws WrongUse where it cannot be read
      */
-    public WorldResult world(WorldRequest request) throws WrongUse {
-        return WorldStep.run(request, names, progress);
+    public PreparedWorld prepareWorld(String file) throws WrongUse {
+        return WorldStep.prepare(file, names, progress);
+    }
+
+    /**
+     * Complains about a folder for {@link #writeReplay} before any work is done.
+     *
+     * @throws WrongUse where it is none
+     */
+    public void requireReplayFolder(String folder) throws WrongUse {
+        WorldStep.requireFolder(folder, names);
+    }
+
+    /**
+     * Writes what happened in a world.
+     *
+     * @throws WrongUse where the folder is somebody else's, or cannot be written
+     */
+    public void writeReplay(Recording recording, String folder) throws WrongUse {
+        WorldStep.write(recording, folder, names);
     }
 
     /**

@@ -14,38 +14,24 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
-/** Reads a world, brings the programs of its robots, runs it, and writes what happened. */
+/** Reads a world and brings the programs of its robots; writes what happened in it. */
 final class WorldStep {
     private static final String RECORDING = "recording.json";
 
     private WorldStep() {}
 
-    static WorldResult run(WorldRequest request, PathNames names, Progress progress)
+    static PreparedWorld prepare(String written, PathNames names, Progress progress)
             throws WrongUse {
-        SourceFile file = read(request.world(), names);
-        ParsedWorld parsed = WorldParser.parse(file);
+        ParsedWorld parsed = WorldParser.parse(read(written, names));
         if (parsed.world().isEmpty()) {
-            return new WorldResult(parsed.findings(), 1, Optional.empty());
+            return new PreparedWorld(parsed.findings(), 1, null, Map.of());
         }
         World world = parsed.world().get();
-        WorldPrograms.Result programs = WorldPrograms.of(world, request.world(), names, progress);
+        WorldPrograms.Result programs = WorldPrograms.of(world, written, names, progress);
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
         findings.addAll(programs.findings());
-        int files = 1 + programs.files();
-        if (findings.stream().anyMatch(Diagnostic::isError)) {
-            return new WorldResult(findings, files, Optional.empty());
-        }
-        if (request.report().isPresent()) {
-            requireFolder(request.report().get(), names);
-        }
-        progress.step("running " + request.world());
-        Recording recording = WorldRun.run(world, request.seed(), programs.programs());
-        if (request.report().isPresent()) {
-            write(recording, request.report().get(), names);
-        }
-        return new WorldResult(findings, files, Optional.of(recording));
+        return new PreparedWorld(findings, 1 + programs.files(), world, programs.programs());
     }
 
     private static SourceFile read(String written, PathNames names) throws WrongUse {
@@ -58,15 +44,19 @@ final class WorldStep {
                 .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
     }
 
-    private static void requireFolder(String report, PathNames names) throws WrongUse {
+    static void write(Recording recording, String folder, PathNames names) throws WrongUse {
+        Map<String, byte[]> files = Map.of(RECORDING, bytes(WorldJson.render(recording)));
+        OutputFolder.replace(names.resolve(folder), folder, files);
+    }
+
+    static void requireFolder(String report, PathNames names) throws WrongUse {
         Path folder = names.resolve(report);
         if (Files.exists(folder) && !Files.isDirectory(folder)) {
             throw new WrongUse("'" + report + "' is a file; --report names a folder");
         }
     }
 
-    private static void write(Recording recording, String report, PathNames names) throws WrongUse {
-        byte[] json = WorldJson.render(recording).getBytes(StandardCharsets.UTF_8);
-        OutputFolder.replace(names.resolve(report), report, Map.of(RECORDING, json));
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
     }
 }

@@ -16,6 +16,7 @@ import arcomat.world.WorldParser;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -24,6 +25,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.jar.Attributes;
+import java.util.jar.JarOutputStream;
+import java.util.jar.Manifest;
 import java.util.stream.LongStream;
 
 /** The scene of Fig. 1 and the whole service, with the jars that go on the brick. */
@@ -151,6 +156,36 @@ class WorldTest {
         assertThat(run.events().stream().filter(Event.Sent.class::isInstance))
                 .as("hold and go, for each cup")
                 .hasSize(20);
+    }
+
+    /** What 'generate' has written runs as well as what is made on the spot. */
+    @Test
+    void jarsOfTheOutputFolderRun(@TempDir Path folder) throws IOException, WrongUse {
+        Pipeline pipeline = new Pipeline(folder, Progress.NONE);
+        Path models = Path.of("models/coffee").toAbsolutePath();
+        pipeline.generate(
+                new GenerationRequest("lejos", "brick", Optional.of("coffee.floor.Courier"), false),
+                List.of(models.toString()));
+        String text = meeting.robots().get(0).place().file().text();
+        String jars = text.replace("component coffee.floor.Courier in ..", "jar brick/Courier.jar");
+        Files.writeString(folder.resolve("jars.world"), jars);
+        PreparedWorld prepared = pipeline.prepareWorld("jars.world");
+        assertThat(prepared.findings()).isEmpty();
+        assertThat(prepared.run(7).events()).isEqualTo(WorldRun.run(meeting, 7, fetchers).events());
+
+        Path hollow = folder.resolve("brick/Hollow.jar");
+        Manifest manifest = new Manifest();
+        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
+        manifest.getMainAttributes().put(Attributes.Name.MAIN_CLASS, "p.Main");
+        new JarOutputStream(Files.newOutputStream(hollow), manifest).close();
+        Files.writeString(folder.resolve("jars.world"), jars.replace("Courier.jar", "Hollow.jar"));
+        assertThat(pipeline.prepareWorld("jars.world").findings())
+                .singleElement()
+                .satisfies(
+                        finding ->
+                                assertThat(finding.message())
+                                        .contains("names the main class p.Main")
+                                        .contains("does not contain it"));
     }
 
     @Test

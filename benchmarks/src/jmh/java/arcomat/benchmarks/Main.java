@@ -6,6 +6,7 @@ import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
 import arcomat.benchmarks.network.NetworkGroup;
 import arcomat.benchmarks.step.StepGroup;
+import arcomat.benchmarks.world.WorldGroup;
 
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
@@ -22,7 +23,7 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,cold,analysis,build}.
+ * --forks N --groups step,network,frontend,cold,analysis,build,world}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -32,7 +33,8 @@ public final class Main {
                     new FrontEndGroup(),
                     new ColdGroup(),
                     new AnalysisGroup(),
-                    new BuildGroup());
+                    new BuildGroup(),
+                    new WorldGroup());
 
     private Main() {}
 

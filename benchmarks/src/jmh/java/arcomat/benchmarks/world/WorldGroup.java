@@ -1,0 +1,79 @@
+package arcomat.benchmarks.world;
+
+import arcomat.benchmarks.Goal;
+import arcomat.benchmarks.Group;
+import arcomat.benchmarks.Measurement;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.PreparedWorld;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.WrongUse;
+import arcomat.world.Recording;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/** Two robots meet on a line: how much faster than they would on the floor. */
+public final class WorldGroup implements Group {
+    private static final String WORLD = "models/coffee/world/meeting.world";
+    private static final int WARMUP = 60;
+    private static final int RUNS = 40;
+    private static final int FASTER = 200;
+    private static final double NANOSECONDS = 1e6;
+
+    private PreparedWorld world;
+
+    @Override
+    public String name() {
+        return "world";
+    }
+
+    /** A run hands over between threads; it is timed as a whole. */
+    @Override
+    public List<Class<?>> benchmarks() {
+        return List.of();
+    }
+
+    @Override
+    public List<String> prepare() {
+        try {
+            world = new Pipeline(Path.of(""), Progress.NONE).prepareWorld(WORLD);
+        } catch (WrongUse e) {
+            throw new IllegalStateException(e);
+        }
+        if (!world.run(1).succeeded()) {
+            throw new IllegalStateException("the robots collide");
+        }
+        return List.of();
+    }
+
+    @Override
+    public Map<String, Measurement> measure() {
+        List<Double> times = new ArrayList<>();
+        List<Double> real = new ArrayList<>();
+        for (int seed = 0; seed < WARMUP + RUNS; seed++) {
+            long start = System.nanoTime();
+            Recording recording = world.run(seed);
+            double time = (System.nanoTime() - start) / NANOSECONDS;
+            if (seed >= WARMUP) {
+                times.add(time);
+                real.add((double) recording.duration());
+            }
+        }
+        return Map.of(
+                "meeting", Measurement.of("meeting", times, "ms/op"),
+                "real time", Measurement.of("real time", real, "ms/op"));
+    }
+
+    @Override
+    public List<Goal> goals() {
+        return List.of(
+                Goal.promise(
+                                FASTER + " times the meeting of two fetchers, against real time",
+                                "meeting",
+                                "real time",
+                                1)
+                        .times(FASTER));
+    }
+}
