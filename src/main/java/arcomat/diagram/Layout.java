@@ -70,8 +70,12 @@ public final class Layout {
 
     private final Direction direction;
 
-    private Layout(Direction direction) {
+    /** Whether nodes come in the order in which they are to be read. */
+    private final boolean ordered;
+
+    private Layout(Direction direction, boolean ordered) {
         this.direction = direction;
+        this.ordered = ordered;
     }
 
     public static Picture of(Graph graph) {
@@ -89,7 +93,7 @@ public final class Layout {
     }
 
     private static Picture of(Graph graph, Direction direction) {
-        Layout layout = new Layout(direction);
+        Layout layout = new Layout(direction, graph.flow() == Graph.Flow.EITHER);
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
         root.setProperty(LayeredOptions.SEPARATE_CONNECTED_COMPONENTS, false);
@@ -109,7 +113,11 @@ public final class Layout {
     private void layered(ElkNode node, List<Node> children, boolean crowded) {
         node.setProperty(CoreOptions.ALGORITHM, LayeredOptions.ALGORITHM_ID);
         node.setProperty(LayeredOptions.DIRECTION, direction);
-        node.setProperty(LayeredOptions.CYCLE_BREAKING_STRATEGY, CycleBreakingStrategy.MODEL_ORDER);
+        node.setProperty(
+                LayeredOptions.CYCLE_BREAKING_STRATEGY,
+                ordered
+                        ? CycleBreakingStrategy.MODEL_ORDER
+                        : CycleBreakingStrategy.GREEDY_MODEL_ORDER);
         node.setProperty(LayeredOptions.EDGE_ROUTING, EdgeRouting.ORTHOGONAL);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE, 28.0);
         node.setProperty(LayeredOptions.SPACING_NODE_NODE_BETWEEN_LAYERS, crowded ? 32.0 : 44.0);

@@ -14,11 +14,16 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -69,5 +74,38 @@ class LayoutTest {
         Component component = RandomModels.automaton(seed);
         Graph graph = AutomatonGraph.of(component, component.automata().get(0));
         assertThat(Overlaps.in(svg(graph))).isEmpty();
+    }
+
+    /** The run, and any automaton on both sides with any marks. */
+    @Property(tries = 50)
+    void anyFailure(@ForAll @IntRange(min = 0) int seed) {
+        Component component = RandomModels.automaton(seed);
+        Highlights.Highlight step = new Highlights.Highlight(Highlights.Kind.ACTIVE, "step 1", "");
+        Map<Integer, List<Highlights.Highlight>> marks = Map.of(0, List.of(step));
+        Automaton automaton = component.automata().get(0);
+        Graph side = AutomatonGraph.of("side", automaton, new Highlights(marks, Map.of()));
+        List<FailureGraph.Step> steps = new ArrayList<>();
+        for (int i = 0; i <= seed % 9; i++) {
+            steps.add(new FailureGraph.Step(List.of("a = " + i, "/ x = 1"), "here", List.of()));
+        }
+        Graph failure = FailureGraph.of("A and B", steps, Optional.of(side), Optional.of(side));
+        assertThat(Overlaps.in(svg(failure))).isEmpty();
+    }
+
+    /** Computing time: the machine may have other work. */
+    @Tag("slow")
+    @Test
+    void aHundredComponentsInThreeSeconds() {
+        List<Graph> graphs = new ArrayList<>();
+        for (int i = 0; i < 50; i++) {
+            Component component = RandomModels.automaton(i);
+            graphs.add(AutomatonGraph.of(component, component.automata().get(0)));
+            graphs.add(ComponentGraph.of(RandomModels.composite(i), ALL));
+        }
+        ThreadMXBean clock = ManagementFactory.getThreadMXBean();
+        long start = clock.getCurrentThreadCpuTime();
+        graphs.forEach(LayoutTest::svg);
+        assertThat(Duration.ofNanos(clock.getCurrentThreadCpuTime() - start))
+                .isLessThan(Duration.ofSeconds(3));
     }
 }
