@@ -42,7 +42,8 @@ final class WorldCommand extends Command {
     @Option(
             names = "--report",
             paramLabel = "DIR",
-            description = "Write what happened to DIR/recording.json.")
+            description =
+                    "Write a page that plays the run again, DIR/index.html, and the recording.")
     private String report;
 
     @Option(
@@ -65,7 +66,7 @@ final class WorldCommand extends Command {
             throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
         }
         if (report != null) {
-            pipeline.requireReplayFolder(report);
+            pipeline.requireReportFolder(report);
         }
         PreparedWorld prepared = pipeline.prepareWorld(world);
         print(FindingsText.render(prepared.findings(), console.style()));
@@ -82,8 +83,8 @@ final class WorldCommand extends Command {
         printLine("");
         printLine(WorldText.summary(recording));
         if (report != null) {
-            pipeline.writeReplay(recording, report);
-            printLine("wrote " + report + "/recording.json");
+            pipeline.writeReplay(recording, world + ", seed " + seed, report);
+            printLine("wrote " + report + "/index.html");
         }
         return status(recording.succeeded());
     }

@@ -180,21 +180,12 @@ public final class Pipeline {
     }
 
     /**
-     * Complains about a folder for {@link #writeReplay} before any work is done.
-     *
-     * @throws WrongUse where it is none
-     */
-    public void requireReplayFolder(String folder) throws WrongUse {
-        WorldStep.requireFolder(folder, names);
-    }
-
-    /**
-     * Writes what happened in a world.
+     * Writes a page that plays a run of a world again, and the recording that it plays.
      *
      * @throws WrongUse where the folder is somebody else's, or cannot be written
      */
-    public void writeReplay(Recording recording, String folder) throws WrongUse {
-        WorldStep.write(recording, folder, names);
+    public void writeReplay(Recording recording, String title, String folder) throws WrongUse {
+        WorldStep.write(recording, title, folder, names);
     }
 
     /**

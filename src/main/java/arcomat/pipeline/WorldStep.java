@@ -1,6 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.report.WorldJson;
+import arcomat.report.WorldPage;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.world.ParsedWorld;
@@ -8,7 +9,7 @@ import arcomat.world.Recording;
 import arcomat.world.World;
 import arcomat.world.WorldParser;
 
-import java.nio.charset.StandardCharsets;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -44,19 +45,13 @@ final class WorldStep {
                 .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
     }
 
-    static void write(Recording recording, String folder, PathNames names) throws WrongUse {
-        Map<String, byte[]> files = Map.of(RECORDING, bytes(WorldJson.render(recording)));
-        OutputFolder.replace(names.resolve(folder), folder, files);
-    }
-
-    static void requireFolder(String report, PathNames names) throws WrongUse {
-        Path folder = names.resolve(report);
-        if (Files.exists(folder) && !Files.isDirectory(folder)) {
-            throw new WrongUse("'" + report + "' is a file; --report names a folder");
+    static void write(Recording recording, String title, String folder, PathNames names)
+            throws WrongUse {
+        new ReportPage(folder, names).write(WorldPage.render(recording, title));
+        try {
+            AtomicFile.write(names.resolve(folder).resolve(RECORDING), WorldJson.render(recording));
+        } catch (IOException e) {
+            throw new WrongUse("cannot write to '" + folder + "': " + Failures.reason(e));
         }
-    }
-
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
     }
 }

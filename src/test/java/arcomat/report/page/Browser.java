@@ -63,9 +63,14 @@ public final class Browser implements AutoCloseable {
 
     /** Opens a page and waits until it has begun. */
     public void open(Path page) {
+        open(page.toUri().toString(), "#story > *");
+    }
+
+    /** Opens an address and waits until it has what a selector asks for. */
+    public void open(String address, String selector) {
         problems(); // those of other pages
-        driver.get(page.toUri().toString());
-        await(() -> !driver.findElements(By.cssSelector("#story > *")).isEmpty());
+        driver.get(address);
+        await(() -> !driver.findElements(By.cssSelector(selector)).isEmpty());
     }
 
     /** What the console of the page says that is no mere information. */

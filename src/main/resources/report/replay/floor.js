@@ -1,0 +1,160 @@
+// The floor from above. The world's y grows upwards, that of pictures downwards.
+
+const TRAIL_SECONDS = 12;
+const CONE = 15;
+const NO_ECHO = 255;
+const SVG_MARGIN = 40;
+const DRINKER_RADIUS = 100;
+const CUP_RADIUS = 28;
+const BRIGHT = 45;
+
+class Floor {
+  constructor(recording) {
+    this.recording = recording;
+    this.world = recording.world;
+    this.svg = shape("svg", { class: "floor", role: "img", "aria-label": "The floor from above" });
+    this.followed = -1;
+    this.robots = this.world.robots.map((robot) => this.robot(robot));
+    this.drinkers = this.world.drinkers.map((drinker) => this.drinker(drinker));
+    this.trails = this.world.robots.map(() => shape("polyline", { class: "trail" }));
+    this.svg.append(
+      shape(
+        "g",
+        { class: "lines" },
+        ...this.world.lines.map((line) => this.outline(line.points, { class: "line", "stroke-width": line.width })),
+      ),
+      ...this.world.walls.map((wall) => this.outline(wall, { class: "wall" })),
+      ...this.trails,
+      ...this.drinkers.map((drinker) => drinker.group),
+      ...this.robots.map((robot) => robot.group),
+      ...this.robots.map((robot) => robot.label),
+    );
+    this.look();
+  }
+
+  y(up) {
+    return this.world.depth - up;
+  }
+
+  outline(points, properties) {
+    const places = [];
+    for (let i = 0; i < points.length; i += 2) {
+      places.push(points[i] + "," + this.y(points[i + 1]));
+    }
+    return shape("polyline", { points: places.join(" "), ...properties });
+  }
+
+  /** Drawn around (0, 0) with the front to the right; then moved and turned as a whole. */
+  robot(robot) {
+    const r = robot.radius;
+    const parts = { rays: [], eyes: [], mouths: [] };
+    robot.sensors.forEach((sensor, index) => {
+      if (sensor.type === "ultrasonic") {
+        parts.rays.push({ index, sensor, shape: shape("path", { class: "ray" }) });
+      } else if (sensor.type === "light") {
+        parts.eyes.push({ index, shape: shape("circle", { class: "eye", cx: sensor.x, cy: -sensor.y, r: 9 }) });
+      } else if (sensor.x !== undefined) {
+        parts.mouths.push(shape("circle", { class: "mouth", cx: sensor.x, cy: -sensor.y, r: 60 }));
+      }
+    });
+    const wheel = (y) => shape("rect", { class: "wheel", x: -0.35 * r, y: y - 8, width: 0.7 * r, height: 16, rx: 4 });
+    const cup = shape("circle", { class: "cup", r: CUP_RADIUS });
+    const crash = shape("circle", { class: "collision", r: r + 25 });
+    const driven = !robot.moves ? [] : [
+      wheel(-0.7 * r),
+      wheel(0.7 * r),
+      shape("path", { class: "nose", d: `M${0.35 * r} ${-0.35 * r}L${0.85 * r} 0L${0.35 * r} ${0.35 * r}` }),
+    ];
+    const group = shape(
+      "g",
+      { class: robot.moves ? "robot" : "robot station" },
+      ...parts.rays.map((ray) => ray.shape),
+      ...parts.mouths,
+      shape("circle", { class: "body", r }),
+      ...driven,
+      ...parts.eyes.map((eye) => eye.shape),
+      cup,
+      crash,
+    );
+    const doing = shape("tspan", { class: "doing" });
+    const label = shape("text", {}, robot.name + " ", doing);
+    return { ...parts, group, cup, crash, label, doing, radius: r };
+  }
+
+  drinker(drinker) {
+    const body = shape("circle", { class: "drinker", cx: drinker.x, cy: this.y(drinker.y), r: DRINKER_RADIUS });
+    const text = shape("text", { x: drinker.x, y: this.y(drinker.y) + 20 });
+    return { name: drinker.name, body, text, group: shape("g", {}, body, text) };
+  }
+
+  follow(number) {
+    this.followed = number;
+    this.robots.forEach((robot, index) => robot.group.classList.toggle("followed", index === number));
+  }
+
+  /** All of the floor, or what is around the robot that is followed. */
+  look() {
+    const { width, depth } = this.world;
+    let box = [-SVG_MARGIN, -SVG_MARGIN, width + 2 * SVG_MARGIN, depth + 2 * SVG_MARGIN];
+    if (this.followed >= 0 && this.place !== undefined) {
+      const span = 1600;
+      box = [this.place.x - span / 2, this.y(this.place.y) - span / 4, span, span / 2];
+    }
+    this.svg.setAttribute("viewBox", box.map(Math.round).join(" "));
+  }
+
+  show(time) {
+    this.robots.forEach((shapes, number) => this.showRobot(shapes, number, time));
+    this.drinkers.forEach((shapes, number) => {
+      const drinker = this.recording.drinker(number, time);
+      shapes.body.classList.toggle("away", !drinker.isPresent);
+      shapes.text.textContent = shapes.name + " " + drinker.cups;
+    });
+    this.look();
+  }
+
+  showRobot(shapes, number, time) {
+    const robot = this.recording.robot(number, time);
+    if (number === this.followed) {
+      this.place = robot;
+    }
+    const y = this.y(robot.y);
+    shapes.group.setAttribute("transform", `translate(${robot.x} ${y}) rotate(${-robot.heading})`);
+    shapes.label.setAttribute("x", robot.x);
+    shapes.label.setAttribute("y", y - shapes.radius - 24);
+    shapes.doing.textContent = robot.display;
+    for (const ray of shapes.rays) {
+      ray.shape.setAttribute("d", cone(ray.sensor, robot.readings[ray.index]));
+    }
+    for (const eye of shapes.eyes) {
+      const isDark = robot.readings[eye.index] < BRIGHT;
+      eye.shape.classList.toggle("dark", isDark);
+      eye.shape.classList.toggle("bright", !isDark);
+    }
+    shapes.cup.setAttribute("class", "cup " + robot.cup);
+    shapes.cup.toggleAttribute("hidden", robot.cup === "none");
+    shapes.crash.toggleAttribute("hidden", !this.collidesAt(number, time));
+    const trail = this.recording.trail(number, time, TRAIL_SECONDS);
+    this.trails[number].setAttribute("points", trail.map(([x, up]) => x + "," + this.y(up)).join(" "));
+  }
+
+  collidesAt(number, time) {
+    const name = this.world.robots[number].name;
+    return this.recording.events.some(
+      (event) => event.what === "COLLISION" && event.who === name && event.t <= time && time < event.t + 1000,
+    );
+  }
+}
+
+/** What an ultrasonic sensor sees, as far as its echo says. */
+function cone(sensor, reading) {
+  if (reading >= NO_ECHO) {
+    return "";
+  }
+  const length = 10 * reading;
+  const edge = (side) => {
+    const angle = ((sensor.facing + side * CONE) * Math.PI) / 180;
+    return `${(sensor.x + length * Math.cos(angle)).toFixed(1)} ${(-sensor.y - length * Math.sin(angle)).toFixed(1)}`;
+  };
+  return `M${sensor.x} ${-sensor.y}L${edge(1)}A${length} ${length} 0 0 1 ${edge(-1)}Z`;
+}

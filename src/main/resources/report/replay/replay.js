@@ -1,0 +1,39 @@
+// Begins.
+
+const recording = new Recording(JSON.parse(document.getElementById("data").textContent));
+const floor = new Floor(recording);
+const player = new Player(recording, (time) => {
+  floor.show(time);
+  cards.show(time);
+  happenings.show(time);
+});
+const happenings = new Happenings(recording.events, (time) => player.go(time));
+const cards = new Cards(recording, (number) => {
+  const followed = number === floor.followed ? -1 : number;
+  floor.follow(followed);
+  cards.follow(followed);
+  player.go(player.time);
+});
+document.getElementById("scene").append(floor.svg);
+document.getElementById("player").append(...player.elements());
+document.getElementById("robots").append(...cards.cards.map((each) => each.card));
+document.getElementById("events").append(element("h2", {}, "What happened"), happenings.list);
+
+const KEYS = {
+  " ": () => player.toggle(),
+  ArrowLeft: (shift) => player.go(shift ? happenings.neighbour(player.time, -1) : player.time - recording.period),
+  ArrowRight: (shift) => player.go(shift ? happenings.neighbour(player.time, 1) : player.time + recording.period),
+  Home: () => player.go(0),
+  End: () => player.go(recording.length),
+  "+": () => player.faster(1),
+  "-": () => player.faster(-1),
+};
+document.addEventListener("keydown", (event) => {
+  const isOurs = event.target === document.body || event.target.id === "moment";
+  if (isOurs && Object.hasOwn(KEYS, event.key) && !event.ctrlKey && !event.altKey && !event.metaKey) {
+    KEYS[event.key](event.shiftKey);
+    event.preventDefault();
+  }
+});
+// index.html#7.5 opens at that second.
+player.go(1000 * Number(location.hash.slice(1)) || 0);
