@@ -5,6 +5,7 @@ import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.InputFile;
+import org.gradle.api.tasks.LocalState;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputFile;
 import org.gradle.api.tasks.PathSensitive;
@@ -30,6 +31,10 @@ public abstract class CheckArc extends ReportTask {
     @PathSensitive(PathSensitivity.RELATIVE)
     public abstract RegularFileProperty getBaseline();
 
+    /** What the tool remembers, in order to check only what changed and what depends on it. */
+    @LocalState
+    public abstract RegularFileProperty getMemory();
+
     /** The findings for code scanning. */
     @OutputFile
     public abstract RegularFileProperty getSarif();
@@ -37,6 +42,7 @@ public abstract class CheckArc extends ReportTask {
     @Override
     final List<String> question() {
         List<String> command = new ArrayList<>(List.of("check", "--profile", getProfile().get()));
+        command.addAll(List.of("--state", shown(getMemory().get().getAsFile()), "--verbose"));
         if (getWarningsFail().get()) {
             command.add("--strict");
         }

@@ -111,12 +111,13 @@ class ShopTest {
                 .contains(":checkArc SUCCESS");
 
         shop.edit(BUMPER, "wheels = halt", "wheels = hald");
-        BuildResult failed = shop.fail("check");
+        BuildResult failed = shop.fail("check", "--info");
         assertThat(failed.getOutput())
                 .contains(
                         "src/main/arc/shop/Bumper.arc:14:56: error ARC0329: 'hald' is not",
                         "help: Change to 'halt'",
-                        "> 1 error, 1 warning in 5 files")
+                        "> 1 error, 1 warning in 5 files",
+                        "checked 3 of 5 files")
                 .doesNotContain("Exception");
     }
 
