@@ -11,7 +11,7 @@ import java.util.List;
  *
  * @param status its exit status
  * @param out what it found, as text for people
- * @param err its complaints about how it was used
+ * @param err its complaints about how it was used, and how it went about its work
  */
 record ToolResult(int status, String out, String err) {
     private static final int FINE = 0;
@@ -36,7 +36,7 @@ record ToolResult(int status, String out, String err) {
             log.error(out.stripTrailing());
         }
         if (status == WRONG_USE) {
-            throw new GradleException(err.isBlank() ? summary() : complaint());
+            throw new GradleException(complaint());
         }
         throw new VerificationException(summary());
     }
@@ -52,8 +52,12 @@ record ToolResult(int status, String out, String err) {
         return out.lines().filter(line -> !line.isBlank()).count() > 1;
     }
 
+    /** Why it could not do its work: how it was used, or what it could not read. */
     private String complaint() {
-        String first = err.lines().findFirst().orElseThrow();
-        return first.startsWith(COMPLAINT) ? first.substring(COMPLAINT.length()) : err.strip();
+        return err.lines()
+                .filter(line -> line.startsWith(COMPLAINT))
+                .map(line -> line.substring(COMPLAINT.length()))
+                .findFirst()
+                .orElseGet(() -> out.isBlank() ? err.strip() : summary());
     }
 }
