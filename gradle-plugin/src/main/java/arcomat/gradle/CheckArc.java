@@ -27,7 +27,9 @@ public abstract class CheckArc extends ReportTask {
     @Input
     public abstract Property<Boolean> getWarningsFail();
 
-    /** Findings that are known and told no more; a file that is not there yet has its own message. */
+    /**
+     * Findings that are known and told no more; a file that is not there yet has its own message.
+     */
     @InputFiles
     @Optional
     @PathSensitive(PathSensitivity.RELATIVE)

@@ -32,13 +32,31 @@ record ToolResult(int status, String out, String err) {
         if (isFine()) {
             return;
         }
+        tell(log);
+        throw status == WRONG_USE ? failure() : new VerificationException(summary());
+    }
+
+    /**
+     * The same for a task that makes what others work on: they are not to begin without it, not
+     * even with {@code --continue}, which goes on after a {@link VerificationException}.
+     *
+     * @throws GradleException where the command could not do its work
+     */
+    void requireOutput(Logger log) {
+        if (!isFine()) {
+            tell(log);
+            throw failure();
+        }
+    }
+
+    private void tell(Logger log) {
         if (!out.isEmpty()) {
             log.error(out.stripTrailing());
         }
-        if (status == WRONG_USE) {
-            throw new GradleException(complaint());
-        }
-        throw new VerificationException(summary());
+    }
+
+    private GradleException failure() {
+        return new GradleException(status == WRONG_USE ? complaint() : summary());
     }
 
     /** The last line, which says it all in short. */

@@ -28,6 +28,7 @@ class BadInputTest {
         variant("choice", script + "arcomat.choose = 'some'\n");
         variant("binary", script);
         shop.write("binary/src/main/arc/shop/Spoilt.arc", "\0");
+        variant("known", script + "arcomat.baseline = file('known.txt')\n");
         variant("version", script.replace("arcomat files", "//") + VERSION);
 
         String output =
@@ -37,6 +38,7 @@ class BadInputTest {
                                 ":linker:nxjLink",
                                 ":choice:generateArcJvm",
                                 ":binary:checkArc",
+                                ":known:checkArc",
                                 ":version:checkArc",
                                 "--continue")
                         .getOutput();
@@ -48,6 +50,7 @@ class BadInputTest {
                                 + " bin/nxjlink",
                         "> Invalid value for option '--choose'",
                         "Execution failed for task ':binary:checkArc'.\n> 1 error in 6 files",
+                        "> there is no baseline 'known/known.txt'; the task baselineArc writes it",
                         "> Could not find arcomat:arcomat:9.9.9.")
                 .doesNotContain("Exception", "ARC0701");
     }
