@@ -4,6 +4,7 @@ import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
+import arcomat.benchmarks.incremental.IncrementalGroup;
 import arcomat.benchmarks.network.NetworkGroup;
 import arcomat.benchmarks.step.StepGroup;
 
@@ -22,7 +23,7 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,cold,analysis,build}.
+ * --forks N --groups step,network,frontend,incremental,cold,analysis,build}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -30,6 +31,7 @@ public final class Main {
                     new StepGroup(),
                     new NetworkGroup(),
                     new FrontEndGroup(),
+                    new IncrementalGroup(),
                     new ColdGroup(),
                     new AnalysisGroup(),
                     new BuildGroup());

@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 
 /**
  * Runs builds in turn, so that a machine that does other work at times does it to all of them. The
- * project is the coffee service with a class in Java: without the plugin the class is compiled, with
- * it the models are checked, too; nothing has changed, so there is nothing to do.
+ * project is the coffee service with a class in Java: without the plugin the class is compiled,
+ * with it the models are checked, too; nothing has changed, so there is nothing to do.
  */
 final class WarmBuilds {
     static final String WITH = "with checkArc";
@@ -113,8 +113,7 @@ final class WarmBuilds {
         }
         Map<String, Measurement> measurements = new TreeMap<>();
         times.forEach(
-                (name, values) ->
-                        measurements.put(name, Measurement.of(name, values, "ms/build")));
+                (name, values) -> measurements.put(name, Measurement.of(name, values, "ms/build")));
         return measurements;
     }
 
