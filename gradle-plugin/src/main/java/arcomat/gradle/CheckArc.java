@@ -35,6 +35,12 @@ public abstract class CheckArc extends ReportTask {
     @PathSensitive(PathSensitivity.RELATIVE)
     public abstract RegularFileProperty getBaseline();
 
+    /** Whether there is to be a baseline: one that is missing is not the same as none. */
+    @Input
+    public boolean isWithBaseline() {
+        return getBaseline().isPresent();
+    }
+
     /** What the tool remembers, in order to check only what changed and what depends on it. */
     @LocalState
     public abstract RegularFileProperty getMemory();
