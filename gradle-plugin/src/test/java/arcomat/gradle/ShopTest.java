@@ -96,6 +96,8 @@ class ShopTest {
                 .contains(
                         "src/main/arc/shop/Bumper.arc:7:12: warning ARC0501: stereotype 'totl'",
                         "1 warning in 5 files");
+        assertThat(shop.fail("checkArc", "-Pknown").getOutput())
+                .contains("> there is no baseline 'known.txt'; the task baselineArc writes it");
         BuildResult strict = shop.fail("checkArc", "checkArcFormat", "-Pstrict", "--continue");
         assertThat(strict.getOutput())
                 .contains(
