@@ -7,7 +7,9 @@ import arcomat.report.Style;
 import picocli.CommandLine.Option;
 
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** How a command writes its result: to the console in one format, to files in any. */
 final class ReportOptions {
@@ -27,6 +29,14 @@ final class ReportOptions {
 
     /** Writes the files first: they are complete when the console says what happened. */
     void write(Rendering result, Pipeline pipeline, Console console) throws WrongUse {
+        Set<String> names = new HashSet<>();
+        for (ReportFile each : files) {
+            if (!names.add(each.file())) {
+                throw new WrongUse(
+                        "two reports go to '%s'; give each a file of its own"
+                                .formatted(each.file()));
+            }
+        }
         for (ReportFile each : files) {
             pipeline.writeFile(each.file(), result.text(each.format(), Style.PLAIN));
         }
