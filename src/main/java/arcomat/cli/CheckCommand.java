@@ -103,7 +103,7 @@ final class CheckCommand extends Command {
                     .printf(
                             Locale.ROOT,
                             "checked %,d of %,d files\n",
-                            recheck.checked(),
+                            recheck.checked().size(),
                             result.files());
         }
         return result;

@@ -6,7 +6,9 @@ import arcomat.report.Style;
 
 import picocli.CommandLine.Option;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 
 /** How a command writes its result: to the console in one format, to files in any. */
 abstract class ResultOptions {
@@ -22,11 +24,23 @@ abstract class ResultOptions {
 
     /** Writes the files first: they are complete when the console says what happened. */
     final void write(Rendering result, Pipeline pipeline, Console console) throws WrongUse {
+        refuseFileOfTwo();
         for (ReportFile each : files()) {
             if (each.format().isPresent()) {
                 pipeline.writeFile(each.file(), result.text(each.format().get(), Style.PLAIN));
             }
         }
         console.out().print(result.text(format, console.style()));
+    }
+
+    private void refuseFileOfTwo() throws WrongUse {
+        Set<String> names = new HashSet<>();
+        for (ReportFile each : files()) {
+            if (!names.add(each.file())) {
+                throw new WrongUse(
+                        "two reports go to '%s'; give each a file of its own"
+                                .formatted(each.file()));
+            }
+        }
     }
 }

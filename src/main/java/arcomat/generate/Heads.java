@@ -49,7 +49,7 @@ final class Heads {
     }
 
     private static PortView port(FileContext context, Port port) {
-        String total = port.total() ? "<<total>> " : "";
+        String total = port.total() ? "total " : ""; // no stereotype: doc comments are HTML
         String direction = port.isInput() ? "in " : "out ";
         return new PortView(
                 context.members().of(port),

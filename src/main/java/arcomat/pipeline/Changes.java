@@ -36,9 +36,10 @@ final class Changes {
      * @param dependencies between these files
      */
     Set<String> affected(Dependencies dependencies) {
-        Set<String> affected = new HashSet<>(dependencies.affectedBy(footprints()));
-        changed().stream().filter(after::containsKey).forEach(affected::add);
-        boolean otherNames = !names(before).equals(names(after));
+        Set<String> changed = changed();
+        Set<String> affected = new HashSet<>(dependencies.affectedBy(footprints(changed)));
+        changed.stream().filter(after::containsKey).forEach(affected::add);
+        boolean otherNames = !names(before, changed).equals(names(after, changed));
         boolean otherwiseComplete = isComplete(before) != isComplete(after);
         for (File file : after.values()) {
             // Whoever does not know a name looks for a similar one among all there are.
@@ -53,7 +54,7 @@ final class Changes {
     }
 
     /** Files that are there once only, or with another text. */
-    Set<String> changed() {
+    private Set<String> changed() {
         Set<String> changed = new HashSet<>(before.keySet());
         changed.addAll(after.keySet());
         changed.removeIf(path -> hash(before, path).equals(hash(after, path)));
@@ -64,9 +65,9 @@ final class Changes {
         return Optional.ofNullable(files.get(path)).map(File::hash);
     }
 
-    private List<Footprint> footprints() {
+    private List<Footprint> footprints(Set<String> changed) {
         List<Footprint> footprints = new ArrayList<>();
-        for (String path : changed()) {
+        for (String path : changed) {
             for (Map<String, File> files : List.of(before, after)) {
                 Optional.ofNullable(files.get(path)).map(Footprint::of).ifPresent(footprints::add);
             }
@@ -99,12 +100,13 @@ final class Changes {
         return packages;
     }
 
-    /** How often each name is defined. */
-    private static Map<Names, Long> names(Map<String, File> files) {
+    /** How often some files define each name. */
+    private static Map<Names, Long> names(Map<String, File> files, Set<String> paths) {
         Map<Names, Long> names = new HashMap<>();
-        files.values().stream()
-                .map(file -> file.names().orElse(null))
+        paths.stream()
+                .map(files::get)
                 .filter(Objects::nonNull)
+                .flatMap(file -> file.names().stream())
                 .forEach(each -> names.merge(each, 1L, Long::sum));
         return names;
     }

@@ -34,7 +34,6 @@ record Footprint(List<List<String>> offers, Set<String> mentions, Set<String> cl
         for (String component : names.components()) {
             claims.add(javaClass(names.packageName(), component));
         }
-        names.types().forEach(type -> claims.add("type " + type));
         return new Footprint(offers, file.mentions(), claims);
     }
 

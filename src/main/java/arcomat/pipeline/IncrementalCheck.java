@@ -1,5 +1,6 @@
 package arcomat.pipeline;
 
+import arcomat.check.Checks;
 import arcomat.check.Profile;
 import arcomat.report.CheckState;
 import arcomat.report.CheckState.File;
@@ -29,18 +30,29 @@ record IncrementalCheck(
 
     /**
      * @param state for the next check
-     * @param checked the number of files that were checked
+     * @param checked those of the named files that were checked
      */
-    record Outcome(CheckResult result, CheckState state, int checked) {}
+    record Outcome(CheckResult result, CheckState state, List<String> checked) {}
 
     Outcome run(StateFile file) {
         Set<Path> searched = ModelLoader.searchedFolders(paths, names);
-        String key = Digest.of(tool + "\n" + profile + "\n" + new TreeSet<>(searched));
         NamedFiles named = NamedFiles.read(paths, names, progress);
+        String key = key(searched, named);
         Optional<CheckState> before = file.read(key, path -> source(path, named));
         Surroundings around = new Surroundings(names, searched, named.paths());
         return before.flatMap(state -> update(state, named, around))
                 .orElseGet(() -> full(key, searched));
+    }
+
+    /** Where something cannot be read, less is found than where everything can. */
+    private String key(Set<Path> searched, NamedFiles named) {
+        return Digest.of(
+                String.join(
+                        "\n",
+                        tool,
+                        profile.name(),
+                        new TreeSet<>(searched).toString(),
+                        named.hasErrors() ? "incomplete" : "complete"));
     }
 
     /** Findings may be about a file that others need; there are few of them. */
@@ -60,7 +72,7 @@ record IncrementalCheck(
         Surroundings around = new Surroundings(names, searched, models.loaded().named());
         List<File> files = new StateOfFiles(around).of(models);
         CheckState state = new CheckState(key, around.folders(), files);
-        return new Outcome(models.result(), state, models.loaded().named().size());
+        return new Outcome(models.result(), state, models.loaded().named());
     }
 
     private Optional<Outcome> update(CheckState before, NamedFiles named, Surroundings around) {
@@ -75,7 +87,7 @@ record IncrementalCheck(
         Map<String, String> folders = new HashMap<>(before.folders());
         folders.putAll(around.folders());
         CheckState state = new CheckState(before.key(), folders, files);
-        return Optional.of(new Outcome(result(files, named), state, update.numberOfCheckedFiles()));
+        return Optional.of(new Outcome(result(files, named), state, update.checkedFiles()));
     }
 
     private static CheckResult result(List<File> files, NamedFiles named) {
@@ -87,6 +99,9 @@ record IncrementalCheck(
         }
         TreeSet<Diagnostic> ordered = new TreeSet<>(Diagnostic.ORDER);
         ordered.addAll(findings);
+        if (named.hasErrors()) {
+            ordered.removeIf(Checks::isUnusedSuppression);
+        }
         suppressed.sort(Comparator.comparing(Suppressed::finding, Diagnostic.ORDER));
         return new CheckResult(List.copyOf(ordered), suppressed, named.paths());
     }

@@ -1,14 +1,14 @@
 package arcomat.pipeline;
 
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.Set;
 
-/** Every name in a text, in comments and literals, too. */
+/** Every name in a text, in comments and literals, too, in the order of the text. */
 final class Mentions {
     private Mentions() {}
 
     static Set<String> in(String text) {
-        Set<String> names = new HashSet<>();
+        Set<String> names = new LinkedHashSet<>();
         int at = 0;
         while (at < text.length()) {
             int end = at;

@@ -33,6 +33,10 @@ record NamedFiles(List<String> paths, Map<String, SourceFile> readable, List<Dia
         return new NamedFiles(paths, readable, findings);
     }
 
+    boolean hasErrors() {
+        return findings.stream().anyMatch(Diagnostic::isError);
+    }
+
     /** The text of a file; empty where it could not be read, or was not named. */
     SourceFile source(String path) {
         SourceFile file = readable.get(path);

@@ -73,7 +73,7 @@ record StateOfFiles(Surroundings around) {
     }
 
     private static Set<String> mentions(Unit unit) {
-        Set<String> mentions = new HashSet<>(Mentions.in(unit.file().text()));
+        Set<String> mentions = Mentions.in(unit.file().text());
         unit.imports().stream()
                 .filter(Import::wildcard)
                 .forEach(each -> mentions.add(Footprint.allOf(each.name().text())));

@@ -132,8 +132,9 @@ final class Update {
                 || !fresh.named() && !Library.isShown(fresh.path()) && fresh.hash().isEmpty();
     }
 
-    int numberOfCheckedFiles() {
-        return (int) affected.stream().filter(path -> after.get(path).named()).count();
+    /** Of the files that the user named. */
+    List<String> checkedFiles() {
+        return affected.stream().filter(path -> after.get(path).named()).toList();
     }
 
     /** Checks what is affected, and returns the state of all files. */

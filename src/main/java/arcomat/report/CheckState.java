@@ -29,7 +29,7 @@ public record CheckState(String key, Map<String, String> folders, List<File> fil
      * @param named whether the user named it, by itself or by its folder
      * @param needs paths of files that it refers to and that the user did not name
      * @param names what it defines; empty where it has no tree
-     * @param mentions every name in its text
+     * @param mentions every name in its text, in that order
      * @param findings at places in this file, but for those about reading it
      */
     public record File(

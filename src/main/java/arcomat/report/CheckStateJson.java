@@ -18,7 +18,6 @@ import java.io.UncheckedIOException;
 import java.util.Collection;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.TreeSet;
 
 /**
  * Writes the state of a check, one file a line. Only the tool that wrote it reads it, through
@@ -59,7 +58,7 @@ public final class CheckStateJson {
         json.writeBoolean(file.named());
         write(json, file.needs());
         write(json, file.names().orElse(null));
-        json.writeString(String.join(" ", new TreeSet<>(file.mentions())));
+        json.writeString(String.join(" ", file.mentions()));
         json.writeStartArray();
         for (Diagnostic finding : file.findings()) {
             write(json, finding);

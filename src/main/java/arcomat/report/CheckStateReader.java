@@ -19,7 +19,7 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -87,7 +87,7 @@ public final class CheckStateReader {
             suppressed.add(new Suppressed(finding(), string()));
         }
         end();
-        Set<String> words = new HashSet<>(Arrays.asList(mentions.split(" ")));
+        Set<String> words = new LinkedHashSet<>(Arrays.asList(mentions.split(" ")));
         return new File(path, hash, named, needs, names, words, findings, suppressed);
     }
 

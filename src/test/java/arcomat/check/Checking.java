@@ -16,6 +16,10 @@ final class Checking {
     private Checking() {}
 
     static Review review(List<SourceFile> files, Profile profile) {
+        return Checks.review(workspace(files), profile);
+    }
+
+    static Workspace workspace(List<SourceFile> files) {
         List<Unit> units = new ArrayList<>();
         for (SourceFile file : files) {
             Parsed parsed = Parser.parse(file);
@@ -24,7 +28,7 @@ final class Checking {
             }
             units.add(parsed.unit().orElseThrow());
         }
-        return Checks.review(Workspace.of(units, Set.of()), profile);
+        return Workspace.of(units, Set.of());
     }
 
     private static String syntaxError(Diagnostic finding) {

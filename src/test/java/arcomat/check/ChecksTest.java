@@ -7,6 +7,8 @@ import static java.util.Comparator.comparing;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.TextEdit;
+import arcomat.symbols.Workspace;
+import arcomat.tree.Unit;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
@@ -18,7 +20,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -30,10 +34,34 @@ class ChecksTest {
     private static final Path EXPLAIN = Path.of("src/main/resources/explain");
     private static final Path ACTUAL = Path.of("build/check-actual");
 
+    private static final Set<String> ABOUT_ALL_FILES =
+            Checks.ALL.stream()
+                    .filter(Check.OnWorkspace.class::isInstance)
+                    .map(check -> check.law().code())
+                    .collect(Collectors.toSet());
+
     @TestFactory
     Stream<DynamicTest> findsWhatTheDataFilesExpect() {
         return dataFiles(DATA).stream()
                 .map(path -> DynamicTest.dynamicTest(name(path), () -> compare(path)));
+    }
+
+    /** Incremental checking relies on it: who looks at some files only finds all about these. */
+    @TestFactory
+    Stream<DynamicTest> findsSomethingAboutAFileWhereItLooksAtThatFile() {
+        return dataFiles(DATA).stream()
+                .map(path -> DynamicTest.dynamicTest(name(path), () -> lookAtEachFile(path)));
+    }
+
+    private static void lookAtEachFile(Path path) throws IOException {
+        DataFile data = DataFile.read(path);
+        Workspace workspace = Checking.workspace(data.files());
+        for (Unit unit : workspace.units()) {
+            Review review = Checks.review(workspace, data.profile(), unit::equals);
+            assertThat(review.findings())
+                    .filteredOn(finding -> !ABOUT_ALL_FILES.contains(finding.code()))
+                    .allMatch(finding -> finding.span().file() == unit.file());
+        }
     }
 
     private static void compare(Path path) throws IOException {

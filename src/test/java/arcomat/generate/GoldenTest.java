@@ -8,6 +8,7 @@ import arcomat.model.Model;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 import java.io.IOException;
@@ -17,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
@@ -25,6 +27,8 @@ import java.util.stream.Stream;
  */
 class GoldenTest {
     private static final Path FOLDER = Path.of("src/test/resources/golden");
+    private static final Pattern DOC_COMMENT = Pattern.compile("(?s)/\\*\\*.*?\\*/");
+    private static final Pattern MARKUP = Pattern.compile("<p>|\\{@code [^}]*\\}|&(amp|lt|gt);");
 
     @TestFactory
     List<DynamicTest> generatedFilesAreAsTheyWere() throws IOException {
@@ -46,6 +50,18 @@ class GoldenTest {
         Model doors = Lowering.lower(Scenario.read(requirements).workspace());
         tests.addAll(monitor("monitor/door", doors, "p.Door"));
         return tests;
+    }
+
+    /** A project that has its documentation made has it made of generated code, too. */
+    @Test
+    void docCommentsAreHtml() throws IOException {
+        for (String path : in("")) {
+            DOC_COMMENT
+                    .matcher(Files.readString(FOLDER.resolve(path)))
+                    .results()
+                    .map(comment -> MARKUP.matcher(comment.group()).replaceAll(""))
+                    .forEach(text -> assertThat(text).as(path).doesNotContain("<", ">", "&"));
+        }
     }
 
     private static List<DynamicTest> monitor(String folder, Model model, String name)

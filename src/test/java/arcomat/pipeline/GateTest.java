@@ -106,9 +106,13 @@ class GateTest {
             checks[i] = between - start;
             gates[i] = System.nanoTime() - between;
         }
-        Arrays.sort(checks);
-        Arrays.sort(gates);
-        assertThat((double) gates[3] / checks[3]).as("checks that a gate costs").isLessThan(4);
+        double ratio = (double) least(gates) / least(checks);
+        assertThat(ratio).as("checks that a gate costs").isLessThan(5);
+    }
+
+    /** What else the machine does only adds to it. */
+    private static long least(long[] times) {
+        return Arrays.stream(times).min().orElseThrow();
     }
 
     private static String component(int number) {

@@ -82,7 +82,7 @@ class IncrementalCheckTest {
     }
 
     /** All that people and programs see. */
-    private static String text(CheckResult result) {
+    static String text(CheckResult result) {
         CheckReport report =
                 new CheckReport(
                         result.paths(), result.findings(), result.suppressed(), Optional.empty());

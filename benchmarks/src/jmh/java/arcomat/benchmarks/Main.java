@@ -4,6 +4,7 @@ import arcomat.benchmarks.analysis.AnalysisGroup;
 import arcomat.benchmarks.build.BuildGroup;
 import arcomat.benchmarks.cold.ColdGroup;
 import arcomat.benchmarks.frontend.FrontEndGroup;
+import arcomat.benchmarks.incremental.IncrementalGroup;
 import arcomat.benchmarks.network.NetworkGroup;
 import arcomat.benchmarks.step.StepGroup;
 import arcomat.benchmarks.world.WorldGroup;
@@ -23,7 +24,7 @@ import java.util.Map;
 
 /**
  * Runs groups of benchmarks, prints their ratios and keeps the figures as the new baseline: {@code
- * --forks N --groups step,network,frontend,cold,analysis,build,world}.
+ * --forks N --groups step,network,frontend,incremental,cold,analysis,build,world}.
  */
 public final class Main {
     private static final List<Group> GROUPS =
@@ -31,6 +32,7 @@ public final class Main {
                     new StepGroup(),
                     new NetworkGroup(),
                     new FrontEndGroup(),
+                    new IncrementalGroup(),
                     new ColdGroup(),
                     new AnalysisGroup(),
                     new BuildGroup(),

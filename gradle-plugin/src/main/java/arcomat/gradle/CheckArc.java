@@ -1,15 +1,18 @@
 package arcomat.gradle;
 
+import org.gradle.api.GradleException;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.provider.Property;
 import org.gradle.api.tasks.CacheableTask;
 import org.gradle.api.tasks.Input;
-import org.gradle.api.tasks.InputFile;
+import org.gradle.api.tasks.InputFiles;
+import org.gradle.api.tasks.LocalState;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputFile;
 import org.gradle.api.tasks.PathSensitive;
 import org.gradle.api.tasks.PathSensitivity;
 
+import java.io.File;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -24,11 +27,23 @@ public abstract class CheckArc extends ReportTask {
     @Input
     public abstract Property<Boolean> getWarningsFail();
 
-    /** Findings that are known and told no more. */
-    @InputFile
+    /**
+     * Findings that are known and told no more; a file that is not there yet has its own message.
+     */
+    @InputFiles
     @Optional
     @PathSensitive(PathSensitivity.RELATIVE)
     public abstract RegularFileProperty getBaseline();
+
+    /** Whether there is to be a baseline: one that is missing is not the same as none. */
+    @Input
+    public boolean isWithBaseline() {
+        return getBaseline().isPresent();
+    }
+
+    /** What the tool remembers, in order to check only what changed and what depends on it. */
+    @LocalState
+    public abstract RegularFileProperty getMemory();
 
     /** The findings for code scanning. */
     @OutputFile
@@ -37,13 +52,22 @@ public abstract class CheckArc extends ReportTask {
     @Override
     final List<String> question() {
         List<String> command = new ArrayList<>(List.of("check", "--profile", getProfile().get()));
+        command.addAll(List.of("--state", shown(getMemory().get().getAsFile()), "--verbose"));
         if (getWarningsFail().get()) {
             command.add("--strict");
         }
         if (getBaseline().isPresent()) {
-            command.addAll(List.of("--baseline", shown(getBaseline().get().getAsFile())));
+            command.addAll(List.of("--baseline", baseline(getBaseline().get().getAsFile())));
         }
         return command;
+    }
+
+    private String baseline(File file) {
+        if (!file.exists()) {
+            throw new GradleException(
+                    "there is no baseline '" + shown(file) + "'; the task baselineArc writes it");
+        }
+        return shown(file);
     }
 
     @Override

@@ -8,9 +8,11 @@ import org.gradle.api.tasks.SourceSet;
 import org.gradle.api.tasks.Sync;
 import org.gradle.api.tasks.TaskContainer;
 import org.gradle.api.tasks.TaskProvider;
+import org.gradle.api.tasks.compile.JavaCompile;
 import org.gradle.language.base.plugins.LifecycleBasePlugin;
 
 import java.io.File;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /** Tasks that make code of the models of main, and robots of the code. */
@@ -38,6 +40,7 @@ final class CodeTasks {
         tasks.withType(GenerateArc.class).configureEach(this::generate);
         TaskProvider<GenerateArc> jvm = generateArc("generateArcJvm", Targets.JVM);
         java.getJava().srcDir(ifWanted(Targets.JVM, jvm));
+        tasks.named(java.getCompileJavaTaskName(), JavaCompile.class, CodeTasks::readUtf8);
 
         TaskProvider<GenerateArc> lejos = generateArc("generateArcLejos", Targets.LEJOS);
         TaskProvider<Sync> jars = nxtJar(lejos);
@@ -46,6 +49,11 @@ final class CodeTasks {
                 LifecycleBasePlugin.CHECK_TASK_NAME,
                 ifWanted(Targets.LEJOS, brickCheck(robots(jars))));
         nxjLink(robots(jars));
+    }
+
+    /** Generated code is UTF-8, like the models, wherever it is compiled. */
+    private static void readUtf8(JavaCompile task) {
+        task.getOptions().setEncoding(StandardCharsets.UTF_8.name());
     }
 
     private void generate(GenerateArc task) {

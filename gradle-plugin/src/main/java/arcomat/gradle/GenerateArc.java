@@ -66,7 +66,7 @@ public abstract class GenerateArc extends ModelTask {
 
     @Override
     final void conclude(ToolResult result) {
-        result.require(getLogger());
+        result.requireOutput(getLogger());
         getLogger().info(result.out().stripTrailing());
     }
 }

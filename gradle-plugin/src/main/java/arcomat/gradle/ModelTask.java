@@ -1,6 +1,7 @@
 package arcomat.gradle;
 
 import org.gradle.api.file.ConfigurableFileCollection;
+import org.gradle.api.file.FileTree;
 import org.gradle.api.provider.ListProperty;
 import org.gradle.api.tasks.IgnoreEmptyDirectories;
 import org.gradle.api.tasks.Input;
@@ -12,14 +13,22 @@ import org.gradle.api.tasks.SkipWhenEmpty;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A task about models; without any, it has nothing to do. */
+/** A task about models. */
 public abstract class ModelTask extends ToolTask {
     /** The files of models and tests. */
+    @InputFiles
+    @IgnoreEmptyDirectories
+    @PathSensitive(PathSensitivity.RELATIVE)
+    public abstract ConfigurableFileCollection getModels();
+
+    /** Those of them that the task is about: without any, it has nothing to do. */
     @InputFiles
     @SkipWhenEmpty
     @IgnoreEmptyDirectories
     @PathSensitive(PathSensitivity.RELATIVE)
-    public abstract ConfigurableFileCollection getModels();
+    public FileTree getSubjects() {
+        return getModels().getAsFileTree();
+    }
 
     /** The model roots as texts name them: what is reported and generated names its model. */
     @Input

@@ -60,6 +60,8 @@ final class ModelTasks {
                     task.getWarningsFail().convention(settings.getWarningsFail());
                     task.getBaseline().convention(settings.getBaseline());
                     task.getSarif().convention(report(task, "sarif"));
+                    task.getMemory()
+                            .convention(build.map(folder -> folder.file("arcomat/checkArc.state")));
                 });
         return provider;
     }

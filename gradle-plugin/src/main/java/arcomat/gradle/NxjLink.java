@@ -39,7 +39,7 @@ public abstract class NxjLink extends JarTask {
     @Override
     final void conclude(List<ToolResult> results) {
         for (ToolResult result : results) {
-            result.require(getLogger());
+            result.requireOutput(getLogger());
             getLogger().lifecycle(result.summary());
         }
     }

@@ -3,24 +3,16 @@ package arcomat.gradle;
 import org.gradle.api.file.FileTree;
 import org.gradle.api.file.RegularFileProperty;
 import org.gradle.api.tasks.CacheableTask;
-import org.gradle.api.tasks.IgnoreEmptyDirectories;
-import org.gradle.api.tasks.InputFiles;
 import org.gradle.api.tasks.OutputFile;
-import org.gradle.api.tasks.PathSensitive;
-import org.gradle.api.tasks.PathSensitivity;
-import org.gradle.api.tasks.SkipWhenEmpty;
 
 import java.util.List;
 
 /** Runs the stream tests of models. */
 @CacheableTask
 public abstract class TestArc extends ReportTask {
-    /** Those of the models' files that hold tests; without any, there is nothing to do. */
-    @InputFiles
-    @SkipWhenEmpty
-    @IgnoreEmptyDirectories
-    @PathSensitive(PathSensitivity.RELATIVE)
-    public FileTree getSuites() {
+    /** Those that hold tests. */
+    @Override
+    public FileTree getSubjects() {
         return getModels().getAsFileTree().matching(files -> files.include("**/*.mt"));
     }
 

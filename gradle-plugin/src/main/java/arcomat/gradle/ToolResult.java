@@ -11,7 +11,7 @@ import java.util.List;
  *
  * @param status its exit status
  * @param out what it found, as text for people
- * @param err its complaints about how it was used
+ * @param err its complaints about how it was used, and how it went about its work
  */
 record ToolResult(int status, String out, String err) {
     private static final int FINE = 0;
@@ -32,13 +32,31 @@ record ToolResult(int status, String out, String err) {
         if (isFine()) {
             return;
         }
+        tell(log);
+        throw status == WRONG_USE ? failure() : new VerificationException(summary());
+    }
+
+    /**
+     * The same for a task that makes what others work on: they are not to begin without it, not
+     * even with {@code --continue}, which goes on after a {@link VerificationException}.
+     *
+     * @throws GradleException where the command could not do its work
+     */
+    void requireOutput(Logger log) {
+        if (!isFine()) {
+            tell(log);
+            throw failure();
+        }
+    }
+
+    private void tell(Logger log) {
         if (!out.isEmpty()) {
             log.error(out.stripTrailing());
         }
-        if (status == WRONG_USE) {
-            throw new GradleException(err.isBlank() ? summary() : complaint());
-        }
-        throw new VerificationException(summary());
+    }
+
+    private GradleException failure() {
+        return new GradleException(status == WRONG_USE ? complaint() : summary());
     }
 
     /** The last line, which says it all in short. */
@@ -52,8 +70,12 @@ record ToolResult(int status, String out, String err) {
         return out.lines().filter(line -> !line.isBlank()).count() > 1;
     }
 
+    /** Why it could not do its work: how it was used, or what it could not read. */
     private String complaint() {
-        String first = err.lines().findFirst().orElseThrow();
-        return first.startsWith(COMPLAINT) ? first.substring(COMPLAINT.length()) : err.strip();
+        return err.lines()
+                .filter(line -> line.startsWith(COMPLAINT))
+                .map(line -> line.substring(COMPLAINT.length()))
+                .findFirst()
+                .orElseGet(() -> out.isBlank() ? err.strip() : summary());
     }
 }

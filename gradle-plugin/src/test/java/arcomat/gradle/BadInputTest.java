@@ -26,6 +26,9 @@ class BadInputTest {
         variant("roots", script + "sourceSets.main.arc.srcDir '../src/main/arc'\n");
         variant("linker", script + "arcomat.nxjHome = file('nowhere')\n");
         variant("choice", script + "arcomat.choose = 'some'\n");
+        variant("binary", script);
+        shop.write("binary/src/main/arc/shop/Spoilt.arc", "\0");
+        variant("known", script + "arcomat.baseline = file('known.txt')\n");
         variant("version", script.replace("arcomat files", "//") + VERSION);
 
         String output =
@@ -34,6 +37,8 @@ class BadInputTest {
                                 ":roots:checkArc",
                                 ":linker:nxjLink",
                                 ":choice:generateArcJvm",
+                                ":binary:checkArc",
+                                ":known:checkArc",
                                 ":version:checkArc",
                                 "--continue")
                         .getOutput();
@@ -44,6 +49,8 @@ class BadInputTest {
                         "linker/nowhere' is not a folder of leJOS NXJ: it has no program"
                                 + " bin/nxjlink",
                         "> Invalid value for option '--choose'",
+                        "Execution failed for task ':binary:checkArc'.\n> 1 error in 6 files",
+                        "> there is no baseline 'known/known.txt'; the task baselineArc writes it",
                         "> Could not find arcomat:arcomat:9.9.9.")
                 .doesNotContain("Exception", "ARC0701");
     }

@@ -170,6 +170,14 @@ final class ConsumerProject {
         write(name, text.replace(old, fresh));
     }
 
+    void delete(String name) {
+        try {
+            Files.delete(path(name));
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
     /** A build that has to succeed. */
     BuildResult build(String... arguments) {
         return runner(arguments).build();

@@ -96,6 +96,8 @@ class ShopTest {
                 .contains(
                         "src/main/arc/shop/Bumper.arc:7:12: warning ARC0501: stereotype 'totl'",
                         "1 warning in 5 files");
+        assertThat(shop.fail("checkArc", "-Pknown").getOutput())
+                .contains("> there is no baseline 'known.txt'; the task baselineArc writes it");
         BuildResult strict = shop.fail("checkArc", "checkArcFormat", "-Pstrict", "--continue");
         assertThat(strict.getOutput())
                 .contains(
@@ -111,12 +113,13 @@ class ShopTest {
                 .contains(":checkArc SUCCESS");
 
         shop.edit(BUMPER, "wheels = halt", "wheels = hald");
-        BuildResult failed = shop.fail("check");
+        BuildResult failed = shop.fail("check", "--info");
         assertThat(failed.getOutput())
                 .contains(
                         "src/main/arc/shop/Bumper.arc:14:56: error ARC0329: 'hald' is not",
                         "help: Change to 'halt'",
-                        "> 1 error, 1 warning in 5 files")
+                        "> 1 error, 1 warning in 5 files",
+                        "checked 3 of 5 files")
                 .doesNotContain("Exception");
     }
 

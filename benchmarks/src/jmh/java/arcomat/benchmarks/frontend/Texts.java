@@ -9,13 +9,13 @@ import java.util.List;
  * Components of 14 states and 40 transitions, and Java classes that do the same, one file each. No
  * two files are equal.
  */
-final class Texts {
+public final class Texts {
     private static final int STATES = 14;
     private static final int TRANSITIONS = 40;
 
     private Texts() {}
 
-    static List<SourceFile> models(int count) {
+    public static List<SourceFile> models(int count) {
         List<SourceFile> files = new ArrayList<>();
         files.add(
                 new SourceFile(

@@ -11,16 +11,16 @@ public final class Totals {
     public static final int T = 1;
     public static final int U = 2;
 
-    /** <<total>> in Level a */
+    /** total in Level a */
     public int a;
 
-    /** <<total>> in Integer[0..3] n */
+    /** total in Integer[0..3] n */
     public int n;
 
-    /** <<total>> out Level x */
+    /** total out Level x */
     public int x;
 
-    /** <<total>> out Integer[2..5] y */
+    /** total out Integer[2..5] y */
     public int y;
 
     private int state;

@@ -7,7 +7,7 @@ package nxt.sensors;
  * drives it sets the outputs before a slice and reads the inputs after it.
  */
 public final class LightSensor {
-    /** <<total>> out Integer[0..100] value */
+    /** total out Integer[0..100] value */
     public int value;
 
     public LightSensor(int socket, int dark, int bright) {}

@@ -7,7 +7,7 @@ package nxt.sensors;
  * drives it sets the outputs before a slice and reads the inputs after it.
  */
 public final class TouchSensor {
-    /** <<total>> out Boolean pressed */
+    /** total out Boolean pressed */
     public boolean pressed;
 
     public TouchSensor(int socket) {}

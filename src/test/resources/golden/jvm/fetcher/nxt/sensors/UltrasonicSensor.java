@@ -7,7 +7,7 @@ package nxt.sensors;
  * drives it sets the outputs before a slice and reads the inputs after it.
  */
 public final class UltrasonicSensor {
-    /** <<total>> out Integer[0..255] distance */
+    /** total out Integer[0..255] distance */
     public int distance;
 
     public UltrasonicSensor(int socket) {}

@@ -25,7 +25,7 @@ public final class DoorAutomaton3Monitor extends arcomat.rt.Monitor {
     public boolean open;
     public boolean hasOpen;
 
-    /** <<total>> out Integer[0..3] count */
+    /** total out Integer[0..3] count */
     public int count;
 
     public DoorAutomaton3Monitor() {

@@ -21,7 +21,7 @@ public final class DoorMonitor {
     public boolean open;
     public boolean hasOpen;
 
-    /** <<total>> out Integer[0..3] count */
+    /** total out Integer[0..3] count */
     public int count;
 
     /** p.Door#rings, line 6 */

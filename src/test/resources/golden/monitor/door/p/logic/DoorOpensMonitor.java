@@ -24,7 +24,7 @@ public final class DoorOpensMonitor extends arcomat.rt.Monitor {
     public boolean open;
     public boolean hasOpen;
 
-    /** <<total>> out Integer[0..3] count */
+    /** total out Integer[0..3] count */
     public int count;
 
     public DoorOpensMonitor() {

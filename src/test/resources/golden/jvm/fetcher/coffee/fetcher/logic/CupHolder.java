@@ -9,10 +9,10 @@ public final class CupHolder {
     public static final int FULL = 2;
     public static final int LIFTING = 3;
 
-    /** <<total>> in Boolean pressed */
+    /** total in Boolean pressed */
     public boolean pressed;
 
-    /** <<total>> out Boolean gotCoffee */
+    /** total out Boolean gotCoffee */
     public boolean gotCoffee;
 
     private int state;

@@ -14,7 +14,7 @@ public final class Drive {
     /** in MotorCmd cmd */
     public int cmd;
 
-    /** <<total>> in Drift drift */
+    /** total in Drift drift */
     public int drift;
 
     /** out Integer leftSpeed */

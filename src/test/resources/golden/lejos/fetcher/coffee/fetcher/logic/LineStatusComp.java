@@ -9,16 +9,16 @@ import coffee.types.LineStatusCode;
 public final class LineStatusComp {
     public static final int WATCHING = 0;
 
-    /** <<total>> in Integer leftLight */
+    /** total in Integer leftLight */
     public int leftLight;
 
-    /** <<total>> in Integer rightLight */
+    /** total in Integer rightLight */
     public int rightLight;
 
-    /** <<total>> out LineStatus ls */
+    /** total out LineStatus ls */
     public int ls;
 
-    /** <<total>> out Drift drift */
+    /** total out Drift drift */
     public int drift;
 
     private final int dark;

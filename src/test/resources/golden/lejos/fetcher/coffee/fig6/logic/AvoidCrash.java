@@ -25,7 +25,7 @@ public final class AvoidCrash {
     /** in LineStatus ls */
     public int ls;
 
-    /** <<total>> in Boolean gotCoffee */
+    /** total in Boolean gotCoffee */
     public boolean gotCoffee;
 
     /** out MotorCmd cmd */

@@ -8,7 +8,7 @@ import coffee.types.DistanceCode;
 public final class Proximity {
     public static final int WATCHING = 0;
 
-    /** <<total>> in Integer[0..255] distance */
+    /** total in Integer[0..255] distance */
     public int distance;
 
     /** out Distance front */

@@ -32,7 +32,7 @@ public final class AvoidCrashMonitor extends arcomat.rt.Monitor {
     /** in LineStatus ls */
     public int ls;
 
-    /** <<total>> in Boolean gotCoffee */
+    /** total in Boolean gotCoffee */
     public boolean gotCoffee;
 
     /** out MotorCmd cmd */
