@@ -91,34 +91,65 @@ function add(paths, style, path) {
   paths.get(style).push(path);
 }
 
-/** Numbers as a curve of steps; where it would fill its lane, in a paler colour. */
+/** Numbers as a curve of steps; where there are more of them than pixels, as the band they fill. */
 function drawCurve(shapes, track, view) {
+  if (track.count === 0) {
+    return;
+  }
   const scale = (LANE.bottom - LANE.top - 2) / (track.greatest - track.least);
-  const y = (code) => round(LANE.bottom - 1 - (track.numbers[code] - track.least) * scale);
+  const height = (code) => round(LANE.bottom - 1 - (track.numbers[code] - track.least) * scale);
+  const first = track.runAt(view.from);
+  const last = track.runAt(Math.min(view.from + view.span, view.length) - 0.001);
+  const isDense = last - first > view.width;
+  const path = isDense ? band(track, view, first, last, height) : curve(track, view, first, last, height);
+  shapes.push(shape("path", { class: isDense ? "band" : "curve", d: path.join("") }));
+}
+
+function curve(track, view, first, last, height) {
   const path = [];
   let open = false;
-  let lastColumn = -1;
-  const last = Math.min(view.from + view.span, view.length) - 0.001;
-  const end = track.count === 0 ? -1 : track.runAt(last);
-  const first = track.count === 0 ? 0 : track.runAt(view.from);
-  for (let run = first; run <= end; run++) {
+  for (let run = first; run <= last; run++) {
     const code = track.codes[run];
-    const from = Math.max(view.x(track.starts[run]), -2);
-    const to = Math.min(view.x(track.starts[run + 1]), view.width + 2);
     if (code === NOTHING) {
       open = false;
       continue;
     }
-    if (open && to - from < 1 && Math.floor(from) === lastColumn) {
-      path.push(`V${y(code)}`);
-      continue;
-    }
-    path.push(open ? `H${round(from)}V${y(code)}` : `M${round(from)} ${y(code)}`, `H${round(to)}`);
-    lastColumn = Math.floor(from);
+    const from = Math.max(view.x(track.starts[run]), -2);
+    const to = Math.min(view.x(track.starts[run + 1]), view.width + 2);
+    path.push(open ? `V${height(code)}` : `M${round(from)} ${height(code)}`, `H${round(to)}`);
     open = true;
   }
-  const isDense = end - first > view.width / 2;
-  shapes.push(shape("path", { class: isDense ? "dense curve" : "curve", d: path.join("") }));
+  return path;
+}
+
+/** For every column of pixels, from the least to the greatest number in it. */
+function band(track, view, first, last, height) {
+  const path = [];
+  let column = null;
+  let top = 0;
+  let bottom = 0;
+  const flush = () => {
+    if (column !== null) {
+      path.push(`M${column + 0.5} ${top - 0.5}V${bottom + 0.5}`);
+    }
+  };
+  for (let run = first; run <= last; run++) {
+    const code = track.codes[run];
+    if (code === NOTHING) {
+      continue;
+    }
+    const here = Math.max(0, Math.floor(view.x(track.starts[run])));
+    const y = height(code);
+    if (here !== column) {
+      flush();
+      column = here;
+      top = bottom = y;
+    }
+    top = Math.min(top, y);
+    bottom = Math.max(bottom, y);
+  }
+  flush();
+  return path;
 }
 
 function round(value) {

@@ -1,7 +1,7 @@
 // Pictures that follow the run: what the tracks show at a step is marked in them.
 
 /** Smaller than that, a picture is scrolled rather than shrunk. */
-const SMALLEST = 0.7;
+const SMALLEST = 0.55;
 
 class Pictures {
   constructor(story) {

@@ -127,6 +127,12 @@ function greatest(numbers) {
   return numbers.reduce((one, other) => Math.max(one, other));
 }
 
+/** A name that may be broken behind the suite. */
+function breakable(title) {
+  const parts = title.split(/(?<=#)/);
+  return element("span", {}, ...parts.flatMap((part) => [part, element("wbr")]));
+}
+
 /** All runs; one of them is shown. */
 class Stories {
   constructor(data) {
@@ -144,7 +150,7 @@ class Stories {
 
   buildList() {
     this.items = this.data.map((story, index) =>
-      element("button", { type: "button", class: story.tone, onclick: () => this.show(index) }, element("span", { class: "dot" }), story.title),
+      element("button", { type: "button", class: story.tone, onclick: () => this.show(index) }, element("span", { class: "dot" }), breakable(story.title)),
     );
     const filter = element("input", { type: "search", placeholder: "filter", "aria-label": "Filter runs", oninput: () => this.filter(filter.value) });
     this.list.append(filter, ...this.items);

@@ -77,10 +77,14 @@ class Track {
   }
 }
 
-/** Gives every text one colour, in all tracks with few values: what is the same looks the same. */
+/**
+ * Colours of values. What is the same looks the same in all tracks, as far as that goes: values of
+ * one track that are different have to look different first.
+ */
 class Colours {
   constructor() {
-    this.byText = new Map();
+    this.preferred = new Map();
+    this.byTrack = new Map();
   }
 
   /** The class of a value of a track. */
@@ -92,9 +96,34 @@ class Colours {
     if (track.values.length > MOST_COLOURS) {
       return "many";
     }
-    if (!this.byText.has(text)) {
-      this.byText.set(text, this.byText.size);
+    if (!this.byTrack.has(track)) {
+      this.byTrack.set(track, this.choose(track.values));
     }
-    return "colour" + (this.byText.get(text) % MOST_COLOURS);
+    return "colour" + this.byTrack.get(track)[code];
+  }
+
+  choose(values) {
+    const taken = new Set();
+    const chosen = values.map((text) => this.take(this.preferred.get(text), taken));
+    return values.map((text, code) => {
+      if (chosen[code] !== undefined) {
+        return chosen[code];
+      }
+      const next = this.preferred.size % MOST_COLOURS;
+      const free = [...Array(MOST_COLOURS).keys()].map((each) => (each + next) % MOST_COLOURS).find((each) => !taken.has(each));
+      if (!this.preferred.has(text)) {
+        this.preferred.set(text, free);
+      }
+      return this.take(free, taken);
+    });
+  }
+
+  /** The colour, unless another value of the track has it. */
+  take(colour, taken) {
+    if (colour === undefined || taken.has(colour)) {
+      return undefined;
+    }
+    taken.add(colour);
+    return colour;
   }
 }

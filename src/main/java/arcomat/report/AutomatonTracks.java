@@ -15,6 +15,9 @@ import java.util.Optional;
 
 /** What one automaton does in a run, step by step. Where it is asked for nothing, it stays. */
 final class AutomatonTracks {
+    /** What the state of the sole automaton is called. */
+    private static final String SOLE = "state";
+
     private final String name;
     private final Optional<Component> component;
     private final Optional<Automaton> automaton;
@@ -29,7 +32,7 @@ final class AutomatonTracks {
      * @param activity one that the automaton did
      */
     AutomatonTracks(String named, Component whole, Trace.Activity activity) {
-        name = named.isEmpty() ? "state" : named;
+        name = named.isEmpty() ? SOLE : named;
         component = AutomatonDrawing.part(whole, activity.instance());
         automaton =
                 component.stream()
@@ -64,7 +67,7 @@ final class AutomatonTracks {
     }
 
     private Track.Builder variable(String variable) {
-        String full = name.equals("state") ? variable : name + "." + variable;
+        String full = name.equals(SOLE) ? variable : name + "." + variable;
         return variables.computeIfAbsent(
                 variable, any -> new Track.Builder(TraceTracks.STATES, full, Kind.VARIABLE));
     }
@@ -89,7 +92,12 @@ final class AutomatonTracks {
 
     Optional<Drawing> drawing() {
         List<String> followed = List.of(name, name + " because");
-        return automaton.map(
-                each -> AutomatonDrawing.of(name, component.orElseThrow(), each, followed));
+        return automaton.map(each -> drawing(component.orElseThrow(), each, followed));
+    }
+
+    /** What is not a part of something is called by its own name. */
+    private Drawing drawing(Component owner, Automaton drawn, List<String> followed) {
+        String title = name.equals(SOLE) ? owner.title(drawn) : name;
+        return AutomatonDrawing.of(title, owner, drawn, followed);
     }
 }

@@ -179,30 +179,34 @@ class PageBrowserTest {
         Instant begin = Instant.now();
         open(page);
         browser.press("0");
-        browser.await(() -> drawn() > 20);
+        browser.await(() -> browser.text(".ruler").contains("90000"));
         browser.press(Keys.END);
         assertThat(step()).isEqualTo("99999");
         browser.press("/");
         browser.press("noise3 = 1", Keys.ENTER);
         browser.await(() -> browser.text(".count").contains(" of "));
-        assertThat(Duration.between(begin, Instant.now())).isLessThan(Duration.ofSeconds(20));
+        assertThat(Duration.between(begin, Instant.now())).isLessThan(Duration.ofSeconds(15));
         browser.picture("long");
         assertThat(drawn()).as("only what is to be seen is drawn").isLessThan(20_000);
-        assertThat((Number) browser.run(TIME_OF_A_STEP))
-                .as("ms")
-                .extracting(Number::doubleValue)
-                .satisfies(each -> assertThat(each).isLessThan(100));
+        assertThat(((Number) browser.run(TIME_OF_A_STEP)).doubleValue())
+                .as("milliseconds that a step takes")
+                .isLessThan(500);
     }
 
-    /** Milliseconds that a step to the next slice takes, drawing included, where all is shown. */
+    /** Milliseconds of a step to the next slice, drawing included, where the whole run is shown. */
     private static final String TIME_OF_A_STEP =
             """
             const button = document.querySelector("button[title='Step back (Left)']");
+            const steps = 10;
             const begin = performance.now();
-            for (let i = 0; i < 50; i++) {
-              button.click();
-            }
-            return (performance.now() - begin) / 50;
+            return new Promise((done) => {
+              const step = (left) => {
+                button.click();
+                const next = left > 0 ? () => step(left - 1) : () => done((performance.now() - begin) / steps);
+                requestAnimationFrame(() => requestAnimationFrame(next));
+              };
+              step(steps);
+            });
             """;
 
     private long drawn() {

@@ -1,0 +1,195 @@
+package arcomat.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.model.Trace;
+import arcomat.pipeline.AnalysisLimits;
+import arcomat.pipeline.AnalysisResult;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.page.Page;
+import arcomat.report.page.Story;
+import arcomat.report.page.Timeline.Flaw;
+import arcomat.report.page.Tone;
+import arcomat.report.page.Track;
+import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.StreamTests;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What pages tell about results, before a browser shows it. */
+class ResultPagesTest {
+    private static final String DOOR =
+            """
+            component Door {
+              timing instant;
+              port in Boolean button, out Boolean open;
+              <<completion = "ignore">> automaton {
+                variable Integer[0..9] left = 0;
+                state closed, opened;
+                initial closed;
+                closed -> opened {button == true} / {open = true, left = 2};
+                opened [left > 0] / {left = left - 1};
+                opened -> closed [left == 0] / {open = false};
+              }
+            }
+            """;
+
+    @TempDir private Path folder;
+
+    private void write(String file, String text) throws IOException {
+        Files.writeString(folder.resolve(file), text);
+    }
+
+    private List<StreamTestResult> tests() throws WrongUse {
+        return new Pipeline(folder, Progress.NONE).test(List.of(".")).tests();
+    }
+
+    private static Track track(Story story, String name) {
+        return story.timeline().tracks().stream()
+                .filter(track -> track.name().equals(name))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    /** The texts of a track, a dash for nothing. */
+    private static List<String> texts(Track track) {
+        List<String> texts = new ArrayList<>();
+        for (Track.Run run : track.runs()) {
+            for (int i = 0; i < run.length(); i++) {
+                texts.add(run.value() < 0 ? "-" : track.values().get(run.value()).text());
+            }
+        }
+        return texts;
+    }
+
+    /** The elements of drawings that a track marks, step by step. */
+    private static List<List<String>> elements(Track track) {
+        List<List<String>> elements = new ArrayList<>();
+        for (Track.Run run : track.runs()) {
+            for (int i = 0; i < run.length(); i++) {
+                elements.add(
+                        run.value() < 0 ? List.of() : track.values().get(run.value()).elements());
+            }
+        }
+        return elements;
+    }
+
+    @Test
+    void aFailingTestShowsWhatWasExpected() throws Exception {
+        write("Door.arc", DOOR);
+        write(
+                "DoorTest.mt",
+                """
+                testsuite DoorTest for Door {
+                  test closes { input { button: <true, 4*Tk>; } expect { open: <true, Tk, false, 3*Tk>; } }
+                }
+                """);
+        Page page = StreamTestPage.of("all", tests());
+        Story story = page.stories().get(0);
+        assertThat(page.tone()).isEqualTo(Tone.BAD);
+        assertThat(texts(track(story, "open expected"))).containsExactly("true", "false", "-", "-");
+        assertThat(texts(track(story, "open"))).containsExactly("true", "-", "-", "false");
+        assertThat(story.timeline().flaws())
+                .containsExactly(
+                        new Flaw(
+                                1,
+                                "open",
+                                "open: expected is false, sent is --; the model allows --"));
+        assertThat(story.headline()).startsWith("failed: in slice 1");
+    }
+
+    @Test
+    void statesAndTransitionsAreMarked() throws Exception {
+        write("Door.arc", DOOR);
+        write(
+                "DoorTest.mt",
+                """
+                testsuite DoorTest for Door {
+                  test closes { input { button: <Tk, true, 4*Tk>; } expect { open: <Tk, true, 3*Tk, false>; } }
+                }
+                """);
+        Trace trace = StreamTests.firstRun(tests().get(0).test());
+        Story story = TracePage.of(trace, List.of()).stories().get(0);
+        assertThat(texts(track(story, "state")))
+                .containsExactly("closed", "opened", "opened", "opened", "closed");
+        assertThat(elements(track(story, "state")).get(1)).containsExactly("state 1");
+        assertThat(track(story, "state").before()).isEqualTo("closed");
+        assertThat(texts(track(story, "left"))).containsExactly("0", "2", "1", "0", "0");
+        assertThat(elements(track(story, "state because")))
+                .containsExactly(
+                        List.of(),
+                        List.of("transition 0"),
+                        List.of("transition 1"),
+                        List.of("transition 1"),
+                        List.of("transition 2"));
+        assertThat(story.drawings())
+                .singleElement()
+                .satisfies(
+                        drawing ->
+                                assertThat(drawing.svg())
+                                        .contains("data-state=\"1\"", "data-transition=\"2\""));
+    }
+
+    @Test
+    void aCounterexampleGoesThroughBothAutomata() throws Exception {
+        write("Door.arc", DOOR);
+        write(
+                "Late.arc",
+                DOOR.replace("component Door", "component Late refines Door")
+                        .replace("left = 2", "left = 3"));
+        AnalysisResult result =
+                new Pipeline(folder, Progress.NONE)
+                        .verify(
+                                List.of("."),
+                                new AnalysisLimits(
+                                        java.util.Optional.empty(), java.util.Optional.empty()));
+        Story story = VerdictPage.of("verify", "all", result.answers()).stories().get(0);
+        assertThat(texts(track(story, "right is")).get(4)).isEqualTo("not possible");
+        assertThat(elements(track(story, "left: Late goes")))
+                .containsExactly(
+                        List.of("state 0", "initial 0"),
+                        List.of("state 1", "transition 0"),
+                        List.of("state 1", "transition 1"),
+                        List.of("state 1", "transition 1"),
+                        List.of("state 1", "transition 1"));
+        assertThat(elements(track(story, "right: Door goes")).get(3))
+                .containsExactly("state 1", "transition 1");
+        assertThat(elements(track(story, "right: Door goes")).get(4)).isEmpty();
+        assertThat(story.timeline().flaws()).extracting(Flaw::at).containsExactly(4);
+    }
+
+    @Test
+    void aMessageOfAnEventIsFoundInItsEvent() throws Exception {
+        write(
+                "Echo.arc",
+                """
+                component Echo {
+                  timing untimed;
+                  port in Integer i, out Integer o;
+                  <<completion = "ignore">> automaton {
+                    state s;
+                    initial s;
+                    s {i == 1} / {o = 1};
+                  }
+                }
+                """);
+        write(
+                "EchoTest.mt",
+                """
+                testsuite EchoTest for Echo {
+                  test twice { input { i: <2, 1, 2, 1>; } expect { o: <1, 2>; } }
+                }
+                """);
+        Story story = StreamTestPage.of("all", tests()).stories().get(0);
+        assertThat(story.timeline().flaws()).extracting(Flaw::at).containsExactly(3);
+    }
+}
