@@ -7,9 +7,11 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Network;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Writes a run down as a suite with one stream test, which repeats it. Where outputs have delay 1,
@@ -38,11 +40,12 @@ public final class Recording {
 
     private static SuiteText.Entry slices(Trace trace, Network network) {
         int shown = trace.steps().size();
-        boolean delayed = network.outputs().stream().anyMatch(e -> isDelayed(e.port()));
+        Set<Integer> late = delayedSignals(network);
+        boolean delayed = network.outputs().stream().anyMatch(e -> late.contains(e.signal()));
         int read = delayed ? Math.max(0, shown - 1) : shown;
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         for (Network.External output : network.outputs()) {
-            int visible = isDelayed(output.port()) ? shown : read;
+            int visible = late.contains(output.signal()) ? shown : read;
             expected.put(output.name(), stream(trace, output.name()).subList(0, visible));
         }
         return entry(inputs(trace).subList(0, read), expected);
@@ -69,7 +72,20 @@ public final class Recording {
         return trace.steps().stream().map(step -> step.outputs().messages(port)).toList();
     }
 
-    private static boolean isDelayed(Port port) {
-        return !port.isInput() && port.delay() > 0;
+    /**
+     * What is sent with a delay. Where it leaves through the input of a platform component, the
+     * port does not tell.
+     */
+    private static Set<Integer> delayedSignals(Network network) {
+        Set<Integer> delayed = new HashSet<>();
+        for (Network.Instance instance : network.instances()) {
+            List<Port> outputs = instance.component().outputs();
+            for (int i = 0; i < outputs.size(); i++) {
+                if (outputs.get(i).delay() > 0) {
+                    delayed.add(instance.outputSignals().get(i));
+                }
+            }
+        }
+        return delayed;
     }
 }

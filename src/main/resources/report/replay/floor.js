@@ -121,7 +121,8 @@ class Floor {
     const y = this.y(robot.y);
     shapes.group.setAttribute("transform", `translate(${robot.x} ${y}) rotate(${-robot.heading})`);
     shapes.label.setAttribute("x", robot.x);
-    shapes.label.setAttribute("y", y - shapes.radius - 24);
+    // Above and below in turn: two that meet have both names to be read.
+    shapes.label.setAttribute("y", number % 2 === 0 ? y - shapes.radius - 24 : y + shapes.radius + 70);
     shapes.doing.textContent = robot.display;
     for (const ray of shapes.rays) {
       ray.shape.setAttribute("d", cone(ray.sensor, robot.readings[ray.index]));
