@@ -186,7 +186,7 @@ class ResultPagesTest {
                 "EchoTest.mt",
                 """
                 testsuite EchoTest for Echo {
-                  test twice { input { i: <2, 1, 2, 1>; } expect { o: <1, 2>; } }
+                  test twice { events { i: 2; i: 1; i: 2; i: 1; } expect { o: <1, 2>; } }
                 }
                 """);
         Story story = StreamTestPage.of("all", tests()).stories().get(0);
