@@ -14,10 +14,12 @@ import arcomat.semantics.Start;
 import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 
 /**
@@ -38,10 +40,14 @@ public final class Footprints {
      */
     public record Footprint(Set<Integer> states, Set<Integer> transitions, Set<Integer> initials) {
         public Footprint {
-            states = Set.copyOf(states);
-            transitions = Set.copyOf(transitions);
-            initials = Set.copyOf(initials);
+            states = sorted(states);
+            transitions = sorted(transitions);
+            initials = sorted(initials);
         }
+    }
+
+    private static Set<Integer> sorted(Set<Integer> numbers) {
+        return Collections.unmodifiableSet(new TreeSet<>(numbers));
     }
 
     /** Collects a footprint, with all that it was made in. */

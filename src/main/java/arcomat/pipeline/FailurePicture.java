@@ -1,5 +1,7 @@
 package arcomat.pipeline;
 
+import arcomat.analysis.Footprints;
+import arcomat.analysis.Footprints.Footprint;
 import arcomat.analysis.Moment;
 import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict;
@@ -10,8 +12,6 @@ import arcomat.diagram.Highlights;
 import arcomat.diagram.Highlights.Highlight;
 import arcomat.diagram.Highlights.Kind;
 import arcomat.model.Automaton;
-import arcomat.model.Expression;
-import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.semantics.Sent;
 
@@ -20,7 +20,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 
 /** What is to be drawn of a failed comparison: the run, and its way through both automata. */
 final class FailurePicture {
@@ -34,8 +33,8 @@ final class FailurePicture {
         return FailureGraph.of(
                 title,
                 steps,
-                side(left, "left: ", trace, moment -> List.of(moment.left())),
-                side(right, "right: ", trace, Moment::right));
+                side(left, "left: ", trace, true),
+                side(right, "right: ", trace, false));
     }
 
     private static FailureGraph.Step step(Moment moment) {
@@ -67,30 +66,21 @@ final class FailurePicture {
 
     /** The automaton of a side, with the numbers of the steps at its states and transitions. */
     private static Optional<Graph> side(
-            Promise side, String which, List<Moment> trace, Function<Moment, List<String>> where) {
+            Promise side, String which, List<Moment> trace, boolean isLeft) {
         if (side.automata().size() != 1) {
             return Optional.empty();
         }
-        List<List<String>> places = trace.stream().map(where).toList();
         Automaton automaton = side.automata().get(0);
+        List<Footprint> footprints = Footprints.of(side, automaton, trace, isLeft);
         Map<Integer, List<Highlight>> states = new LinkedHashMap<>();
         Map<Integer, List<Highlight>> transitions = new LinkedHashMap<>();
         for (int i = 0; i < trace.size(); i++) {
-            boolean forbidden = places.get(i).isEmpty();
-            List<Integer> now = indices(automaton, places.get(i));
-            List<Integer> before = i == 0 ? List.of() : indices(automaton, places.get(i - 1));
             Highlight step = new Highlight(Kind.ACTIVE, "step " + i, "");
-            now.forEach(state -> add(states, state, step));
-            for (int t = 0; t < automaton.transitions().size(); t++) {
-                Automaton.Transition each = automaton.transitions().get(t);
-                boolean moves = before.contains(each.source()) && now.contains(each.target());
-                if (moves && mayRead(each, trace.get(i).input())) {
-                    add(transitions, t, step);
-                }
-            }
-            if (forbidden) {
-                String tag = "no step " + i;
-                before.forEach(state -> add(states, state, new Highlight(Kind.PROBLEM, tag, "")));
+            footprints.get(i).states().forEach(state -> add(states, state, step));
+            footprints.get(i).transitions().forEach(each -> add(transitions, each, step));
+            if (!isLeft && i > 0 && trace.get(i).right().isEmpty()) {
+                Highlight stuck = new Highlight(Kind.PROBLEM, "no step " + i, "");
+                footprints.get(i - 1).states().forEach(state -> add(states, state, stuck));
             }
         }
         Highlights highlights = new Highlights(states, transitions);
@@ -99,37 +89,5 @@ final class FailurePicture {
 
     private static void add(Map<Integer, List<Highlight>> map, int index, Highlight highlight) {
         map.computeIfAbsent(index, key -> new ArrayList<>()).add(highlight);
-    }
-
-    /** States by what the analysis calls them: the name, and the values of variables behind it. */
-    private static List<Integer> indices(Automaton automaton, List<String> places) {
-        List<Integer> indices = new ArrayList<>();
-        for (String place : places) {
-            int state = automaton.states().indexOf(place.split(" \\(", 2)[0]);
-            if (state >= 0 && !indices.contains(state)) {
-                indices.add(state);
-            }
-        }
-        return indices;
-    }
-
-    /** Whether the input block agrees with a letter, as far as it asks for constants. */
-    private static boolean mayRead(Automaton.Transition transition, Letter letter) {
-        return transition.matches().stream()
-                .allMatch(match -> agrees(match.pattern(), letter.messages(match.port().name())));
-    }
-
-    private static boolean agrees(Automaton.Pattern pattern, List<Value> messages) {
-        if (pattern instanceof Automaton.Absent) {
-            return messages.isEmpty();
-        }
-        if (pattern instanceof Automaton.OneOf oneOf && !messages.isEmpty()) {
-            return oneOf.values().stream()
-                    .anyMatch(
-                            value ->
-                                    !(value instanceof Expression.Constant constant)
-                                            || constant.value().equals(messages.get(0)));
-        }
-        return !messages.isEmpty();
     }
 }

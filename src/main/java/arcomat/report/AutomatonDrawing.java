@@ -14,8 +14,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 
 /** Pictures of automata beside a run. */
 final class AutomatonDrawing {
@@ -34,16 +32,12 @@ final class AutomatonDrawing {
         Track.Builder track = new Track.Builder("", name, Kind.PATH);
         for (Footprint footprint : footprints) {
             List<String> elements = new ArrayList<>();
-            sorted(footprint.states()).forEach(each -> elements.add(state(each)));
-            sorted(footprint.transitions()).forEach(each -> elements.add(transition(each)));
-            sorted(footprint.initials()).forEach(each -> elements.add("initial " + each));
+            footprint.states().forEach(each -> elements.add(state(each)));
+            footprint.transitions().forEach(each -> elements.add(transition(each)));
+            footprint.initials().forEach(each -> elements.add("initial " + each));
             track.add("", elements);
         }
         return track.build();
-    }
-
-    private static Set<Integer> sorted(Set<Integer> numbers) {
-        return new TreeSet<>(numbers);
     }
 
     static String state(int index) {
