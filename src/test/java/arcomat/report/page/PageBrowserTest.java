@@ -51,6 +51,7 @@ class PageBrowserTest {
         tests.put("what is written is found", this::whatIsWrittenIsFound);
         tests.put("the picture follows", this::thePictureFollows);
         tests.put("hostile texts stay texts", this::hostileTextsStayTexts);
+        tests.put("strings of models stay texts", this::stringsOfModelsStayTexts);
         tests.put("texts can be selected", this::textsCanBeSelected);
         tests.put("100,000 slices", this::longRuns);
         tests.put("simulate", this::simulate);
@@ -164,6 +165,30 @@ class PageBrowserTest {
         assertThat(browser.text("h1")).isEqualTo(SamplePages.HOSTILE.get(1));
         assertThat(browser.text(".chip")).isEqualTo(SamplePages.HOSTILE.get(0));
         browser.picture("hostile");
+    }
+
+    /** In the timeline, among the values, and in the picture of the automaton. */
+    private void stringsOfModelsStayTexts() throws IOException {
+        Path models = Files.createDirectories(folder.resolve("strings"));
+        Files.writeString(
+                models.resolve("Sly.arc"),
+                """
+                component Sly {
+                  timing instant;
+                  port out String text;
+                  automaton {
+                    state s;
+                    initial s;
+                    s / {text = "</script><img src=x onerror=window.hacked=1>"};
+                  }
+                }
+                """);
+        arcomat(0, "simulate", "--main", "Sly", "--report", folder.toString(), models.toString());
+        browser.open(folder.resolve("index.html"));
+        assertThat(browser.text(".chip")).contains("</script><img src=x onerror=");
+        assertThat(browser.text(".drawing")).contains("</script>");
+        assertThat(browser.findAll("img")).isEmpty();
+        assertThat(browser.run("return typeof window.hacked")).isEqualTo("undefined");
     }
 
     private void textsCanBeSelected() throws IOException {
