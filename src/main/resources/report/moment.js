@@ -61,7 +61,7 @@ class Moment {
       value.prepend(element("span", { class: "before" }, before + " \u2192 "));
     }
     const start = track.count === 0 ? step : track.sinceWhen(step);
-    const told = start < step && track.kind !== "port";
+    const told = now !== null && start < step && track.kind !== "port";
     since.replaceChildren(
       ...(told ? [button("since " + this.story.label(start), `Go to ${this.story.unit} ${start}`, () => this.go(start), { class: "link" })] : []),
     );

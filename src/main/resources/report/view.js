@@ -1,7 +1,10 @@
 // The part of a run that is to be seen: from which step, how many steps, on how many pixels.
 
 const FEWEST_STEPS = 4;
+
+/** Pixels for a step. */
 const EASY_TO_READ = 36;
+const STILL_TO_READ = 20;
 
 class View {
   constructor(length) {
@@ -35,6 +38,10 @@ class View {
 
   /** All of it, or if that is too much to read, the surroundings of a step. */
   showWell(step) {
+    if (this.width / this.length >= STILL_TO_READ) {
+      this.showAll();
+      return;
+    }
     const readable = this.width / EASY_TO_READ;
     this.show(step - readable / 3, Math.max(FEWEST_STEPS, readable));
   }
