@@ -27,7 +27,7 @@ const ACTIONS = {
   "=": (story) => story.timeline.zoom(1.6),
   "-": (story) => story.timeline.zoom(1 / 1.6),
   0: (story) => story.timeline.showAll(),
-  "/": (story) => story.search.input.select(),
+  "/": (story) => story.search.begin(),
   n: (story) => story.search.next(1),
   N: (story) => story.search.next(-1),
   f: (story) => story.toFlaw(1),

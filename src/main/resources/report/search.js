@@ -22,6 +22,12 @@ class Search {
     this.element = element("span", { class: "search" }, this.input, this.count);
   }
 
+  /** Takes what is typed from now on. */
+  begin() {
+    this.input.focus();
+    this.input.select();
+  }
+
   soon() {
     clearTimeout(this.timer);
     this.timer = setTimeout(() => this.run(), TYPING);

@@ -12,19 +12,25 @@ import arcomat.report.page.Track.Kind;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
-/** Pictures of automata beside a run. */
+/** Pictures of automata beside runs; each automaton is laid out once. */
 final class AutomatonDrawing {
-    private AutomatonDrawing() {}
+    private final Map<Automaton, String> pictures = new IdentityHashMap<>();
 
     /**
      * @param tracks that are marked in it
      */
-    static Drawing of(String title, Component component, Automaton automaton, List<String> tracks) {
-        String svg = SvgText.embedded(Layout.of(AutomatonGraph.of(component, automaton)));
+    Drawing of(String title, Component component, Automaton automaton, List<String> tracks) {
+        String svg = pictures.computeIfAbsent(automaton, each -> picture(component, each));
         return new Drawing(title, svg, tracks);
+    }
+
+    private static String picture(Component component, Automaton automaton) {
+        return SvgText.embedded(Layout.of(AutomatonGraph.of(component, automaton)));
     }
 
     /** A track that only drawings show: where an automaton goes. */

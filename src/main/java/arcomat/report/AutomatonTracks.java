@@ -90,14 +90,15 @@ final class AutomatonTracks {
         return tracks;
     }
 
-    Optional<Drawing> drawing() {
+    Optional<Drawing> drawing(AutomatonDrawing pictures) {
         List<String> followed = List.of(name, name + " because");
-        return automaton.map(each -> drawing(component.orElseThrow(), each, followed));
+        return automaton.map(each -> drawing(pictures, component.orElseThrow(), each, followed));
     }
 
     /** What is not a part of something is called by its own name. */
-    private Drawing drawing(Component owner, Automaton drawn, List<String> followed) {
+    private Drawing drawing(
+            AutomatonDrawing pictures, Component owner, Automaton drawn, List<String> followed) {
         String title = name.equals(SOLE) ? owner.title(drawn) : name;
-        return AutomatonDrawing.of(title, owner, drawn, followed);
+        return pictures.of(title, owner, drawn, followed);
     }
 }

@@ -34,10 +34,12 @@ public final class ConsistencyPage {
 
     private final Promise asked;
     private final Contradiction contradiction;
+    private final AutomatonDrawing pictures;
     private final List<Contradiction.Step> steps;
 
-    private ConsistencyPage(Promise asked, Contradiction contradiction) {
+    private ConsistencyPage(Promise asked, Contradiction contradiction, AutomatonDrawing pictures) {
         this.asked = asked;
+        this.pictures = pictures;
         this.contradiction = contradiction;
         steps = contradiction.steps();
     }
@@ -47,9 +49,10 @@ public final class ConsistencyPage {
      * @param controller the text of one that keeps them all, where there is one
      */
     public static Page of(Promise asked, Consistency found, Optional<String> controller) {
+        AutomatonDrawing pictures = new AutomatonDrawing();
         List<Story> stories = new ArrayList<>();
         found.contradictions()
-                .forEach(each -> stories.add(new ConsistencyPage(asked, each).story()));
+                .forEach(each -> stories.add(new ConsistencyPage(asked, each, pictures).story()));
         if (stories.isEmpty()) {
             stories.add(harmony(asked, found, controller));
         }
@@ -63,6 +66,7 @@ public final class ConsistencyPage {
 
     /** The requirements themselves, and what keeps them. */
     private static Story harmony(Promise asked, Consistency found, Optional<String> controller) {
+        AutomatonDrawing pictures = new AutomatonDrawing();
         List<Remark> remarks = new ArrayList<>();
         found.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
         controller.ifPresent(
@@ -75,7 +79,7 @@ public final class ConsistencyPage {
                 asked.automata().stream()
                         .map(
                                 each ->
-                                        AutomatonDrawing.of(
+                                        pictures.of(
                                                 ConsistencyText.name(each),
                                                 asked.component(),
                                                 each,
@@ -92,8 +96,7 @@ public final class ConsistencyPage {
         for (Automaton automaton : contradiction.requirements()) {
             String name = ConsistencyText.name(automaton);
             tracks.add(way(automaton, name + GOES));
-            drawings.add(
-                    AutomatonDrawing.of(name, asked.component(), automaton, List.of(name + GOES)));
+            drawings.add(pictures.of(name, asked.component(), automaton, List.of(name + GOES)));
         }
         Timeline timeline = new Timeline("step", steps.size(), List.of(), tracks, flaws());
         String names = String.join(", ", ConsistencyText.names(contradiction));

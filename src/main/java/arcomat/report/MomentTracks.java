@@ -25,12 +25,14 @@ final class MomentTracks {
     private static final String WAY = " goes";
 
     private final Answered answered;
+    private final AutomatonDrawing pictures;
     private final List<Moment> trace;
     private final List<Track> tracks = new ArrayList<>();
     private final List<Drawing> drawings = new ArrayList<>();
 
-    MomentTracks(Answered answered) {
+    MomentTracks(Answered answered, AutomatonDrawing pictures) {
         this.answered = answered;
+        this.pictures = pictures;
         trace = answered.verdict().trace();
         if (!trace.isEmpty()) {
             inputs();
@@ -101,7 +103,7 @@ final class MomentTracks {
             String name = sideName + ": " + title + WAY;
             tracks.add(AutomatonDrawing.way(name, Footprints.of(side, automaton, trace, isLeft)));
             drawings.add(
-                    AutomatonDrawing.of(
+                    pictures.of(
                             sideName + ": " + title, side.component(), automaton, List.of(name)));
         }
     }

@@ -29,17 +29,20 @@ public final class StreamTestPage {
     private final StreamTest test;
     private final Trace run;
     private final TraceTracks tracks;
+    private final AutomatonDrawing pictures;
 
-    private StreamTestPage(StreamTestResult result) {
+    private StreamTestPage(StreamTestResult result, AutomatonDrawing pictures) {
         this.result = result;
+        this.pictures = pictures;
         test = result.test();
         run = StreamTests.firstRun(test);
         tracks = new TraceTracks(run);
     }
 
     public static Page of(String title, List<StreamTestResult> results) {
+        AutomatonDrawing pictures = new AutomatonDrawing();
         List<Story> stories =
-                results.stream().map(each -> new StreamTestPage(each).story()).toList();
+                results.stream().map(each -> new StreamTestPage(each, pictures).story()).toList();
         boolean failed = results.stream().anyMatch(each -> each.verdict() == Verdict.FAILED);
         String headline = StreamTestText.summary(results, Style.PLAIN);
         return new Page("test", title, failed ? Tone.BAD : Tone.GOOD, headline, stories);
@@ -58,7 +61,7 @@ public final class StreamTestPage {
                 headline(),
                 remarks(),
                 timeline,
-                tracks.drawings());
+                tracks.drawings(pictures));
     }
 
     private String headline() {

@@ -31,7 +31,14 @@ public final class TracePage {
             flaws.add(new Flaw(length - 1, "", "stopped: " + trace.failure().get()));
         }
         Timeline timeline = new Timeline(tracks.unit(), length, List.of(), tracks.all(), flaws);
-        Story story = new Story("", Tone.NEUTRAL, "", remarks, timeline, tracks.drawings());
+        Story story =
+                new Story(
+                        "",
+                        Tone.NEUTRAL,
+                        "",
+                        remarks,
+                        timeline,
+                        tracks.drawings(new AutomatonDrawing()));
         return new Page(
                 "simulate",
                 trace.component().qualifiedName(),

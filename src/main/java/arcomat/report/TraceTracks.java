@@ -73,8 +73,8 @@ final class TraceTracks {
         return tracks;
     }
 
-    List<Drawing> drawings() {
-        return automata.values().stream().flatMap(each -> each.drawing().stream()).toList();
+    List<Drawing> drawings(AutomatonDrawing pictures) {
+        return automata.values().stream().flatMap(each -> each.drawing(pictures).stream()).toList();
     }
 
     private Track port(String group, String port, Function<Trace.Step, Letter> letter) {

@@ -28,15 +28,16 @@ public final class VerdictPage {
                 answered.left() + " and " + answered.right(),
                 tone(verdict.answer()),
                 sentence(answered),
-                List.of(story("", "", answered)));
+                List.of(story("", "", answered, new AutomatonDrawing())));
     }
 
     /** Of many questions. */
     public static Page of(String command, String title, List<Answered> answers) {
         List<Story> stories = new ArrayList<>();
+        AutomatonDrawing pictures = new AutomatonDrawing();
         Answer worst = Answer.HOLDS;
         for (Answered each : answers) {
-            stories.add(story(title(each), sentence(each), each));
+            stories.add(story(title(each), sentence(each), each, pictures));
             worst = worst.and(each.verdict().answer());
         }
         List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
@@ -61,9 +62,10 @@ public final class VerdictPage {
         };
     }
 
-    private static Story story(String title, String headline, Answered answered) {
+    private static Story story(
+            String title, String headline, Answered answered, AutomatonDrawing pictures) {
         Verdict verdict = answered.verdict();
-        MomentTracks tracks = new MomentTracks(answered);
+        MomentTracks tracks = new MomentTracks(answered, pictures);
         List<Moment> trace = verdict.trace();
         List<Flaw> flaws = new ArrayList<>();
         if (verdict.answer() == Answer.FAILS && !trace.isEmpty()) {
