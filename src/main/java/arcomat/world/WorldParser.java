@@ -245,7 +245,7 @@ public final class WorldParser {
 
     private static final String NO_PROGRAM =
             "kind '%s' has no program: write 'program component NAME in FOLDER' or 'program jar"
-                + " FILE' below it";
+                    + " FILE' below it";
 
     private Diagnostic unknown(Span kind) {
         String known =

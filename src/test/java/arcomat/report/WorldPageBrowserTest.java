@@ -86,7 +86,7 @@ class WorldPageBrowserTest {
         double stopped = seconds(browser);
         browser.run(
                 "return new Promise((done) => requestAnimationFrame(() =>"
-                    + " requestAnimationFrame(done)))");
+                        + " requestAnimationFrame(done)))");
         assertThat(seconds(browser)).isEqualTo(stopped);
         assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("16");
     }

@@ -44,9 +44,9 @@ final class SamplePages {
                         List.of(new Timeline.Flaw(7, "cmd", "fwd is missing")));
         String svg =
                 "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"arcomat\" width=\"80\""
-                    + " height=\"20\"><g class=\"state\" data-state=\"0\"><rect width=\"30\""
-                    + " height=\"20\"/></g><g class=\"state\" data-state=\"1\"><rect x=\"40\""
-                    + " width=\"30\" height=\"20\"/></g></svg>";
+                        + " height=\"20\"><g class=\"state\" data-state=\"0\"><rect width=\"30\""
+                        + " height=\"20\"/></g><g class=\"state\" data-state=\"1\"><rect x=\"40\""
+                        + " width=\"30\" height=\"20\"/></g></svg>";
         Story story =
                 new Story(
                         "",
