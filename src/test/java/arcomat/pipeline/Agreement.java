@@ -25,6 +25,12 @@ import java.util.Set;
 
 /** Runs a component interpreted and compiled over random words and compares every step. */
 public final class Agreement {
+    /** How often a patient word has the same letter in a row, on average. */
+    private static final int REPETITIONS = 16;
+
+    /** How many times as long as others a patient word is. */
+    private static final int PATIENCE = 4;
+
     private final Component component;
     private final List<Value> arguments;
     private final Network network;
@@ -36,7 +42,10 @@ public final class Agreement {
         this.network = Network.of(component, arguments);
     }
 
-    /** Both ways to choose, so many random words of so many letters. */
+    /**
+     * Both ways to choose, so many random words of so many letters. Every other word is patient:
+     * its letters are repeated, for models that wait.
+     */
     public Agreement holds(int words, int letters) {
         for (Choosing choosing : Choosing.values()) {
             CompiledModel model = CompiledModel.of(component, choosing);
@@ -57,8 +66,12 @@ public final class Agreement {
         Execution interpreted = new Interpreter(component, arguments, choice);
         Execution compiled = new CompiledExecution(model, arguments, seed);
         Random random = new Random(seed);
-        for (int i = 0; i < letters; i++) {
-            Letter letter = letter(random);
+        boolean patient = seed % 2 == 1;
+        Letter letter = letter(random);
+        for (int i = 0; i < (patient ? letters * PATIENCE : letters); i++) {
+            if (!patient || random.nextInt(REPETITIONS) == 0) {
+                letter = letter(random);
+            }
             Object expected = step(interpreted, letter);
             assertThat(step(compiled, letter))
                     .as("%s, %s, word %d, letter %d", component.name(), choosing, seed, i)
