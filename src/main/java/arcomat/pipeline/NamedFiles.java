@@ -24,11 +24,15 @@ record NamedFiles(List<String> paths, Map<String, SourceFile> readable, List<Dia
         List<String> paths = new ArrayList<>();
         Map<String, SourceFile> readable = new LinkedHashMap<>();
         List<Diagnostic> findings = new ArrayList<>(finder.findings());
-        for (FileFinder.Found found : finder.files()) {
-            paths.add(found.shown());
-            FileReader.Read result = FileReader.read(found.path(), found.shown());
-            result.file().ifPresent(file -> readable.put(found.shown(), file));
-            result.finding().ifPresent(findings::add);
+        List<FileReader.Read> results =
+                finder.files().parallelStream()
+                        .map(found -> FileReader.read(found.path(), found.shown()))
+                        .toList();
+        for (int i = 0; i < results.size(); i++) {
+            String shown = finder.files().get(i).shown();
+            paths.add(shown);
+            results.get(i).file().ifPresent(file -> readable.put(shown, file));
+            results.get(i).finding().ifPresent(findings::add);
         }
         return new NamedFiles(paths, readable, findings);
     }
