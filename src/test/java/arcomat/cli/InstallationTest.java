@@ -170,11 +170,10 @@ class InstallationTest {
             checks.add(millis(INSTALLATION.resolve("bin/arcomat").toString(), "check", MODELS));
             compilations.add(millis("javac", small.toString()));
         }
-        Collections.sort(checks);
-        Collections.sort(compilations);
-        assertThat(checks.get(3))
-                .as("medians in ms of check %s and javac %s", checks, compilations)
-                .isLessThanOrEqualTo(compilations.get(3));
+        // What else the machine does only adds to a time.
+        assertThat(Collections.min(checks))
+                .as("least time in ms of check %s and javac %s", checks, compilations)
+                .isLessThanOrEqualTo(Collections.min(compilations));
     }
 
     private long millis(String... command) throws Exception {
