@@ -69,20 +69,26 @@ final class KindDraft {
     void read(Words words) throws Unreadable {
         Span part = words.next("a part");
         switch (part.text()) {
-            case "program" -> program = program(words, once(part));
+            case "program" -> {
+                once(part);
+                program = program(words);
+            }
             case "body" -> {
                 once(part);
                 radius = words.number("its radius in mm", 10, 500);
                 mass = words.number("its mass in grams", 50, 20_000);
             }
-            case "wheels" -> wheels = wheels(words, once(part));
+            case "wheels" -> {
+                once(part);
+                wheels = wheels(words);
+            }
             case "slide", "finger" -> devices.add(arm(part, words));
             default -> devices.add(sensor(part.text(), socket(words), words));
         }
         words.end();
     }
 
-    private Span once(Span word) throws Unreadable {
+    private void once(Span word) throws Unreadable {
         Span before = used.putIfAbsent(word.text(), word);
         if (before != null) {
             throw new Unreadable(
@@ -92,11 +98,10 @@ final class KindDraft {
                                     "kind '%s' has '%s' twice".formatted(name.text(), word.text()))
                             .withRelated(before, "the first one"));
         }
-        return word;
     }
 
-    private static Program program(Words words, Span place) throws Unreadable {
-        if (words.choice("what it is given as", List.of("component", "jar")) == 1) {
+    private static Program program(Words words) throws Unreadable {
+        if (words.choice("what it is given as", List.of("component", "jar")).text().equals("jar")) {
             Span file = words.next("the path of a jar");
             return new Program(Program.Form.JAR, file.text(), "", file);
         }
@@ -106,7 +111,7 @@ final class KindDraft {
         return new Program(Program.Form.COMPONENT, component.text(), folder, component);
     }
 
-    private Wheels wheels(Words words, Span place) throws Unreadable {
+    private Wheels wheels(Words words) throws Unreadable {
         int left = motor(words);
         int right = motor(words);
         double diameter = words.take("diameter") ? words.number("mm", 5, 500) : 56;
@@ -171,14 +176,8 @@ final class KindDraft {
 
     /** Counts from 1. */
     private int connection(Words words, String meaning, List<String> names) throws Unreadable {
-        Span word = words.next(meaning + ": " + String.join(", ", names));
-        int index = names.indexOf(word.text());
-        if (index < 0) {
-            throw Words.broken(
-                    word,
-                    "'%s' is not %s: %s".formatted(word.text(), meaning, String.join(", ", names)));
-        }
+        Span word = words.choice(meaning, names);
         once(word);
-        return index + 1;
+        return names.indexOf(word.text()) + 1;
     }
 }

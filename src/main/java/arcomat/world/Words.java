@@ -121,14 +121,14 @@ final class Words {
         return (int) number;
     }
 
-    /** One of some words; its place among them. */
-    int choice(String meaning, List<String> allowed) throws Unreadable {
+    /** One of some words. */
+    Span choice(String meaning, List<String> allowed) throws Unreadable {
         String expected = meaning + ": " + String.join(", ", allowed);
         Span word = next(expected);
         if (!allowed.contains(word.text())) {
             throw broken(word, "'" + word.text() + "' is not " + expected);
         }
-        return allowed.indexOf(word.text());
+        return word;
     }
 
     void end() throws Unreadable {

@@ -63,7 +63,7 @@ public final class WorldParser {
                 return;
             }
             open = null;
-            statement(words, words.choice("what there is", STATEMENTS));
+            statement(words, words.choice("what there is", STATEMENTS).text());
             words.end();
         } catch (Unreadable e) {
             findings.add(e.finding());
@@ -81,8 +81,8 @@ public final class WorldParser {
         open.read(words);
     }
 
-    private void statement(Words words, int which) throws Unreadable {
-        switch (STATEMENTS.get(which)) {
+    private void statement(Words words, String what) throws Unreadable {
+        switch (what) {
             case "floor" -> {
                 single(words);
                 width = words.number("its width in mm", 100, FAR);
@@ -180,7 +180,7 @@ public final class WorldParser {
         Cup cup = Cup.NONE;
         if (words.take("with")) {
             cup =
-                    words.choice("what it carries", List.of("cup", "coffee")) == 0
+                    words.choice("what it carries", List.of("cup", "coffee")).text().equals("cup")
                             ? Cup.EMPTY
                             : Cup.FULL;
         }
