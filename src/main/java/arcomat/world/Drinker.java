@@ -10,5 +10,10 @@ import arcomat.source.Span;
  */
 public record Drinker(String name, Point spot, double thirst, Span place) {
     /** Of the legs of a person, in mm. */
-    static final double RADIUS = 100;
+    private static final double RADIUS = 100;
+
+    /** What they fill of the floor. */
+    Disc legs() {
+        return new Disc(spot, RADIUS);
+    }
 }

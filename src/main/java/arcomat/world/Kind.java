@@ -40,6 +40,11 @@ public record Kind(
         }
     }
 
+    /** What a robot of this kind fills at a place. */
+    Disc body(Pose pose) {
+        return new Disc(pose.point(), radius);
+    }
+
     /** Its sensors, in the order of the text. */
     public List<Device.Sensor> sensors() {
         return devices.stream()

@@ -97,10 +97,9 @@ final class People {
 
     /** Nobody steps on a robot. */
     private boolean isFree(Drinker drinker, List<RobotState> robots) {
-        Disc legs = new Disc(drinker.spot(), Drinker.RADIUS);
         for (int i = 0; i < robots.size(); i++) {
-            Point place = robots.get(i).pose().point();
-            if (legs.overlaps(new Disc(place, world.robots().get(i).kind().radius()))) {
+            Kind kind = world.robots().get(i).kind();
+            if (drinker.legs().overlaps(kind.body(robots.get(i).pose()))) {
                 return false;
             }
         }

@@ -184,15 +184,13 @@ public final class Physics {
         Disc body = new Disc(pose.point(), world.robots().get(index).kind().radius() + gap);
         for (int other = 0; other < robots.size(); other++) {
             Robot robot = world.robots().get(other);
-            Disc its = new Disc(robots.get(other).pose().point(), robot.kind().radius());
-            if (other != index && body.overlaps(its)) {
+            if (other != index && body.overlaps(robot.kind().body(robots.get(other).pose()))) {
                 return robot.name();
             }
         }
         for (int i = 0; i < drinkers.size(); i++) {
             Drinker drinker = world.drinkers().get(i);
-            if (drinkers.get(i).present()
-                    && body.overlaps(new Disc(drinker.spot(), Drinker.RADIUS))) {
+            if (drinkers.get(i).present() && body.overlaps(drinker.legs())) {
                 return drinker.name();
             }
         }

@@ -10,6 +10,6 @@ import arcomat.source.Span;
  */
 public record Robot(String name, Kind kind, Pose pose, Cup cup, Span place) {
     Disc disc() {
-        return new Disc(pose.point(), kind.radius());
+        return kind.body(pose);
     }
 }

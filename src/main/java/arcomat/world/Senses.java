@@ -94,14 +94,13 @@ public final class Senses {
         double nearest = Double.POSITIVE_INFINITY;
         for (int i = 0; i < scene.robots().size(); i++) {
             if (i != index) {
-                Point place = scene.robots().get(i).pose().point();
-                Disc body = new Disc(place, world.robots().get(i).kind().radius());
+                Disc body = world.robots().get(i).kind().body(scene.robots().get(i).pose());
                 nearest = Math.min(nearest, body.hit(eye, cos, sin));
             }
         }
         for (int i = 0; i < scene.drinkers().size(); i++) {
             if (scene.drinkers().get(i).present()) {
-                Disc legs = new Disc(world.drinkers().get(i).spot(), Drinker.RADIUS);
+                Disc legs = world.drinkers().get(i).legs();
                 nearest = Math.min(nearest, legs.hit(eye, cos, sin));
             }
         }
