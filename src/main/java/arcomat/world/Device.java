@@ -10,30 +10,35 @@ public sealed interface Device {
         int socket();
     }
 
+    /** A sensor of which it matters where on the robot it is. */
+    sealed interface Placed extends Sensor {
+        Point place();
+    }
+
     /**
      * Sees the nearest surface in a cone.
      *
      * @param facing in radians from the robot's front to the left
      */
-    record Ultrasonic(int socket, Point place, double facing) implements Sensor {}
+    record Ultrasonic(int socket, Point place, double facing) implements Placed {}
 
     /** Sees the brightness of the floor below it. */
-    record Light(int socket, Point place) implements Sensor {}
+    record Light(int socket, Point place) implements Placed {}
 
     /** A touch sensor at the front: pressed while the robot pushes against something. */
     record Bumper(int socket) implements Sensor {}
 
     /** Carries a cup; a full one is heavy enough to press the touch sensor below it. */
-    record Holder(int socket, Point place) implements Sensor {}
+    record Holder(int socket, Point place) implements Placed {}
 
     /** An ultrasonic sensor that looks down where cups drop. */
-    record Chute(int socket, Point place) implements Sensor {}
+    record Chute(int socket, Point place) implements Placed {}
 
     /** A touch sensor that feels the stack of cups. */
     record Magazine(int socket, int cups) implements Sensor {}
 
     /** A touch sensor that feels a cup below the spout. */
-    record Feeler(int socket, Point place) implements Sensor {}
+    record Feeler(int socket, Point place) implements Placed {}
 
     /** A light sensor that looks at the lamp of the coffee machine. */
     record Lamp(int socket) implements Sensor {}

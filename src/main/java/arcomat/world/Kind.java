@@ -19,6 +19,9 @@ public record Kind(
         double mass,
         Optional<Wheels> wheels,
         List<Device> devices) {
+    /** How far a holder may be from where a cup drops or coffee runs, in mm. */
+    private static final double TOLERANCE = 60;
+
     public Kind {
         devices = List.copyOf(devices);
     }
@@ -51,6 +54,14 @@ public record Kind(
                 .filter(Device.Sensor.class::isInstance)
                 .map(Device.Sensor.class::cast)
                 .toList();
+    }
+
+    /** Whether a cup at a place would be in its holder, or above that. */
+    boolean holdsAt(Pose pose, Point place) {
+        return find(Device.Holder.class)
+                .map(holder -> pose.place(holder.place()).distance(place))
+                .filter(distance -> distance <= TOLERANCE)
+                .isPresent();
     }
 
     /** The device of a type, if the robot has one. */

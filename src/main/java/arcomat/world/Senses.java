@@ -124,15 +124,9 @@ public final class Senses {
     private boolean isCupAt(Point place, int index, Scene scene) {
         for (int i = 0; i < scene.robots().size(); i++) {
             RobotState other = scene.robots().get(i);
-            boolean near =
-                    world.robots()
-                            .get(i)
-                            .kind()
-                            .find(Device.Holder.class)
-                            .map(holder -> other.pose().place(holder.place()).distance(place))
-                            .filter(distance -> distance <= Stations.TOLERANCE)
-                            .isPresent();
-            if (i != index && near && other.cup() != Cup.NONE) {
+            if (i != index
+                    && other.cup() != Cup.NONE
+                    && world.robots().get(i).kind().holdsAt(other.pose(), place)) {
                 return true;
             }
         }

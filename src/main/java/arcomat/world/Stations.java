@@ -17,8 +17,27 @@ final class Stations {
     /** Degrees at which it meets its stop, and the motor's clutch slips; the other stop is at 0. */
     private static final double STOP = 45;
 
-    /** How far a holder may be from where a cup drops or coffee runs, in mm. */
-    static final double TOLERANCE = 60;
+    /**
+     * What comes out of a station.
+     *
+     * @param mouth where
+     * @param before what is in the holder of a robot that can take it
+     * @param after what is in there then
+     * @param given what has happened if such a robot is there
+     * @param lost what has happened if there is none
+     */
+    private record Gift(
+            Class<? extends Device.Placed> mouth, Cup before, Cup after, What given, What lost) {
+        static final Gift CUP =
+                new Gift(Device.Chute.class, Cup.NONE, Cup.EMPTY, What.CUP_GIVEN, What.CUP_LOST);
+        static final Gift COFFEE =
+                new Gift(
+                        Device.Feeler.class,
+                        Cup.EMPTY,
+                        Cup.FULL,
+                        What.COFFEE_POURED,
+                        What.COFFEE_SPILT);
+    }
 
     private final World world;
 
@@ -89,17 +108,7 @@ final class Stations {
 
     private void drop(int index, List<RobotState> robots, List<Happening> happenings) {
         supply(index, robots.get(index).stock() - 1, 0, robots);
-        Point place = mouth(index, Device.Chute.class, robots);
-        OptionalInt receiver = below(place, Cup.NONE, robots);
-        String dispenser = world.robots().get(index).name();
-        if (receiver.isPresent()) {
-            int lucky = receiver.getAsInt();
-            robots.set(lucky, robots.get(lucky).with(Cup.EMPTY));
-            String name = world.robots().get(lucky).name();
-            happenings.add(new Happening(What.CUP_GIVEN, name, dispenser));
-        } else {
-            happenings.add(new Happening(What.CUP_LOST, dispenser, ""));
-        }
+        give(Gift.CUP, index, robots, happenings);
     }
 
     private void brew(
@@ -113,48 +122,40 @@ final class Stations {
         if (left > 0) {
             return;
         }
-        Point place = mouth(index, Device.Feeler.class, robots);
-        OptionalInt receiver = below(place, Cup.EMPTY, robots);
-        String preparer = world.robots().get(index).name();
+        give(Gift.COFFEE, index, robots, happenings);
+    }
+
+    private void give(
+            Gift gift, int index, List<RobotState> robots, List<Happening> happenings) {
+        Point place = mouth(index, gift.mouth(), robots);
+        OptionalInt receiver = below(place, gift.before(), robots);
+        String giver = world.robots().get(index).name();
         if (receiver.isPresent()) {
             int lucky = receiver.getAsInt();
-            robots.set(lucky, robots.get(lucky).with(Cup.FULL));
+            robots.set(lucky, robots.get(lucky).with(gift.after()));
             String name = world.robots().get(lucky).name();
-            happenings.add(new Happening(What.COFFEE_POURED, name, preparer));
+            happenings.add(new Happening(gift.given(), name, giver));
         } else {
-            happenings.add(new Happening(What.COFFEE_SPILT, preparer, ""));
+            happenings.add(new Happening(gift.lost(), giver, ""));
         }
     }
 
-    private <D extends Device> Point mouth(int index, Class<D> type, List<RobotState> robots) {
+    private Point mouth(int index, Class<? extends Device.Placed> type, List<RobotState> robots) {
         Pose pose = robots.get(index).pose();
         return world.robots()
                 .get(index)
                 .kind()
                 .find(type)
-                .map(device -> pose.place(placeOf(device)))
+                .map(device -> pose.place(device.place()))
                 .orElse(pose.point());
-    }
-
-    private static Point placeOf(Device device) {
-        return device instanceof Device.Chute chute
-                ? chute.place()
-                : ((Device.Feeler) device).place();
     }
 
     /** The robot that holds such a cup, or room for one, below a place. */
     private OptionalInt below(Point place, Cup cup, List<RobotState> robots) {
         for (int i = 0; i < robots.size(); i++) {
             RobotState state = robots.get(i);
-            Pose pose = state.pose();
-            boolean near =
-                    world.robots()
-                            .get(i)
-                            .kind()
-                            .find(Device.Holder.class)
-                            .map(holder -> pose.place(holder.place()).distance(place) <= TOLERANCE)
-                            .orElse(false);
-            if (near && state.cup() == cup) {
+            if (state.cup() == cup
+                    && world.robots().get(i).kind().holdsAt(state.pose(), place)) {
                 return OptionalInt.of(i);
             }
         }
