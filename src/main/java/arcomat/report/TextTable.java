@@ -21,15 +21,16 @@ final class TextTable {
 
     String render(Style style) {
         int[] widths = widths();
+        boolean numbered = isNumbered();
         StringBuilder out = new StringBuilder();
-        out.append(style.strong(line(headings, widths))).append('\n');
+        out.append(style.strong(line(headings, widths, numbered))).append('\n');
         List<String> rules = new ArrayList<>();
         for (int width : widths) {
             rules.add("-".repeat(width));
         }
-        out.append(style.quiet(line(rules, widths))).append('\n');
+        out.append(style.quiet(line(rules, widths, numbered))).append('\n');
         for (List<String> row : rows) {
-            out.append(line(row, widths)).append('\n');
+            out.append(line(row, widths, numbered)).append('\n');
         }
         return out.toString();
     }
@@ -51,8 +52,7 @@ final class TextTable {
         return rows.stream().allMatch(row -> row.get(0).matches("[0-9.]*"));
     }
 
-    private String line(List<String> cells, int[] widths) {
-        boolean numbered = isNumbered();
+    private static String line(List<String> cells, int[] widths, boolean numbered) {
         StringBuilder line = new StringBuilder();
         for (int i = 0; i < cells.size(); i++) {
             String blanks = " ".repeat(widths[i] - cells.get(i).length());
