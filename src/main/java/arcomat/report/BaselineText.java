@@ -27,7 +27,7 @@ public final class BaselineText {
                     .append(' ')
                     .append(each.getValue())
                     .append(' ')
-                    .append(escape(entry.path()))
+                    .append(OneLine.of(entry.path()))
                     .append('\n');
         }
         return out.toString();
@@ -53,7 +53,7 @@ public final class BaselineText {
             if (!parts.matches()) {
                 throw new Damaged("line " + (i + 1) + " is no entry");
             }
-            Entry entry = new Entry(unescape(parts.group(4)), parts.group(1), parts.group(2));
+            Entry entry = new Entry(OneLine.read(parts.group(4)), parts.group(1), parts.group(2));
             entries.merge(entry, Integer.parseInt(parts.group(3)), Integer::sum);
         }
         return new Baseline(entries);
@@ -90,23 +90,5 @@ public final class BaselineText {
                                 .append(times == 1 ? "" : ", " + times + " times")
                                 .append('\n'));
         return out.toString();
-    }
-
-    private static String escape(String path) {
-        return path.replace("\\", "\\\\").replace("\n", "\\n").replace("\r", "\\r");
-    }
-
-    private static String unescape(String written) {
-        StringBuilder path = new StringBuilder();
-        for (int i = 0; i < written.length(); i++) {
-            char c = written.charAt(i);
-            if (c == '\\' && i + 1 < written.length()) {
-                char next = written.charAt(++i);
-                path.append(next == 'n' ? '\n' : next == 'r' ? '\r' : next);
-            } else {
-                path.append(c);
-            }
-        }
-        return path.toString();
     }
 }

@@ -24,34 +24,15 @@ public final class CertificateText {
      */
     public static String render(String left, String right, List<Certificate> certificates) {
         StringBuilder out = new StringBuilder(FIRST + "\n");
-        out.append("# ").append(line(left)).append(" refines ").append(line(right)).append('\n');
+        out.append("# ").append(OneLine.of(left)).append(" refines ").append(OneLine.of(right)).append('\n');
         for (Certificate certificate : certificates) {
             out.append(BEGINNING).append('\n');
             for (Entry entry : certificate.entries()) {
-                out.append("  ").append(line(entry.left())).append('\n');
-                entry.right().forEach(r -> out.append(INDENT).append(line(r)).append('\n'));
+                out.append("  ").append(OneLine.of(entry.left())).append('\n');
+                entry.right().forEach(r -> out.append(INDENT).append(OneLine.of(r)).append('\n'));
             }
         }
         return out.toString();
-    }
-
-    /** Names on one line. */
-    private static String line(String name) {
-        return name.replace("\\", "\\\\").replace("\n", "\\n").replace("\r", "\\r");
-    }
-
-    private static String name(String line) {
-        StringBuilder name = new StringBuilder();
-        for (int i = 0; i < line.length(); i++) {
-            char c = line.charAt(i);
-            if (c == '\\' && i + 1 < line.length()) {
-                char next = line.charAt(++i);
-                name.append(next == 'n' ? '\n' : next == 'r' ? '\r' : next);
-            } else {
-                name.append(c);
-            }
-        }
-        return name.toString();
     }
 
     /** Empty for a text that is no file of certificates. */
@@ -77,7 +58,7 @@ public final class CertificateText {
         }
         List<Entry> entries = certificates.get(certificates.size() - 1);
         if (!line.startsWith(INDENT)) {
-            entries.add(new Entry(name(line.substring(2)), List.of()));
+            entries.add(new Entry(OneLine.read(line.substring(2)), List.of()));
             return true;
         }
         if (entries.isEmpty()) {
@@ -85,7 +66,7 @@ public final class CertificateText {
         }
         Entry last = entries.remove(entries.size() - 1);
         List<String> right = new ArrayList<>(last.right());
-        right.add(name(line.substring(INDENT.length())));
+        right.add(OneLine.read(line.substring(INDENT.length())));
         entries.add(new Entry(last.left(), right));
         return true;
     }
