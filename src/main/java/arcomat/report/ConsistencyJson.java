@@ -10,7 +10,6 @@ import arcomat.model.Letter;
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
-import java.util.Locale;
 import java.util.Optional;
 
 /** Contradictions, or the controller that shows that there are none, for programs. */
@@ -27,7 +26,7 @@ public final class ConsistencyJson {
                 json -> {
                     json.writeStartObject();
                     json.writeStringField(
-                            "verdict", found.answer().name().toLowerCase(Locale.ROOT));
+                            "verdict", VerdictText.word(found.answer()));
                     boolean fails = found.answer() == Answer.FAILS;
                     json.writeStringField("reason", fails ? "contradiction" : found.reason());
                     json.writeArrayFieldStart("contradictions");

@@ -10,7 +10,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 
 /** The matrix of verdicts along versions, for programs; versions are counted from 1. */
 public final class EvolutionJson {
@@ -40,7 +39,7 @@ public final class EvolutionJson {
         json.writeStringField("name", title);
         json.writeArrayFieldStart("refines");
         for (Verdict verdict : verdicts) {
-            json.writeString(verdict.answer().name().toLowerCase(Locale.ROOT));
+            json.writeString(VerdictText.word(verdict.answer()));
         }
         json.writeEndArray();
         json.writeEndObject();

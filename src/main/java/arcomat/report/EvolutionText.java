@@ -9,7 +9,6 @@ import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
 /**
  * The matrix of verdicts along versions, then each break with its story and the edits behind it.
@@ -36,7 +35,7 @@ public final class EvolutionText {
             cells.add(String.valueOf(version + 1));
             cells.add(Printable.escape(evolution.titles().get(version)));
             for (Verdict verdict : evolution.verdicts().get(version)) {
-                cells.add(verdict.answer().name().toLowerCase(Locale.ROOT));
+                cells.add(VerdictText.word(verdict.answer()));
             }
             table.add(cells);
         }

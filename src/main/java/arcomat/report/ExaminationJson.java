@@ -10,7 +10,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 
 /**
  * Findings about automata for programs: one entry per automaton, with a verdict. The last letter of
@@ -60,7 +59,7 @@ public final class ExaminationJson {
         json.writeStringField("component", examination.component().qualifiedName());
         json.writeStringField("automaton", examination.automaton().name());
         json.writeStringField("title", ExaminationText.title(examination));
-        json.writeStringField("verdict", examination.answer().name().toLowerCase(Locale.ROOT));
+        json.writeStringField("verdict", VerdictText.word(examination.answer()));
         json.writeStringField("reason", examination.obstacle());
         json.writeArrayFieldStart("findings");
         for (Finding finding : examination.findings()) {

@@ -9,7 +9,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** What became of every component, unchanged ones included, for programs. */
@@ -20,7 +19,7 @@ public final class GateJson {
         return Json.text(
                 json -> {
                     json.writeStartObject();
-                    json.writeStringField("verdict", gate.answer().name().toLowerCase(Locale.ROOT));
+                    json.writeStringField("verdict", VerdictText.word(gate.answer()));
                     json.writeArrayFieldStart("components");
                     for (Gate.Entry entry : gate.entries()) {
                         write(json, entry);

@@ -47,7 +47,7 @@ public final class GateText {
         String reason =
                 entry.cause().map(part -> "; by its part " + part).orElse("")
                         + entry.excuse().map(why -> "; it is meant: " + why).orElse("");
-        return paint(word, entry.answer(), style)
+        return VerdictText.paint(word, entry.answer(), style)
                 + " ".repeat(WIDEST - word.length() + 2)
                 + Printable.escape(entry.name() + reason)
                 + "\n"
@@ -73,14 +73,6 @@ public final class GateText {
 
     static String word(Relation relation) {
         return relation.name().toLowerCase(Locale.ROOT);
-    }
-
-    private static String paint(String word, Answer answer, Style style) {
-        return switch (answer) {
-            case HOLDS -> style.good(word);
-            case FAILS -> style.error(word);
-            case UNKNOWN -> style.warning(word);
-        };
     }
 
     /** The finding, if there is one, then what shows it; that of a part is told there. */
@@ -143,6 +135,6 @@ public final class GateText {
         String text = counts.isEmpty() ? "no components" : String.join(", ", counts);
         long meant = gate.entries().stream().filter(each -> each.excuse().isPresent()).count();
         String reasons = meant == 0 ? "" : " (" + meant + " with a reason)";
-        return paint(text, gate.answer(), style) + reasons + "\n";
+        return VerdictText.paint(text, gate.answer(), style) + reasons + "\n";
     }
 }

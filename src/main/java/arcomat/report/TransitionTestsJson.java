@@ -7,7 +7,6 @@ import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
-import java.util.Locale;
 
 /** Tests that were made, for programs. */
 public final class TransitionTestsJson {
@@ -21,7 +20,7 @@ public final class TransitionTestsJson {
                 json -> {
                     json.writeStartObject();
                     json.writeStringField(
-                            "verdict", found.answer().name().toLowerCase(Locale.ROOT));
+                            "verdict", VerdictText.word(found.answer()));
                     json.writeStringField("reason", found.stopped().orElse(""));
                     json.writeStringField("suite", file);
                     json.writeArrayFieldStart("tests");

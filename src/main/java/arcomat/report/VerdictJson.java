@@ -12,7 +12,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -48,7 +47,7 @@ public final class VerdictJson {
 
     /** The fields of a verdict, into an object that has been started. */
     static void write(JsonGenerator json, Verdict verdict) throws IOException {
-        json.writeStringField("verdict", verdict.answer().name().toLowerCase(Locale.ROOT));
+        json.writeStringField("verdict", VerdictText.word(verdict.answer()));
         json.writeStringField("reason", verdict.reason());
         if (verdict.simulation().isPresent()) {
             json.writeBooleanField("simulation", verdict.simulation().get());

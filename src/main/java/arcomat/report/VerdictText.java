@@ -50,9 +50,17 @@ public final class VerdictText {
         return out.toString();
     }
 
-    /** The answer as a word. */
+    static String word(Answer answer) {
+        return answer.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The answer as a word in its colour. */
     static String answer(Answer answer, Style style) {
-        String word = answer.name().toLowerCase(Locale.ROOT);
+        return paint(word(answer), answer, style);
+    }
+
+    /** A word in the colour of an answer. */
+    static String paint(String word, Answer answer, Style style) {
         return switch (answer) {
             case HOLDS -> style.good(word);
             case FAILS -> style.error(word);
