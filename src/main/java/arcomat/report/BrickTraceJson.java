@@ -45,11 +45,7 @@ public final class BrickTraceJson {
             }
         }
         json.writeEndObject();
-        json.writeArrayFieldStart("other");
-        for (String text : row.other()) {
-            json.writeString(text);
-        }
-        json.writeEndArray();
+        Json.strings(json, "other", row.other());
         json.writeEndObject();
     }
 

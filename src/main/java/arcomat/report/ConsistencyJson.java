@@ -40,7 +40,7 @@ public final class ConsistencyJson {
                     if (file.isPresent()) {
                         json.writeStringField("file", file.get());
                     }
-                    VerdictJson.strings(json, "notes", found.notes());
+                    Json.strings(json, "notes", found.notes());
                     json.writeObjectFieldStart("explored");
                     json.writeNumberField("positions", found.explored());
                     json.writeEndObject();
@@ -50,7 +50,7 @@ public final class ConsistencyJson {
 
     private static void write(JsonGenerator json, Contradiction contradiction) throws IOException {
         json.writeStartObject();
-        VerdictJson.strings(json, "requirements", ConsistencyText.names(contradiction));
+        Json.strings(json, "requirements", ConsistencyText.names(contradiction));
         json.writeBooleanField("minimal", contradiction.minimal());
         if (contradiction.word().isPresent()) {
             json.writeArrayFieldStart("word");

@@ -40,10 +40,8 @@ public final class ExaminationJson {
         json.writeStringField("title", unexamined.component());
         json.writeStringField("verdict", "unknown");
         json.writeStringField("reason", unexamined.reason());
-        for (String nothing : List.of("findings", "notes")) {
-            json.writeArrayFieldStart(nothing);
-            json.writeEndArray();
-        }
+        Json.strings(json, "findings", List.of());
+        Json.strings(json, "notes", List.of());
         writeExplored(json, 0);
         json.writeEndObject();
     }
@@ -66,11 +64,7 @@ public final class ExaminationJson {
             write(json, finding);
         }
         json.writeEndArray();
-        json.writeArrayFieldStart("notes");
-        for (String note : examination.notes()) {
-            json.writeString(note);
-        }
-        json.writeEndArray();
+        Json.strings(json, "notes", examination.notes());
         writeExplored(json, examination.explored());
         json.writeEndObject();
     }

@@ -43,7 +43,8 @@ public final class FindingsJson {
                 });
     }
 
-    private static void write(JsonGenerator json, String field, List<Diagnostic> findings)
+    /** A field with a list of findings. */
+    static void write(JsonGenerator json, String field, List<Diagnostic> findings)
             throws IOException {
         json.writeArrayFieldStart(field);
         for (Diagnostic finding : findings) {

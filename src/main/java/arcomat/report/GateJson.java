@@ -25,13 +25,7 @@ public final class GateJson {
                         write(json, entry);
                     }
                     json.writeEndArray();
-                    json.writeArrayFieldStart("findings");
-                    for (Diagnostic finding : findings) {
-                        json.writeStartObject();
-                        FindingsJson.writeFields(json, finding);
-                        json.writeEndObject();
-                    }
-                    json.writeEndArray();
+                    FindingsJson.write(json, "findings", findings);
                     json.writeEndObject();
                 });
     }

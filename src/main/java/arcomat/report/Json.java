@@ -8,6 +8,7 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.util.List;
 
 /** JSON text with two blanks of indentation and a line break at its end. */
 final class Json {
@@ -30,6 +31,15 @@ final class Json {
             throw new UncheckedIOException(e);
         }
         return escapeHalfPairs(out.append('\n').toString());
+    }
+
+    /** A field with a list of texts. */
+    static void strings(JsonGenerator json, String field, List<String> all) throws IOException {
+        json.writeArrayFieldStart(field);
+        for (String each : all) {
+            json.writeString(each);
+        }
+        json.writeEndArray();
     }
 
     /** Half of a surrogate pair, which models may send, has no encoding but an escape. */

@@ -1,8 +1,5 @@
 package arcomat.report;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
 import java.util.List;
 
 /** A monitor that was written, for programs. */
@@ -18,18 +15,9 @@ public final class MonitorJson {
                 json -> {
                     json.writeStartObject();
                     json.writeStringField("class", className);
-                    strings(json, "requirements", requirements);
-                    strings(json, "files", files);
+                    Json.strings(json, "requirements", requirements);
+                    Json.strings(json, "files", files);
                     json.writeEndObject();
                 });
-    }
-
-    private static void strings(JsonGenerator json, String field, List<String> all)
-            throws IOException {
-        json.writeArrayFieldStart(field);
-        for (String each : all) {
-            json.writeString(each);
-        }
-        json.writeEndArray();
     }
 }

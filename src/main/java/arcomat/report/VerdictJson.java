@@ -62,7 +62,7 @@ public final class VerdictJson {
             write(json, sentence);
         }
         json.writeEndArray();
-        strings(json, "notes", verdict.notes());
+        Json.strings(json, "notes", verdict.notes());
         json.writeObjectFieldStart("explored");
         json.writeNumberField("pairs", verdict.explored().pairs());
         json.writeNumberField("left", verdict.explored().left());
@@ -78,7 +78,7 @@ public final class VerdictJson {
             json.writeBooleanField("error", true);
         }
         json.writeStringField("left", moment.left());
-        strings(json, "right", moment.right());
+        Json.strings(json, "right", moment.right());
         json.writeEndObject();
     }
 
@@ -132,13 +132,5 @@ public final class VerdictJson {
             json.writeNumberField("column", sentence.place().get().startPosition().column());
         }
         json.writeEndObject();
-    }
-
-    static void strings(JsonGenerator json, String field, List<String> all) throws IOException {
-        json.writeArrayFieldStart(field);
-        for (String each : all) {
-            json.writeString(each);
-        }
-        json.writeEndArray();
     }
 }
