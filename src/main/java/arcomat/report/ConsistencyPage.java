@@ -8,7 +8,7 @@ import arcomat.analysis.Promise;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.game.Turn;
 import arcomat.model.Automaton;
-import arcomat.model.Value;
+import arcomat.model.Letter;
 import arcomat.report.page.Drawing;
 import arcomat.report.page.Page;
 import arcomat.report.page.Remark;
@@ -20,11 +20,9 @@ import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Collectors;
 
 /** Contradictions as a page: inputs, what may be answered, and the requirements beside them. */
@@ -54,7 +52,7 @@ public final class ConsistencyPage {
         found.contradictions()
                 .forEach(each -> stories.add(new ConsistencyPage(asked, each, pictures).story()));
         if (stories.isEmpty()) {
-            stories.add(harmony(asked, found, controller));
+            stories.add(harmony(asked, found, controller, pictures));
         }
         return new Page(
                 "contradictions",
@@ -65,8 +63,11 @@ public final class ConsistencyPage {
     }
 
     /** The requirements themselves, and what keeps them. */
-    private static Story harmony(Promise asked, Consistency found, Optional<String> controller) {
-        AutomatonDrawing pictures = new AutomatonDrawing();
+    private static Story harmony(
+            Promise asked,
+            Consistency found,
+            Optional<String> controller,
+            AutomatonDrawing pictures) {
         List<Remark> remarks = new ArrayList<>();
         found.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
         controller.ifPresent(
@@ -90,7 +91,8 @@ public final class ConsistencyPage {
     }
 
     private Story story() {
-        List<Track> tracks = new ArrayList<>(inputs());
+        List<Letter> inputs = steps.stream().map(Contradiction.Step::input).toList();
+        List<Track> tracks = new ArrayList<>(TraceTracks.inputs(inputs));
         tracks.add(answers());
         List<Drawing> drawings = new ArrayList<>();
         for (Automaton automaton : contradiction.requirements()) {
@@ -107,21 +109,6 @@ public final class ConsistencyPage {
                 remarks(),
                 timeline,
                 drawings);
-    }
-
-    private List<Track> inputs() {
-        Set<String> ports = new LinkedHashSet<>();
-        steps.forEach(step -> ports.addAll(step.input().messages().keySet()));
-        List<Track> tracks = new ArrayList<>();
-        for (String port : ports) {
-            Track.Builder track = new Track.Builder(TraceTracks.INPUTS, port, Kind.PORT);
-            for (Contradiction.Step step : steps) {
-                List<Value> messages = step.input().messages(port);
-                track.addUnlessEmpty(messages.isEmpty() ? "" : TraceTable.text(messages));
-            }
-            tracks.add(track.build());
-        }
-        return tracks;
     }
 
     private Track answers() {

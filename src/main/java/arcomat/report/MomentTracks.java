@@ -5,7 +5,6 @@ import arcomat.analysis.Footprints;
 import arcomat.analysis.Moment;
 import arcomat.analysis.Promise;
 import arcomat.model.Automaton;
-import arcomat.model.Value;
 import arcomat.report.page.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
@@ -35,7 +34,7 @@ final class MomentTracks {
         this.pictures = pictures;
         trace = answered.verdict().trace();
         if (!trace.isEmpty()) {
-            inputs();
+            tracks.addAll(TraceTracks.inputs(trace.stream().map(Moment::input).toList()));
             outputs();
             states();
         }
@@ -51,19 +50,6 @@ final class MomentTracks {
     /** Of both sides, also where there is nothing to step through: what is compared can be seen. */
     List<Drawing> drawings() {
         return drawings;
-    }
-
-    private void inputs() {
-        Set<String> ports = new LinkedHashSet<>();
-        trace.forEach(moment -> ports.addAll(moment.input().messages().keySet()));
-        for (String port : ports) {
-            Track.Builder track = new Track.Builder(TraceTracks.INPUTS, port, Kind.PORT);
-            for (Moment moment : trace) {
-                List<Value> messages = moment.input().messages(port);
-                track.addUnlessEmpty(messages.isEmpty() ? "" : TraceTable.text(messages));
-            }
-            tracks.add(track.build());
-        }
     }
 
     private void outputs() {

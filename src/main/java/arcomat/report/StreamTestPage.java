@@ -19,7 +19,6 @@ import arcomat.simulate.StreamTests;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Collectors;
 
 /** Stream tests as a page: what was expected beside what a run with first choices sends. */
 public final class StreamTestPage {
@@ -98,11 +97,7 @@ public final class StreamTestPage {
         Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port + EXPECTED, Kind.PORT);
         List<List<Value>> stream = test.expected().get(port);
         for (int slice = 0; slice < run.steps().size(); slice++) {
-            if (slice < stream.size() && !stream.get(slice).isEmpty()) {
-                track.add(TraceTable.text(stream.get(slice)));
-            } else {
-                track.addNothing();
-            }
+            track.addUnlessEmpty(slice < stream.size() ? TraceTable.text(stream.get(slice)) : "");
         }
         return track.build();
     }
@@ -134,9 +129,7 @@ public final class StreamTestPage {
     }
 
     private static String messages(List<Value> values) {
-        return values.isEmpty()
-                ? "--"
-                : values.stream().map(Object::toString).collect(Collectors.joining(", "));
+        return values.isEmpty() ? "--" : TraceTable.text(values);
     }
 
     /** The event in which a port sends the message of a cell; the last one if it never does. */

@@ -2,15 +2,16 @@ package arcomat.report;
 
 import arcomat.model.Letter;
 import arcomat.model.Trace;
-import arcomat.model.Value;
 import arcomat.report.page.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Function;
 
 /**
@@ -54,9 +55,17 @@ final class TraceTracks {
     }
 
     List<Track> inputs() {
+        List<Letter> letters = letters(Trace.Step::inputs);
         List<Track> tracks = new ArrayList<>();
-        columns.inputs().forEach(port -> tracks.add(port(INPUTS, port, Trace.Step::inputs)));
+        columns.inputs().forEach(port -> tracks.add(port(INPUTS, port, letters)));
         return tracks;
+    }
+
+    /** What came in, on the ports that have messages at all. */
+    static List<Track> inputs(List<Letter> letters) {
+        Set<String> ports = new LinkedHashSet<>();
+        letters.forEach(letter -> ports.addAll(letter.messages().keySet()));
+        return ports.stream().map(port -> port(INPUTS, port, letters)).toList();
     }
 
     List<String> outputs() {
@@ -64,7 +73,7 @@ final class TraceTracks {
     }
 
     Track output(String port) {
-        return port(OUTPUTS, port, Trace.Step::outputs);
+        return port(OUTPUTS, port, letters(Trace.Step::outputs));
     }
 
     List<Track> states() {
@@ -77,16 +86,13 @@ final class TraceTracks {
         return automata.values().stream().flatMap(each -> each.drawing(pictures).stream()).toList();
     }
 
-    private Track port(String group, String port, Function<Trace.Step, Letter> letter) {
+    private List<Letter> letters(Function<Trace.Step, Letter> side) {
+        return trace.steps().stream().map(side).toList();
+    }
+
+    private static Track port(String group, String port, List<Letter> letters) {
         Track.Builder track = new Track.Builder(group, port, Kind.PORT);
-        for (Trace.Step step : trace.steps()) {
-            List<Value> messages = letter.apply(step).messages(port);
-            if (messages.isEmpty()) {
-                track.addNothing();
-            } else {
-                track.add(TraceTable.text(messages));
-            }
-        }
+        letters.forEach(letter -> track.addUnlessEmpty(TraceTable.text(letter.messages(port))));
         return track.build();
     }
 }
