@@ -143,10 +143,6 @@ public final class ConsistencyText {
     }
 
     private static void add(TextTable table, int number, Contradiction.Step step) {
-        List<String> inputs = new ArrayList<>();
-        step.input()
-                .messages()
-                .forEach((port, values) -> inputs.add(port + " = " + TraceTable.text(values)));
         List<String> outputs = new ArrayList<>();
         List<String> next = new ArrayList<>();
         for (Turn.Answer answer : step.answers()) {
@@ -157,18 +153,11 @@ public final class ConsistencyText {
         if (outputs.isEmpty()) {
             outputs.add("none complies");
         }
-        int lines = Math.max(1, Math.max(inputs.size(), outputs.size()));
-        for (int line = 0; line < lines; line++) {
-            table.add(
-                    List.of(
-                            line == 0 ? String.valueOf(number) : "",
-                            cell(inputs, line),
-                            cell(outputs, line),
-                            cell(next, line)));
-        }
-    }
-
-    private static String cell(List<String> lines, int line) {
-        return line < lines.size() ? Printable.escape(lines.get(line)) : "";
+        table.addColumns(
+                List.of(
+                        List.of(String.valueOf(number)),
+                        VerdictText.inputs(step.input()),
+                        outputs,
+                        next));
     }
 }

@@ -19,6 +19,19 @@ final class TextTable {
         rows.add(cells);
     }
 
+    /** As many lines as the longest column has, but one at least; with texts of models. */
+    void addColumns(List<List<String>> columns) {
+        int lines = Math.max(1, columns.stream().mapToInt(List::size).max().orElse(0));
+        for (int i = 0; i < lines; i++) {
+            int line = i;
+            add(columns.stream().map(column -> cell(column, line)).toList());
+        }
+    }
+
+    private static String cell(List<String> column, int line) {
+        return line < column.size() ? Printable.escape(column.get(line)) : "";
+    }
+
     String render(Style style) {
         int[] widths = widths();
         boolean numbered = isNumbered();

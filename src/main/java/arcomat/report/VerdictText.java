@@ -80,20 +80,13 @@ public final class VerdictText {
         TextTable table = new TextTable(List.of("step", "input", "output", "left is", "right is"));
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
-            List<String> inputs = inputs(moment.input());
-            List<String> outputs = moment.error() ? List.of("error") : outputs(moment.outputs());
-            List<String> states = states(moment.right(), i == trace.size() - 1);
-            int lines =
-                    Math.max(Math.max(1, inputs.size()), Math.max(outputs.size(), states.size()));
-            for (int line = 0; line < lines; line++) {
-                table.add(
-                        List.of(
-                                line == 0 ? String.valueOf(i) : "",
-                                cell(inputs, line),
-                                cell(outputs, line),
-                                line == 0 ? Printable.escape(moment.left()) : "",
-                                cell(states, line)));
-            }
+            table.addColumns(
+                    List.of(
+                            List.of(String.valueOf(i)),
+                            inputs(moment.input()),
+                            moment.error() ? List.of("error") : outputs(moment.outputs()),
+                            List.of(moment.left()),
+                            states(moment.right(), i == trace.size() - 1)));
         }
         return "left:  %s\nright: %s\n\n".formatted(Printable.escape(left), Printable.escape(right))
                 + table.render(style);
@@ -132,10 +125,6 @@ public final class VerdictText {
         List<String> shown = new ArrayList<>(states.subList(0, MOST_STATES));
         shown.add("or " + (states.size() - MOST_STATES) + " more");
         return shown;
-    }
-
-    private static String cell(List<String> lines, int line) {
-        return line < lines.size() ? Printable.escape(lines.get(line)) : "";
     }
 
     static String sentence(Sentence sentence, Style style) {
