@@ -24,7 +24,11 @@ public final class CertificateText {
      */
     public static String render(String left, String right, List<Certificate> certificates) {
         StringBuilder out = new StringBuilder(FIRST + "\n");
-        out.append("# ").append(OneLine.of(left)).append(" refines ").append(OneLine.of(right)).append('\n');
+        out.append("# ")
+                .append(OneLine.of(left))
+                .append(" refines ")
+                .append(OneLine.of(right))
+                .append('\n');
         for (Certificate certificate : certificates) {
             out.append(BEGINNING).append('\n');
             for (Entry entry : certificate.entries()) {

@@ -25,8 +25,7 @@ public final class ConsistencyJson {
         return Json.text(
                 json -> {
                     json.writeStartObject();
-                    json.writeStringField(
-                            "verdict", VerdictText.word(found.answer()));
+                    json.writeStringField("verdict", VerdictText.word(found.answer()));
                     boolean fails = found.answer() == Answer.FAILS;
                     json.writeStringField("reason", fails ? "contradiction" : found.reason());
                     json.writeArrayFieldStart("contradictions");

@@ -105,12 +105,12 @@ public final class FindingsText {
         return out.toString();
     }
 
-    /** {@code 1 file}, {@code 2 files}. */
     /** The same on every machine. */
     static String digits(long number) {
         return String.format(Locale.ROOT, "%,d", number);
     }
 
+    /** {@code 1 file}, {@code 2 files}. */
     public static String count(long number, String noun) {
         return digits(number) + " " + noun + (number == 1 ? "" : "s");
     }

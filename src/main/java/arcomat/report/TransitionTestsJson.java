@@ -19,8 +19,7 @@ public final class TransitionTestsJson {
         return Json.text(
                 json -> {
                     json.writeStartObject();
-                    json.writeStringField(
-                            "verdict", VerdictText.word(found.answer()));
+                    json.writeStringField("verdict", VerdictText.word(found.answer()));
                     json.writeStringField("reason", found.stopped().orElse(""));
                     json.writeStringField("suite", file);
                     json.writeArrayFieldStart("tests");

@@ -27,9 +27,12 @@ public final class VerdictCases {
     }
 
     private static Case of(Answered each, Outcome outcome, String message, String details) {
-        String name =
-                each.right().isEmpty() ? each.left() : each.left() + " refines " + each.right();
-        return new Case(GROUP, name, Optional.of(each.place()), outcome, message, details);
+        return new Case(GROUP, name(each), Optional.of(each.place()), outcome, message, details);
+    }
+
+    /** What was promised; of a promise without a right side, who made it. */
+    static String name(Answered each) {
+        return each.right().isEmpty() ? each.left() : each.left() + " refines " + each.right();
     }
 
     private static String headline(Answered each) {

@@ -37,16 +37,12 @@ public final class VerdictPage {
         AutomatonDrawing pictures = new AutomatonDrawing();
         Answer worst = Answer.HOLDS;
         for (Answered each : answers) {
-            stories.add(story(title(each), sentence(each), each, pictures));
+            stories.add(story(VerdictCases.name(each), sentence(each), each, pictures));
             worst = worst.and(each.verdict().answer());
         }
         List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
         String headline = ObligationsText.summary(verdicts, Style.PLAIN);
         return new Page(command, title, tone(worst), headline, stories);
-    }
-
-    private static String title(Answered each) {
-        return each.right().isEmpty() ? each.left() : each.left() + " refines " + each.right();
     }
 
     private static String sentence(Answered each) {

@@ -125,8 +125,7 @@ final class Stations {
         give(Gift.COFFEE, index, robots, happenings);
     }
 
-    private void give(
-            Gift gift, int index, List<RobotState> robots, List<Happening> happenings) {
+    private void give(Gift gift, int index, List<RobotState> robots, List<Happening> happenings) {
         Point place = mouth(index, gift.mouth(), robots);
         OptionalInt receiver = below(place, gift.before(), robots);
         String giver = world.robots().get(index).name();
@@ -154,8 +153,7 @@ final class Stations {
     private OptionalInt below(Point place, Cup cup, List<RobotState> robots) {
         for (int i = 0; i < robots.size(); i++) {
             RobotState state = robots.get(i);
-            if (state.cup() == cup
-                    && world.robots().get(i).kind().holdsAt(state.pose(), place)) {
+            if (state.cup() == cup && world.robots().get(i).kind().holdsAt(state.pose(), place)) {
                 return OptionalInt.of(i);
             }
         }
