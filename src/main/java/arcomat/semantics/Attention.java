@@ -3,6 +3,7 @@ package arcomat.semantics;
 import arcomat.model.Value;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.TreeSet;
 
@@ -18,8 +19,17 @@ public record Attention(List<Look> looks) {
     }
 
     /** Nothing matters. */
-    static Attention none(int ports) {
-        return new Attention(java.util.Collections.nCopies(ports, new Unseen()));
+    public static Attention none(int ports) {
+        return new Attention(Collections.nCopies(ports, new Unseen()));
+    }
+
+    /** What looks as closely as both, port by port. */
+    public Attention and(Attention other) {
+        List<Look> both = new ArrayList<>(looks.size());
+        for (int port = 0; port < looks.size(); port++) {
+            both.add(looks.get(port).and(other.looks.get(port)));
+        }
+        return new Attention(both);
     }
 
     /** How one port is looked at. */

@@ -89,6 +89,19 @@ public final class Behaviour {
         return List.copyOf(relations);
     }
 
+    /**
+     * What the steps of all automata together look at.
+     *
+     * @param configurations one per automaton
+     */
+    public Attention attention(List<Configuration> configurations) {
+        Attention all = Attention.none(component.inputs().size());
+        for (int i = 0; i < configurations.size(); i++) {
+            all = all.and(relations.get(i).attention(configurations.get(i)));
+        }
+        return all;
+    }
+
     /** A beginning of all automata at once. */
     public record JointStart(List<Start> starts, Output output) {}
 

@@ -15,7 +15,6 @@ import arcomat.semantics.Attention.Whole;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
-import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -69,20 +68,8 @@ final class Stimuli {
      * @param latched as in {@link Stimulus}
      */
     List<Stimulus> of(List<Configuration> configurations, List<Value> latched) {
-        Look[] looks = looks(configurations);
+        Look[] looks = behaviour.attention(configurations).looks().toArray(Look[]::new);
         return timed ? letters(looks, configurations, latched) : events(looks, latched);
-    }
-
-    private Look[] looks(List<Configuration> configurations) {
-        Look[] looks = unseen();
-        for (int i = 0; i < configurations.size(); i++) {
-            StepRelation relation = behaviour.relations().get(i);
-            List<Look> own = relation.attention(configurations.get(i)).looks();
-            for (int port = 0; port < looks.length; port++) {
-                looks[port] = looks[port].and(own.get(port));
-            }
-        }
-        return looks;
     }
 
     private Look[] unseen() {

@@ -15,7 +15,6 @@ import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
-import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -86,24 +85,11 @@ public final class AtomicSide implements Side {
     public Focus focus(int configuration) {
         Focus known = focus.get(configuration);
         if (known == null) {
-            Attention attention = attention(configurations.get(configuration));
+            Attention attention = behaviour.attention(configurations.get(configuration));
             known = foci.computeIfAbsent(attention, each -> new Focus(foci.size(), each, inputs));
             focus.set(configuration, known);
         }
         return known;
-    }
-
-    private Attention attention(List<Configuration> all) {
-        List<StepRelation> relations = behaviour.relations();
-        Attention.Look[] looks = new Attention.Look[inputs.size()];
-        java.util.Arrays.fill(looks, new Attention.Unseen());
-        for (int i = 0; i < all.size(); i++) {
-            List<Attention.Look> own = relations.get(i).attention(all.get(i)).looks();
-            for (int port = 0; port < looks.length; port++) {
-                looks[port] = looks[port].and(own.get(port));
-            }
-        }
-        return new Attention(List.of(looks));
     }
 
     @Override

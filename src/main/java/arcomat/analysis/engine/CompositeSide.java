@@ -11,7 +11,6 @@ import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -109,7 +108,7 @@ public final class CompositeSide implements Side {
 
     private Attention attention(Whole whole) {
         return whole.isError()
-                ? new Attention(Collections.nCopies(inputs.size(), new Attention.Unseen()))
+                ? Attention.none(inputs.size())
                 : unfolding.attention(whole);
     }
 

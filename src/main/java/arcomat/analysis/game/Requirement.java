@@ -13,7 +13,6 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
-import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Output;
 
@@ -122,15 +121,11 @@ public final class Requirement {
     }
 
     private Attention attention(int set) {
-        Look[] looks = new Look[positions.length];
-        java.util.Arrays.fill(looks, new Attention.Unseen());
+        Attention all = Attention.none(positions.length);
         for (int member : sets.members(set)) {
-            List<Look> own = side.focus(member).attention().looks();
-            for (int port = 0; port < looks.length; port++) {
-                looks[port] = looks[port].and(own.get(port));
-            }
+            all = all.and(side.focus(member).attention());
         }
-        return new Attention(List.of(looks));
+        return all;
     }
 
     /** What may be sent in reaction to a letter. */

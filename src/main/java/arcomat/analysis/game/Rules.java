@@ -167,15 +167,13 @@ public final class Rules {
     /** What matters in a position. */
     Attention attention(int position) {
         int[] sets = positions.sets(position);
-        Look[] looks = new Look[inputs.size()];
-        Arrays.fill(looks, new Attention.Unseen());
+        Attention all = Attention.none(inputs.size());
         for (int i = 0; i < sets.length; i++) {
-            for (int port = 0; sets[i] != Requirement.CHAOS && port < looks.length; port++) {
-                Attention own = requirements.get(i).focus(sets[i]).attention();
-                looks[port] = looks[port].and(own.looks().get(port));
+            if (sets[i] != Requirement.CHAOS) {
+                all = all.and(requirements.get(i).focus(sets[i]).attention());
             }
         }
-        return new Attention(List.of(looks));
+        return all;
     }
 
     /** The system's first moves. */

@@ -117,15 +117,11 @@ public final class Synthesis {
     }
 
     private List<Look> looks(List<Integer> positions) {
-        Look[] looks = new Look[inputs.size()];
-        java.util.Arrays.fill(looks, new Attention.Unseen());
+        Attention all = Attention.none(inputs.size());
         for (int i = 0; i < games.size(); i++) {
-            List<Look> own = games.get(i).rules().attention(positions.get(i)).looks();
-            for (int port = 0; port < looks.length; port++) {
-                looks[port] = looks[port].and(own.get(port));
-            }
+            all = all.and(games.get(i).rules().attention(positions.get(i)));
         }
-        return List.of(looks);
+        return all.looks();
     }
 
     private void react(
