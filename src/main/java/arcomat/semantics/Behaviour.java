@@ -103,10 +103,20 @@ public final class Behaviour {
     }
 
     /** A beginning of all automata at once. */
-    public record JointStart(List<Start> starts, Output output) {}
+    public record JointStart(List<Start> starts, Output output) {
+        /** Where it begins: one configuration per automaton. */
+        public List<Configuration> configurations() {
+            return starts.stream().map(Start::configuration).toList();
+        }
+    }
 
     /** A step of all automata at once. */
-    public record JointReaction(List<Reaction> reactions, Output output) {}
+    public record JointReaction(List<Reaction> reactions, Output output) {
+        /** Where it leads: one configuration per automaton. */
+        public List<Configuration> next() {
+            return reactions.stream().map(Reaction::next).toList();
+        }
+    }
 
     /** All beginnings, in text order of the first automaton, then the second, and so on. */
     public List<JointStart> starts() {

@@ -55,7 +55,7 @@ final class Actor {
         }
         JointStart start =
                 pick(starts, 0, s -> Descriptions.of(relations, s, instance.component()));
-        configurations = start.starts().stream().map(s -> s.configuration()).toList();
+        configurations = start.configurations();
         return messages(start.output());
     }
 

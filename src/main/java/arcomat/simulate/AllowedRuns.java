@@ -11,7 +11,6 @@ import arcomat.semantics.Configuration;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
@@ -76,8 +75,7 @@ final class AllowedRuns {
             for (Possibility before : possible) {
                 for (JointStart start : behaviours.get(i).starts()) {
                     Possibility after = before.copy();
-                    after.configurations.add(
-                            start.starts().stream().map(s -> s.configuration()).toList());
+                    after.configurations.add(start.configurations());
                     send(after, i, start.output().ports());
                     next.add(after);
                 }
@@ -189,8 +187,7 @@ final class AllowedRuns {
                 continue;
             }
             Possibility after = reactions.size() == 1 ? before : before.copy();
-            after.configurations.set(
-                    instance, reaction.reactions().stream().map(Reaction::next).toList());
+            after.configurations.set(instance, reaction.next());
             send(after, instance, reaction.output().ports());
             next.add(after);
         }

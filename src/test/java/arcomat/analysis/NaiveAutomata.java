@@ -9,7 +9,6 @@ import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
 
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -42,7 +41,7 @@ record NaiveAutomata(Behaviour behaviour) implements NaiveMachine {
             return found;
         }
         for (JointReaction reaction : behaviour.reactions(state, read(component(), input))) {
-            List<Configuration> next = reaction.reactions().stream().map(Reaction::next).toList();
+            List<Configuration> next = reaction.next();
             boolean error = next.contains(Configuration.ERROR);
             if (output == ERROR ? error : !error && allows(reaction.output(), output)) {
                 found.add(next);

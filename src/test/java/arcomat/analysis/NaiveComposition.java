@@ -9,7 +9,6 @@ import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
@@ -98,7 +97,7 @@ final class NaiveComposition implements NaiveMachine {
             for (Way way : ways) {
                 for (JointStart start : behaviours.get(part).starts()) {
                     Way copy = new Way(way);
-                    copy.after.add(start.starts().stream().map(s -> s.configuration()).toList());
+                    copy.after.add(start.configurations());
                     send(copy, part, start.output().ports(), longer);
                 }
             }
@@ -137,7 +136,7 @@ final class NaiveComposition implements NaiveMachine {
                         .toArray(Value[]::new);
         for (JointReaction reaction : behaviours.get(part).reactions(before, Input.of(read))) {
             Way copy = new Way(way);
-            copy.after.add(reaction.reactions().stream().map(Reaction::next).toList());
+            copy.after.add(reaction.next());
             send(copy, part, reaction.output().ports(), found);
         }
     }

@@ -13,7 +13,6 @@ import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
@@ -99,7 +98,7 @@ public final class Replay {
         Set<List<Configuration>> current = new LinkedHashSet<>();
         for (JointStart start : behaviour.starts()) {
             if (allows(outputs, start.output(), trace.get(0))) {
-                current.add(start.starts().stream().map(s -> s.configuration()).toList());
+                current.add(start.configurations());
             }
         }
         int moments = 0;
@@ -127,7 +126,7 @@ public final class Replay {
             }
             for (JointReaction reaction : prospect.reactions()) {
                 List<Configuration> after =
-                        reaction.reactions().stream().map(Reaction::next).toList();
+                        reaction.next();
                 boolean error = after.contains(Configuration.ERROR);
                 boolean allowed =
                         moment.error()

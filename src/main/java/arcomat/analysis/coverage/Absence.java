@@ -54,14 +54,7 @@ final class Absence {
      */
     List<Step> noticed(List<Step> word) {
         Set<List<Configuration>> places = new LinkedHashSet<>();
-        behaviour
-                .starts(budget::insist)
-                .forEach(
-                        start ->
-                                places.add(
-                                        start.starts().stream()
-                                                .map(s -> s.configuration())
-                                                .toList()));
+        behaviour.starts(budget::insist).forEach(start -> places.add(start.configurations()));
         Optional<Set<List<Configuration>>> after = Optional.of(places);
         for (Step step : word) {
             after = after.flatMap(before -> advance(before, step));

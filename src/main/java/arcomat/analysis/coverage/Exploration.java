@@ -18,7 +18,6 @@ import arcomat.semantics.Configuration;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayDeque;
@@ -112,9 +111,7 @@ final class Exploration {
         Value[] nothing = new Value[promise.component().inputs().size()];
         Deque<Node> waiting = new ArrayDeque<>();
         for (JointStart start : behaviour.starts(budget::insist)) {
-            List<Configuration> begin =
-                    start.starts().stream().map(s -> s.configuration()).toList();
-            Node node = node(new Key(begin, Arrays.asList(nothing)));
+            Node node = node(new Key(start.configurations(), Arrays.asList(nothing)));
             beginnings.add(new Beginning(node, letter(start.output())));
             waiting.add(node);
         }
@@ -221,7 +218,7 @@ final class Exploration {
         obstacles.reacted(before, stimulus.input().get());
         List<Effect> effects = new ArrayList<>();
         for (JointReaction reaction : reactions) {
-            List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
+            List<Configuration> after = reaction.next();
             boolean lost = after.stream().allMatch(next -> next == Configuration.CHAOS);
             if (!lost && !after.contains(Configuration.ERROR)) {
                 Node next = node(new Key(after, stimulus.latched()));

@@ -70,11 +70,9 @@ public final class AtomicSide implements Side {
     public Steps openings() {
         StepCollector collector = new StepCollector();
         for (JointStart start : behaviour.starts(budget::insist)) {
-            List<Configuration> begin =
-                    start.starts().stream().map(each -> each.configuration()).toList();
             collector.add(
                     outputs.number(project(start.output())),
-                    number(begin),
+                    number(start.configurations()),
                     List.of(),
                     start.output());
         }
@@ -109,7 +107,7 @@ public final class AtomicSide implements Side {
         Prospect prospect = behaviour.prospect(before, Input.of(letter), budget::insist);
         for (JointReaction reaction : prospect.reactions()) {
             budget.insist();
-            List<Configuration> after = reaction.reactions().stream().map(Reaction::next).toList();
+            List<Configuration> after = reaction.next();
             List<Trace.Cause> causes = reaction.reactions().stream().map(Reaction::cause).toList();
             boolean error = after.contains(Configuration.ERROR);
             collector.add(

@@ -13,7 +13,6 @@ import arcomat.semantics.Configuration;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 import arcomat.semantics.StepRelation;
 
@@ -85,10 +84,8 @@ final class EventParts {
     /** All ways in which a part begins. */
     void start(EventRun run, int part, List<EventRun> next, List<Outcome> errors) {
         for (JointStart start : behaviours.get(part).starts(budget::insist)) {
-            List<Configuration> begin =
-                    start.starts().stream().map(each -> each.configuration()).toList();
             EventRun longer = run.longer();
-            longer.set(part, begin);
+            longer.set(part, start.configurations());
             finish(longer, part, start.output().ports(), next, errors);
         }
     }
@@ -112,7 +109,7 @@ final class EventParts {
             EventRun longer = run.longer();
             longer.take(part);
             reaction.reactions().forEach(each -> longer.note(each.cause()));
-            longer.set(part, reaction.reactions().stream().map(Reaction::next).toList());
+            longer.set(part, reaction.next());
             if (reactions.size() > 1) {
                 longer.setAlternative();
             }

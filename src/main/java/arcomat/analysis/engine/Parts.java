@@ -13,7 +13,6 @@ import arcomat.semantics.Configuration;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
-import arcomat.semantics.Reaction;
 import arcomat.semantics.Sent;
 import arcomat.semantics.StepRelation;
 
@@ -52,7 +51,7 @@ final class Parts {
             for (Slice slice : slices) {
                 for (JointStart start : behaviours.get(part).starts(budget::insist)) {
                     Slice copy = slice.copy();
-                    copy.after.add(start.starts().stream().map(s -> s.configuration()).toList());
+                    copy.after.add(start.configurations());
                     send(copy, part, start.output().ports(), longer);
                 }
             }
@@ -144,7 +143,7 @@ final class Parts {
         }
         for (JointReaction reaction : prospect.reactions()) {
             Slice copy = slice.copy();
-            copy.after.add(reaction.reactions().stream().map(Reaction::next).toList());
+            copy.after.add(reaction.next());
             reaction.reactions().forEach(r -> copy.causes.add(r.cause()));
             send(copy, part, reaction.output().ports(), next);
         }
