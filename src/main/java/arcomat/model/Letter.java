@@ -32,6 +32,21 @@ public record Letter(Map<String, List<Value>> messages) {
         return new Letter(lists);
     }
 
+    /**
+     * The messages on some ports.
+     *
+     * @param messages by position of the port, null where there is none
+     */
+    public static Letter of(List<Port> ports, Value[] messages) {
+        Map<String, Value> named = new LinkedHashMap<>();
+        for (int i = 0; i < messages.length; i++) {
+            if (messages[i] != null) {
+                named.put(ports.get(i).name(), messages[i]);
+            }
+        }
+        return of(named);
+    }
+
     /** The first message on a port. */
     public Optional<Value> message(String port) {
         List<Value> values = messages.get(port);

@@ -151,13 +151,7 @@ class EventCompositionsTest {
     }
 
     private static Letter letter(Component whole, Value[] values) {
-        Map<String, Value> messages = new LinkedHashMap<>();
-        for (int i = 0; i < values.length; i++) {
-            if (values[i] != null) {
-                messages.put(whole.inputs().get(i).name(), values[i]);
-            }
-        }
-        return Letter.of(messages);
+        return Letter.of(whole.inputs(), values);
     }
 
     private static void follow(

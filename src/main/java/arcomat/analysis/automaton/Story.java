@@ -46,15 +46,8 @@ final class Story {
         return moments;
     }
 
-    Letter letter(Value[] messages) {
-        Map<String, Value> named = new LinkedHashMap<>();
-        List<Port> inputs = subject.component().inputs();
-        for (int i = 0; i < messages.length; i++) {
-            if (messages[i] != null) {
-                named.put(inputs.get(i).name(), messages[i]);
-            }
-        }
-        return Letter.of(named);
+    private Letter letter(Value[] messages) {
+        return Letter.of(subject.component().inputs(), messages);
     }
 
     private Map<String, Sent> sent(Output output) {

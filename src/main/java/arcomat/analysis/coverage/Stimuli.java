@@ -18,7 +18,6 @@ import arcomat.semantics.Input;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -91,19 +90,11 @@ final class Stimuli {
         List<Stimulus> stimuli = new ArrayList<>();
         for (List<Value> letter : letters) {
             Value[] messages = letter.toArray(new Value[0]);
-            stimuli.add(new Stimulus(letter(messages), Optional.of(Input.of(messages)), latched));
+            stimuli.add(
+                    new Stimulus(
+                            Letter.of(ports, messages), Optional.of(Input.of(messages)), latched));
         }
         return stimuli;
-    }
-
-    private Letter letter(Value[] messages) {
-        Map<String, Value> letter = new LinkedHashMap<>();
-        for (int i = 0; i < messages.length; i++) {
-            if (messages[i] != null) {
-                letter.put(ports.get(i).name(), messages[i]);
-            }
-        }
-        return Letter.of(letter);
     }
 
     /** What the transitions out of a configuration look at, each by itself. */

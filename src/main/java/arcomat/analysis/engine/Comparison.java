@@ -167,13 +167,7 @@ public final class Comparison {
     }
 
     private Letter letter(Value[] messages) {
-        Map<String, Value> named = new LinkedHashMap<>();
-        for (int i = 0; i < messages.length; i++) {
-            if (messages[i] != null) {
-                named.put(pairing.left.inputs().get(i).name(), messages[i]);
-            }
-        }
-        return Letter.of(named);
+        return Letter.of(pairing.left.inputs(), messages);
     }
 
     /** On compared ports the sample; on others what the left side sends there. */

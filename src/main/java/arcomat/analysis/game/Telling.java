@@ -4,7 +4,6 @@ import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Comparison.Allowed;
 import arcomat.analysis.engine.Steps;
 import arcomat.model.Letter;
-import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
@@ -150,13 +149,6 @@ public final class Telling {
     }
 
     private Letter letter(Value[] messages) {
-        Map<String, Value> named = new LinkedHashMap<>();
-        List<Port> inputs = rules.inputs();
-        for (int i = 0; i < messages.length; i++) {
-            if (messages[i] != null) {
-                named.put(inputs.get(i).name(), messages[i]);
-            }
-        }
-        return Letter.of(named);
+        return Letter.of(rules.inputs(), messages);
     }
 }
