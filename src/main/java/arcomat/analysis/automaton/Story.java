@@ -1,6 +1,7 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.Moment;
+import arcomat.analysis.engine.Descriptions;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -61,13 +62,7 @@ final class Story {
 
     /** The state, and the values of the variables. */
     String words(Configuration configuration) {
-        List<String> values = new ArrayList<>();
-        for (int i = 0; i < configuration.variables().size(); i++) {
-            String name = subject.automaton().variables().get(i).name();
-            values.add(name + " = " + configuration.variables().get(i));
-        }
-        String state = subject.state(configuration.state());
-        return values.isEmpty() ? state : state + " (" + String.join(", ", values) + ")";
+        return Descriptions.of(subject.automaton(), configuration);
     }
 
     /** {@code {frontUS = tooClose}}, or {@code silence}. */

@@ -25,7 +25,8 @@ public final class Descriptions {
         return String.join(", ", words);
     }
 
-    private static String of(Automaton automaton, Configuration configuration) {
+    /** The state, and the values of the variables; neither chaos nor error. */
+    public static String of(Automaton automaton, Configuration configuration) {
         List<String> values = new ArrayList<>();
         List<Value> variables = configuration.variables();
         for (int i = 0; i < variables.size(); i++) {
