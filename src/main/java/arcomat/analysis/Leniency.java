@@ -48,16 +48,6 @@ final class Leniency {
     }
 
     private static Automaton strict(Automaton a) {
-        Completion completion =
-                a.completion() == Completion.CHAOS ? Completion.OUTPUT : a.completion();
-        return new Automaton(
-                a.name(),
-                completion,
-                a.omitted(),
-                a.states(),
-                a.variables(),
-                a.initials(),
-                a.transitions(),
-                a.span());
+        return a.completion() == Completion.CHAOS ? a.with(Completion.OUTPUT) : a;
     }
 }
