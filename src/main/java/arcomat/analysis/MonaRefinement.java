@@ -1,6 +1,5 @@
 package arcomat.analysis;
 
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.mona.Formula;
 import arcomat.analysis.mona.NotForMona;
@@ -76,12 +75,8 @@ public record MonaRefinement(
 
     /** The verdict where the formula is valid. */
     public Verdict holds() {
-        return new Verdict(
-                Answer.HOLDS,
-                "",
+        return Verdict.holds(
                 Optional.empty(),
-                List.of(),
-                List.of(),
                 List.of("decided by MONA, which does not say whether the promise is empty"),
                 explored());
     }
@@ -98,17 +93,10 @@ public record MonaRefinement(
             return unknown("MONA's counterexample is no run of the models: please report this");
         }
         Promise forbidding = right.comparedApart().get(shown.get().right());
-        return new Verdict(
-                Answer.FAILS,
-                "behaviour",
-                Optional.of(false),
-                shown.get().moments(),
-                Explanation.of(
-                        left,
-                        forbidding,
-                        shown.get().forbidden(),
-                        shown.get().moments().size() - 1),
-                List.of(),
+        List<Moment> trace = shown.get().moments();
+        return Verdict.fails(
+                trace,
+                Explanation.of(left, forbidding, shown.get().forbidden(), trace.size() - 1),
                 explored());
     }
 

@@ -168,13 +168,6 @@ public final class Refinement {
         List<Moment> trace = comparison.moments(failure);
         List<Sentence> explanation =
                 Explanation.of(left, right, comparison.forbidden(failure), trace.size() - 1);
-        return new Verdict(
-                Answer.FAILS,
-                "behaviour",
-                Optional.of(false),
-                trace,
-                explanation,
-                List.of(),
-                explored);
+        return Verdict.fails(trace, explanation, explored);
     }
 }

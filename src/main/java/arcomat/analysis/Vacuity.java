@@ -1,6 +1,5 @@
 package arcomat.analysis;
 
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.Verdict.Explored;
 import arcomat.analysis.engine.Inclusion;
 import arcomat.analysis.engine.Side;
@@ -18,12 +17,8 @@ final class Vacuity {
     private Vacuity() {}
 
     static Verdict nothingAsked() {
-        return new Verdict(
-                Answer.HOLDS,
-                "",
+        return Verdict.holds(
                 Optional.of(true),
-                List.of(),
-                List.of(),
                 List.of("nothing is promised: there is no automaton"),
                 Explored.NOTHING);
     }

@@ -71,6 +71,18 @@ public record Verdict(
                 Explored.NOTHING);
     }
 
+    /** By its behaviour, as a trace shows. */
+    static Verdict fails(List<Moment> trace, List<Sentence> explanation, Explored explored) {
+        return new Verdict(
+                Answer.FAILS,
+                "behaviour",
+                Optional.of(false),
+                trace,
+                explanation,
+                List.of(),
+                explored);
+    }
+
     static Verdict fails(String reason, List<Sentence> explanation) {
         return new Verdict(
                 Answer.FAILS,
