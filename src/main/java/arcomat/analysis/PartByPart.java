@@ -10,6 +10,7 @@ import arcomat.semantics.Network;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -62,7 +63,7 @@ final class PartByPart {
                 int position = position(own.component().inputs(), inputs.get(i).name());
                 String sender = theirSenders.get(theirs.inputSignals().get(i));
                 if (position < 0
-                        || !same(sender, mySenders.get(own.inputSignals().get(position)))) {
+                        || !Objects.equals(sender, mySenders.get(own.inputSignals().get(position)))) {
                     return false;
                 }
             }
@@ -72,13 +73,9 @@ final class PartByPart {
         return right.outputs().stream()
                 .allMatch(
                         output ->
-                                same(
+                                Objects.equals(
                                         theirSenders.get(output.signal()),
                                         mySenders.get(outputs.get(output.name()))));
-    }
-
-    private static boolean same(String one, String other) {
-        return one == null ? other == null : one.equals(other);
     }
 
     private static int position(List<Port> ports, String name) {
