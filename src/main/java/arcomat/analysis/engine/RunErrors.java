@@ -6,8 +6,8 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.semantics.Network;
+import arcomat.semantics.Rewriting;
 
-import java.util.stream.Stream;
 
 /**
  * Whether a run of an automaton may end with an error: by its completion, outside a range, or at a
@@ -50,25 +50,10 @@ public final class RunErrors {
     }
 
     private static boolean divides(Expression e) {
-        if (e instanceof Expression.Unary unary) {
-            return divides(unary.operand());
-        }
-        if (e instanceof Expression.Binary binary) {
-            return binary.operator() == BinaryOperator.DIVIDE
-                    || binary.operator() == BinaryOperator.REMAINDER
-                    || divides(binary.left())
-                    || divides(binary.right());
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return Stream.of(choice.condition(), choice.then(), choice.otherwise())
-                    .anyMatch(RunErrors::divides);
-        }
-        if (e instanceof Expression.IsIn isIn) {
-            return divides(isIn.element()) || isIn.set().stream().anyMatch(RunErrors::divides);
-        }
-        if (e instanceof Expression.Cast cast) {
-            return divides(cast.operand());
-        }
-        return e instanceof Expression.AttributeRead read && divides(read.object());
+        boolean itself =
+                e instanceof Expression.Binary binary
+                        && (binary.operator() == BinaryOperator.DIVIDE
+                                || binary.operator() == BinaryOperator.REMAINDER);
+        return itself || Rewriting.operands(e).stream().anyMatch(RunErrors::divides);
     }
 }
