@@ -4,7 +4,9 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A component with concrete arguments, taken apart into its instances: what an interpreter runs.
@@ -84,6 +86,23 @@ public record Network(
      * @param signal {@link #UNCONNECTED} for an output that nobody sends to
      */
     public record External(String name, Port port, int signal) {}
+
+    /**
+     * The signals that are sent with a delay. Where one leaves through the input of a platform
+     * component, that port does not tell.
+     */
+    public Set<Integer> delayed() {
+        Set<Integer> delayed = new LinkedHashSet<>();
+        for (Instance instance : instances) {
+            List<Port> outputs = instance.component().outputs();
+            for (int i = 0; i < outputs.size(); i++) {
+                if (outputs.get(i).delay() > 0) {
+                    delayed.add(instance.outputSignals().get(i));
+                }
+            }
+        }
+        return delayed;
+    }
 
     /**
      * Elaborates a component in time linear in the number of its instances.

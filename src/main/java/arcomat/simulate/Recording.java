@@ -2,12 +2,10 @@ package arcomat.simulate;
 
 import arcomat.model.Component;
 import arcomat.model.Letter;
-import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Network;
 
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,7 +38,7 @@ public final class Recording {
 
     private static SuiteText.Entry slices(Trace trace, Network network) {
         int shown = trace.steps().size();
-        Set<Integer> late = delayedSignals(network);
+        Set<Integer> late = network.delayed();
         boolean delayed = network.outputs().stream().anyMatch(e -> late.contains(e.signal()));
         int read = delayed ? Math.max(0, shown - 1) : shown;
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
@@ -70,22 +68,5 @@ public final class Recording {
 
     private static List<List<Value>> stream(Trace trace, String port) {
         return trace.steps().stream().map(step -> step.outputs().messages(port)).toList();
-    }
-
-    /**
-     * What is sent with a delay. Where it leaves through the input of a platform component, the
-     * port does not tell.
-     */
-    private static Set<Integer> delayedSignals(Network network) {
-        Set<Integer> delayed = new HashSet<>();
-        for (Network.Instance instance : network.instances()) {
-            List<Port> outputs = instance.component().outputs();
-            for (int i = 0; i < outputs.size(); i++) {
-                if (outputs.get(i).delay() > 0) {
-                    delayed.add(instance.outputSignals().get(i));
-                }
-            }
-        }
-        return delayed;
     }
 }

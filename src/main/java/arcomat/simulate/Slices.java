@@ -1,7 +1,6 @@
 package arcomat.simulate;
 
 import arcomat.model.Letter;
-import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
@@ -12,6 +11,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** The time-synchronous engine: all instances, slice by slice, in schedule order. */
 final class Slices implements Interpreter.Engine {
@@ -25,7 +25,7 @@ final class Slices implements Interpreter.Engine {
     /** Per signal with delay 1 the message of the next slice, or null. */
     private final Value[] registers;
 
-    private final List<Integer> delayed = new ArrayList<>();
+    private final Set<Integer> delayed;
     private final boolean[] isDelayed;
     private boolean started;
 
@@ -35,16 +35,9 @@ final class Slices implements Interpreter.Engine {
         this.surroundings = new Surroundings(network);
         this.visible = new Value[network.signals()];
         this.registers = new Value[network.signals()];
+        this.delayed = network.delayed();
         this.isDelayed = new boolean[network.signals()];
-        for (Network.Instance instance : network.instances()) {
-            List<Port> outputs = instance.component().outputs();
-            for (int i = 0; i < outputs.size(); i++) {
-                if (outputs.get(i).delay() > 0) {
-                    delayed.add(instance.outputSignals().get(i));
-                    isDelayed[instance.outputSignals().get(i)] = true;
-                }
-            }
-        }
+        delayed.forEach(signal -> isDelayed[signal] = true);
     }
 
     @Override
