@@ -68,7 +68,6 @@ public final class Comparison {
      * @param right what the right side may be in before, and what each step of it allows
      */
     public record Forbidden(
-            Letter input,
             List<Trace.Cause> causes,
             Map<String, Sent> sent,
             Optional<String> error,
@@ -159,15 +158,11 @@ public final class Comparison {
             Value[] letter, Steps mine, int step, Split.Case sent, List<String> right) {
         boolean error = sent.sample() == null;
         return new Moment(
-                letter == null ? Letter.SILENCE : letter(letter),
+                letter == null ? Letter.SILENCE : Letter.of(pairing.left.inputs(), letter),
                 sent(mine.whole().get(step), sent.sample()),
                 error ? "error" : pairing.left.describe(mine.next()[step]),
                 right,
                 error);
-    }
-
-    private Letter letter(Value[] messages) {
-        return Letter.of(pairing.left.inputs(), messages);
     }
 
     /** On compared ports the sample; on others what the left side sends there. */
@@ -187,13 +182,11 @@ public final class Comparison {
     /** The last moment of a failure, from both sides. */
     public Forbidden forbidden(Inclusion.Failure failure) {
         List<Allowed> allowed = new ArrayList<>();
-        Letter input = Letter.SILENCE;
         String before = "";
         if (failure.node() < 0) {
             addAllowed("", pairing.right.openings(), allowed);
         } else {
             before = pairing.left.describe(inclusion.left(failure.node()));
-            input = letter(failure.alphabet().letter(failure.letter()));
             int set = inclusion.set(failure.node());
             for (int member : pairing.sets.members(set)) {
                 addAllowed(
@@ -205,7 +198,6 @@ public final class Comparison {
         boolean error = failure.sent().sample() == null;
         int after = failure.steps().next()[failure.step()];
         return new Forbidden(
-                input,
                 failure.steps().causes().get(failure.step()),
                 sent(failure.steps().whole().get(failure.step()), failure.sent().sample()),
                 error ? Optional.of(pairing.left.describe(after)) : Optional.empty(),

@@ -73,10 +73,6 @@ public final class Sets {
         return sets.get(number);
     }
 
-    int size() {
-        return sets.size();
-    }
-
     boolean isSubset(int one, int other) {
         int[] small = sets.get(one);
         int[] large = sets.get(other);

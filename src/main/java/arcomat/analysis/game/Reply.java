@@ -17,14 +17,4 @@ record Reply(int number, List<Part> before, int[] cubes, int list, int[][] next)
 
     /** The steps of one member of the set. */
     record Part(int configuration, Steps steps) {}
-
-    /** The position of a cube; -1 where no step sends it. */
-    int position(int cube) {
-        for (int i = 0; i < cubes.length; i++) {
-            if (cubes[i] == cube) {
-                return i;
-            }
-        }
-        return -1;
-    }
 }

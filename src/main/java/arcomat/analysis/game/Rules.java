@@ -87,10 +87,6 @@ public final class Rules {
         return positions.size();
     }
 
-    int[] sets(int position) {
-        return positions.sets(position);
-    }
-
     /** How many letters matter in a position. */
     long letters(int position) {
         List<Look> looks = attention(position).looks();

@@ -214,7 +214,6 @@ public final class Replay {
             }
         }
         return new Forbidden(
-                letter(slice),
                 mine.causes(),
                 sent(mine, slice),
                 mine.error() ? Optional.of("error") : Optional.empty(),
