@@ -63,7 +63,8 @@ final class PartByPart {
                 int position = position(own.component().inputs(), inputs.get(i).name());
                 String sender = theirSenders.get(theirs.inputSignals().get(i));
                 if (position < 0
-                        || !Objects.equals(sender, mySenders.get(own.inputSignals().get(position)))) {
+                        || !Objects.equals(
+                                sender, mySenders.get(own.inputSignals().get(position)))) {
                     return false;
                 }
             }

@@ -72,11 +72,6 @@ final class Findings {
         return replaceLatest(latest().withFix(fix));
     }
 
-    /** Lowers the latest finding to a warning, for a law with cases that are merely doubtful. */
-    Findings asWarning() {
-        return replaceLatest(latest().withSeverity(Severity.WARNING));
-    }
-
     void addAll(Findings other) {
         diagnostics.addAll(other.diagnostics);
     }

@@ -54,11 +54,6 @@ public final class Behaviour {
         return conjunction(component, automata, sole, arguments);
     }
 
-    /** The requirements on a decomposed component, each free in the ports that it never writes. */
-    public static Behaviour requirements(Component component, List<Value> arguments) {
-        return conjunction(component, component.requirements(), false, arguments);
-    }
-
     private static Behaviour conjunction(
             Component component, List<Automaton> automata, boolean sole, List<Value> arguments) {
         Behaviour behaviour = new Behaviour(component);

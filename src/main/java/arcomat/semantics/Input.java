@@ -7,7 +7,6 @@ import arcomat.model.Value;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * What an automaton reads in one step, by position of the input port. Time-synchronous: the letter
@@ -37,11 +36,6 @@ public final class Input {
             messages[i] = letter.message(ports.get(i).name()).orElse(null);
         }
         return new Input(messages);
-    }
-
-    /** The message on the input port at a position. */
-    public Optional<Value> message(int port) {
-        return Optional.ofNullable(messages[port]);
     }
 
     Value[] slots() {

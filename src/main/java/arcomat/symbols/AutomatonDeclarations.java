@@ -66,11 +66,7 @@ final class AutomatonDeclarations {
                 for (Variable variable : declaration.variables()) {
                     all.add(
                             new VariableSymbol(
-                                    VariableSymbol.Kind.AUTOMATON,
-                                    variable,
-                                    declaration.type(),
-                                    type,
-                                    constants));
+                                    VariableSymbol.Kind.AUTOMATON, variable, type, constants));
                 }
             }
         }

@@ -52,10 +52,6 @@ public final class AutomatonSymbol {
         return unitScope.unit();
     }
 
-    public UnitScope unitScope() {
-        return unitScope;
-    }
-
     /** The component it is written in; empty for a bare automaton. */
     public Optional<ComponentSymbol> component() {
         return component;

@@ -76,7 +76,6 @@ final class ComponentMembers {
                         new VariableSymbol(
                                 VariableSymbol.Kind.COMPONENT,
                                 variable,
-                                node.type(),
                                 type,
                                 component.parameterScope().with(List.copyOf(variables))));
             }

@@ -108,10 +108,6 @@ public final class ComponentSymbol {
         return enclosing;
     }
 
-    public boolean isInner() {
-        return enclosing.isPresent();
-    }
-
     public List<ComponentSymbol> innerComponents() {
         return inner;
     }

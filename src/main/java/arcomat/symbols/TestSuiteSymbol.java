@@ -28,10 +28,6 @@ public final class TestSuiteSymbol {
         return scope.unit();
     }
 
-    public UnitScope unitScope() {
-        return scope;
-    }
-
     public String name() {
         return node.name().text();
     }

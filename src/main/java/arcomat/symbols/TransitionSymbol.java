@@ -22,10 +22,6 @@ public final class TransitionSymbol {
         return node;
     }
 
-    public AutomatonSymbol automaton() {
-        return automaton;
-    }
-
     /** Empty where no such state is declared. */
     public Optional<StateSymbol> source() {
         return automaton.state(node.source().text());

@@ -1,7 +1,6 @@
 package arcomat.symbols;
 
 import arcomat.source.Span;
-import arcomat.tree.TypeReference;
 import arcomat.tree.Variable;
 
 import java.util.Optional;
@@ -18,19 +17,13 @@ public final class VariableSymbol implements ValueSymbol {
 
     private final Kind kind;
     private final Variable node;
-    private final TypeReference typeNode;
     private final Resolution<TypeSymbol> typeResolution;
     private final Lazy<Optional<Typed>> initial;
 
     VariableSymbol(
-            Kind kind,
-            Variable node,
-            TypeReference typeNode,
-            Resolution<TypeSymbol> typeResolution,
-            ValueScope scope) {
+            Kind kind, Variable node, Resolution<TypeSymbol> typeResolution, ValueScope scope) {
         this.kind = kind;
         this.node = node;
-        this.typeNode = typeNode;
         this.typeResolution = typeResolution;
         this.initial =
                 new Lazy<>(() -> node.initial().map(e -> ExpressionTyping.type(e, scope, type())));
@@ -42,10 +35,6 @@ public final class VariableSymbol implements ValueSymbol {
 
     public Variable node() {
         return node;
-    }
-
-    public TypeReference typeNode() {
-        return typeNode;
     }
 
     public Resolution<TypeSymbol> typeResolution() {

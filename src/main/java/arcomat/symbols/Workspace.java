@@ -158,14 +158,6 @@ public final class Workspace {
         return List.copyOf(bareAutomata);
     }
 
-    /** All automata: those of components in the order of the components, then bare ones. */
-    public List<AutomatonSymbol> automata() {
-        List<AutomatonSymbol> all = new ArrayList<>();
-        components.forEach(component -> all.addAll(component.ownAutomata()));
-        all.addAll(bareAutomata);
-        return all;
-    }
-
     public List<TestSuiteSymbol> testSuites() {
         return List.copyOf(testSuites);
     }

@@ -125,8 +125,7 @@ public final class Replay {
                 next.add(List.of(Configuration.ERROR));
             }
             for (JointReaction reaction : prospect.reactions()) {
-                List<Configuration> after =
-                        reaction.next();
+                List<Configuration> after = reaction.next();
                 boolean error = after.contains(Configuration.ERROR);
                 boolean allowed =
                         moment.error()

@@ -107,9 +107,7 @@ public final class CompositeSide implements Side {
     }
 
     private Attention attention(Whole whole) {
-        return whole.isError()
-                ? Attention.none(inputs.size())
-                : unfolding.attention(whole);
+        return whole.isError() ? Attention.none(inputs.size()) : unfolding.attention(whole);
     }
 
     @Override

@@ -8,7 +8,6 @@ import arcomat.model.Type;
 import arcomat.semantics.Network;
 import arcomat.semantics.Rewriting;
 
-
 /**
  * Whether a run of an automaton may end with an error: by its completion, outside a range, or at a
  * division by zero. Errs on the side of yes.
