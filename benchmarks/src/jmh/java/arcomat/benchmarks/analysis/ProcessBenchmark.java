@@ -1,5 +1,8 @@
 package arcomat.benchmarks.analysis;
 
+import arcomat.benchmarks.Command;
+import arcomat.benchmarks.Folders;
+
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Measurement;
@@ -14,10 +17,9 @@ import org.openjdk.jmh.annotations.Warmup;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
-import java.util.stream.Stream;
 
 /** The same questions to processes that have to start: the tool and MONA. */
 @State(Scope.Benchmark)
@@ -48,11 +50,7 @@ public class ProcessBenchmark {
 
     @TearDown
     public void remove() throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
-        }
+        Folders.delete(folder);
     }
 
     @Benchmark
@@ -67,32 +65,19 @@ public class ProcessBenchmark {
 
     @Benchmark
     public int figureMona() throws IOException, InterruptedException {
-        return run(List.of("mona", "-q", folder.resolve("figure.mona").toString()));
+        return Command.run(List.of("mona", "-q", folder.resolve("figure.mona").toString()));
     }
 
     @Benchmark
     public int random20Mona() throws IOException, InterruptedException {
-        return run(List.of("mona", "-q", folder.resolve("random.mona").toString()));
+        return Command.run(List.of("mona", "-q", folder.resolve("random.mona").toString()));
     }
 
     private static int ask(String question, List<String> about, String... more)
             throws IOException, InterruptedException {
-        List<String> command = new java.util.ArrayList<>(List.of(TOOL, question));
+        List<String> command = new ArrayList<>(List.of(TOOL, question));
         command.addAll(List.of(more));
         command.addAll(about);
-        return run(command);
-    }
-
-    private static int run(List<String> command) throws IOException, InterruptedException {
-        int status =
-                new ProcessBuilder(command)
-                        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                        .redirectError(ProcessBuilder.Redirect.DISCARD)
-                        .start()
-                        .waitFor();
-        if (status != 0) {
-            throw new IllegalStateException(command + " ended with " + status);
-        }
-        return status;
+        return Command.run(command);
     }
 }

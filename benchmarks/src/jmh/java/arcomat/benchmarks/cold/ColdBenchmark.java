@@ -1,5 +1,8 @@
 package arcomat.benchmarks.cold;
 
+import arcomat.benchmarks.Command;
+import arcomat.benchmarks.Folders;
+
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Measurement;
@@ -14,6 +17,7 @@ import org.openjdk.jmh.annotations.Warmup;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.TimeUnit;
 
 /** Whole processes, from the command to its exit. */
@@ -35,32 +39,19 @@ public class ColdBenchmark {
 
     @TearDown
     public void remove() throws IOException {
-        Files.deleteIfExists(folder.resolve("Small.class"));
-        Files.delete(folder.resolve("Small.java"));
-        Files.delete(folder);
+        Folders.delete(folder);
     }
 
     @Benchmark
     public int arcomat() throws IOException, InterruptedException {
-        return run("build/install/arcomat/bin/arcomat", "check", "models/coffee");
+        return Command.run(
+                List.of("build/install/arcomat/bin/arcomat", "check", "models/coffee"));
     }
 
     @Benchmark
     public int javac() throws IOException, InterruptedException {
         String javac = Path.of(System.getProperty("java.home"), "bin", "javac").toString();
-        return run(javac, "-d", folder.toString(), folder.resolve("Small.java").toString());
-    }
-
-    private static int run(String... command) throws IOException, InterruptedException {
-        int status =
-                new ProcessBuilder(command)
-                        .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-                        .redirectError(ProcessBuilder.Redirect.DISCARD)
-                        .start()
-                        .waitFor();
-        if (status != 0) {
-            throw new IllegalStateException(command[0] + " ended with " + status);
-        }
-        return status;
+        String small = folder.resolve("Small.java").toString();
+        return Command.run(List.of(javac, "-d", folder.toString(), small));
     }
 }

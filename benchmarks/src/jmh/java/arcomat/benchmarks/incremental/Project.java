@@ -1,5 +1,6 @@
 package arcomat.benchmarks.incremental;
 
+import arcomat.benchmarks.Folders;
 import arcomat.benchmarks.frontend.Texts;
 import arcomat.cli.Embedded;
 import arcomat.source.SourceFile;
@@ -9,7 +10,6 @@ import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 
@@ -98,10 +98,6 @@ final class Project implements AutoCloseable {
 
     @Override
     public void close() throws IOException {
-        try (Stream<Path> files = Files.walk(folder)) {
-            for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-                Files.delete(file);
-            }
-        }
+        Folders.delete(folder);
     }
 }
