@@ -30,19 +30,18 @@ public record Measurement(String label, double median, double low, double high, 
     }
 
     private static Measurement of(RunResult result) {
-        Statistics statistics = result.getPrimaryResult().getStatistics();
-        return new Measurement(
-                label(result),
-                statistics.getPercentile(50),
-                statistics.getPercentile(25),
-                statistics.getPercentile(75),
-                result.getPrimaryResult().getScoreUnit());
+        var primary = result.getPrimaryResult();
+        return of(label(result), primary.getStatistics(), primary.getScoreUnit());
     }
 
     /** Of single times, taken without JMH. */
     public static Measurement of(String label, List<Double> times, String unit) {
         ListStatistics statistics = new ListStatistics();
         times.forEach(statistics::addValue);
+        return of(label, statistics, unit);
+    }
+
+    private static Measurement of(String label, Statistics statistics, String unit) {
         return new Measurement(
                 label,
                 statistics.getPercentile(50),
