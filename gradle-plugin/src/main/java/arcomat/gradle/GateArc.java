@@ -37,9 +37,7 @@ public abstract class GateArc extends ReportTask {
         }
         List<String> command = new ArrayList<>(List.of("gate"));
         getBase().get().forEach(each -> command.addAll(List.of("--base", each)));
-        if (getSeconds().isPresent()) {
-            command.addAll(List.of("--timeout", getSeconds().get().toString()));
-        }
+        add(command, "--timeout", getSeconds());
         return command;
     }
 

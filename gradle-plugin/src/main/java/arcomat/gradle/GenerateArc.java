@@ -58,9 +58,7 @@ public abstract class GenerateArc extends ModelTask {
         List<String> command = new ArrayList<>(List.of("generate", "--target", target));
         command.addAll(List.of("--out", shown(getOutput().get().getAsFile())));
         command.addAll(List.of("--choose", getChoose().get()));
-        if (getMain().isPresent()) {
-            command.addAll(List.of("--main", getMain().get()));
-        }
+        add(command, "--main", getMain());
         return command;
     }
 

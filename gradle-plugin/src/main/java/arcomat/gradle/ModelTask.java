@@ -3,6 +3,7 @@ package arcomat.gradle;
 import org.gradle.api.file.ConfigurableFileCollection;
 import org.gradle.api.file.FileTree;
 import org.gradle.api.provider.ListProperty;
+import org.gradle.api.provider.Provider;
 import org.gradle.api.tasks.IgnoreEmptyDirectories;
 import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.InputFiles;
@@ -39,6 +40,13 @@ public abstract class ModelTask extends ToolTask {
 
     /** Tells what came of it; an exception fails the task. */
     abstract void conclude(ToolResult result);
+
+    /** Adds an option if the build has a value for it. */
+    static void add(List<String> command, String option, Provider<?> value) {
+        if (value.isPresent()) {
+            command.addAll(List.of(option, value.get().toString()));
+        }
+    }
 
     @Override
     final List<List<String>> commands() {

@@ -59,10 +59,4 @@ public abstract class SimulateArc extends ModelTask {
         result.require(getLogger());
         getLogger().quiet(result.out().stripTrailing());
     }
-
-    private static void add(List<String> command, String option, Property<String> value) {
-        if (value.isPresent()) {
-            command.addAll(List.of(option, value.get()));
-        }
-    }
 }

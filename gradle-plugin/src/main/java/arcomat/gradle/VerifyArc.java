@@ -7,6 +7,7 @@ import org.gradle.api.tasks.Input;
 import org.gradle.api.tasks.Optional;
 import org.gradle.api.tasks.OutputFile;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /** Proves all that models say they keep; what stays unknown fails as well. */
@@ -23,9 +24,9 @@ public abstract class VerifyArc extends ReportTask {
 
     @Override
     final List<String> question() {
-        return getSeconds().isPresent()
-                ? List.of("verify", "--timeout", getSeconds().get().toString())
-                : List.of("verify");
+        List<String> command = new ArrayList<>(List.of("verify"));
+        add(command, "--timeout", getSeconds());
+        return command;
     }
 
     @Override
