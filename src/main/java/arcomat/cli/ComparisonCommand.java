@@ -1,8 +1,11 @@
 package arcomat.cli;
 
+import arcomat.analysis.Answered;
 import arcomat.model.Automaton.Completion;
 import arcomat.pipeline.RefinesRequest;
 import arcomat.pipeline.WrongUse;
+import arcomat.report.VerdictJson;
+import arcomat.report.VerdictText;
 
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -62,6 +65,18 @@ abstract class ComparisonCommand extends AnalysisCommand {
                 doubted(),
                 diagram(),
                 limits());
+    }
+
+    /** Prints what was found out about both. */
+    final void print(Answered answered) {
+        print(
+                isJson()
+                        ? VerdictJson.render(answered.verdict())
+                        : VerdictText.render(
+                                answered.left(),
+                                answered.right(),
+                                answered.verdict(),
+                                console.style()));
     }
 
     /** Where to write a proof. */

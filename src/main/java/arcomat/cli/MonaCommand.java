@@ -5,8 +5,6 @@ import arcomat.pipeline.MonaResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.MonaReport;
-import arcomat.report.VerdictJson;
-import arcomat.report.VerdictText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
@@ -43,7 +41,9 @@ final class MonaCommand extends ComparisonCommand {
     int run(Pipeline pipeline) throws WrongUse {
         MonaResult result = pipeline.mona(request(Optional.empty()), out, paths());
         if (result.settled().isPresent()) {
-            return print(result.settled().get());
+            Answered answered = result.settled().get();
+            print(answered);
+            return status(answered.verdict().answer());
         }
         if (result.written().isEmpty()) {
             return refuse(result.check());
@@ -56,17 +56,5 @@ final class MonaCommand extends ComparisonCommand {
                         : MonaReport.text(
                                 written.file(), written.leftStates(), written.rightStates()));
         return ExitStatus.FINE;
-    }
-
-    private int print(Answered answered) {
-        print(
-                isJson()
-                        ? VerdictJson.render(answered.verdict())
-                        : VerdictText.render(
-                                answered.left(),
-                                answered.right(),
-                                answered.verdict(),
-                                console.style()));
-        return status(answered.verdict().answer());
     }
 }

@@ -4,9 +4,7 @@ import arcomat.analysis.Answered;
 import arcomat.pipeline.AnalysisResult;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
-import arcomat.report.VerdictJson;
 import arcomat.report.VerdictPage;
-import arcomat.report.VerdictText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -86,24 +84,11 @@ final class RefinesCommand extends ComparisonCommand {
         }
         Answered answered = result.answers().get(0);
         report.write(() -> VerdictPage.of("refines", answered), pipeline);
-        print(
-                isJson()
-                        ? VerdictJson.render(answered.verdict())
-                        : VerdictText.render(
-                                answered.left(),
-                                answered.right(),
-                                answered.verdict(),
-                                console.style()));
-        if (diagram != null && !answered.verdict().trace().isEmpty()) {
-            tellAbout(diagram);
+        print(answered);
+        if (diagram != null && !isJson() && !answered.verdict().trace().isEmpty()) {
+            printLine("drawn in " + diagram);
         }
         return status(result.answer());
-    }
-
-    private void tellAbout(String picture) {
-        if (!isJson()) {
-            printLine("drawn in " + picture);
-        }
     }
 
     private Optional<String> asked() throws WrongUse {
