@@ -2,16 +2,12 @@ package arcomat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.report.Style;
-
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.StringReader;
 import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.file.Files;
@@ -33,7 +29,7 @@ class ExplainedResultsTest {
 
     @ParameterizedTest
     @CsvSource({"verify, ARC0404", "verify, ARC0405", "test, ARC0711", "test, ARC0712"})
-    void showsTheFindingAndHowItGoes(String command, String code) throws IOException {
+    void showsTheFindingAndHowItGoes(String command, String code) throws Exception {
         String page = Files.readString(PAGES.resolve(code + ".md"));
         write(page, "## The component");
         write(page, "## Wrong");
@@ -53,17 +49,10 @@ class ExplainedResultsTest {
         }
     }
 
-    private String run(String command) {
+    private String run(String command) throws InterruptedException {
         StringWriter out = new StringWriter();
-        Console console =
-                new Console(
-                        directory,
-                        new PrintWriter(out),
-                        new PrintWriter(Writer.nullWriter()),
-                        new BufferedReader(new StringReader("")),
-                        Style.PLAIN,
-                        true);
-        Cli.run(new String[] {command, "--format", "github", "."}, console);
+        PrintWriter err = new PrintWriter(Writer.nullWriter());
+        Embedded.run(directory, new PrintWriter(out), err, command, "--format", "github", ".");
         return out.toString();
     }
 }

@@ -3,7 +3,6 @@ package arcomat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.report.SarifSchema;
-import arcomat.report.Style;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -11,11 +10,10 @@ import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.lifecycle.AfterContainer;
 import net.jqwik.api.lifecycle.BeforeContainer;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.io.StringReader;
 import java.io.StringWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -130,17 +128,10 @@ class MutatedModelsTest {
         DocumentBuilderFactory.newInstance().newDocumentBuilder().parse(junit.toFile());
     }
 
-    private static void runsWithoutInternalError(String... arguments) {
+    private static void runsWithoutInternalError(String... arguments) throws Exception {
         StringWriter err = new StringWriter();
-        Console console =
-                new Console(
-                        directory,
-                        new PrintWriter(new StringWriter()),
-                        new PrintWriter(err),
-                        new BufferedReader(new StringReader("")),
-                        Style.PLAIN,
-                        true);
-        int status = Cli.run(arguments, console);
+        PrintWriter out = new PrintWriter(Writer.nullWriter());
+        int status = Embedded.run(directory, out, new PrintWriter(err), arguments);
         assertThat(err.toString()).isEmpty();
         assertThat(status).isBetween(ExitStatus.FINE, ExitStatus.WRONG_USE);
     }

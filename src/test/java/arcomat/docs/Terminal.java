@@ -1,15 +1,11 @@
 package arcomat.docs;
 
-import arcomat.cli.Cli;
-import arcomat.cli.Console;
-import arcomat.report.Style;
+import arcomat.cli.Embedded;
 import arcomat.rt.Cycle;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.PrintWriter;
-import java.io.StringReader;
 import java.io.StringWriter;
 import java.io.Writer;
 import java.net.URISyntaxException;
@@ -49,16 +45,14 @@ record Terminal(Path directory) {
 
     Outcome arcomat(List<String> arguments) {
         StringWriter text = new StringWriter();
-        Console console =
-                new Console(
-                        directory,
-                        new PrintWriter(text),
-                        new PrintWriter(Writer.nullWriter()), // progress depends on the machine
-                        new BufferedReader(new StringReader("")),
-                        Style.PLAIN,
-                        false);
-        int status = Cli.run(arguments.toArray(String[]::new), console);
-        return new Outcome(status, withoutEmptyEnds(text.toString()));
+        PrintWriter out = new PrintWriter(text);
+        PrintWriter err = new PrintWriter(Writer.nullWriter());
+        try {
+            int status = Embedded.run(directory, out, err, arguments.toArray(String[]::new));
+            return new Outcome(status, withoutEmptyEnds(text.toString()));
+        } catch (InterruptedException e) {
+            throw new AssertionError(e);
+        }
     }
 
     private Outcome java(List<String> words) throws IOException {
@@ -85,7 +79,7 @@ record Terminal(Path directory) {
     }
 
     private static String runtime() {
-        try (InputStream version = Cli.class.getResourceAsStream("/arcomat-version.txt")) {
+        try (InputStream version = Embedded.class.getResourceAsStream("/arcomat-version.txt")) {
             String number = new String(version.readAllBytes(), StandardCharsets.UTF_8).strip();
             return "$ARCOMAT/lib/arcomat-runtime-" + number + ".jar";
         } catch (IOException e) {
