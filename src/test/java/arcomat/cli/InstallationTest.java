@@ -27,18 +27,19 @@ class InstallationTest {
 
     private record Outcome(int status, String output) {}
 
-    private Process start(Path installation, String... arguments) throws IOException {
+    private ProcessBuilder command(Path installation, String... arguments) {
         List<String> command = new ArrayList<>();
         command.add(installation.resolve("bin/arcomat").toString());
         command.addAll(List.of(arguments));
-        return new ProcessBuilder(command)
-                .directory(temporary.toFile())
-                .redirectErrorStream(true)
-                .start();
+        return new ProcessBuilder(command).directory(temporary.toFile()).redirectErrorStream(true);
     }
 
     private Outcome run(Path installation, String... arguments) throws Exception {
-        Process process = start(installation, arguments);
+        return outcome(command(installation, arguments));
+    }
+
+    private static Outcome outcome(ProcessBuilder command) throws Exception {
+        Process process = command.start();
         String output = new String(process.getInputStream().readAllBytes());
         return new Outcome(process.waitFor(), output);
     }
@@ -117,12 +118,12 @@ class InstallationTest {
                   }
                 }
                 """);
-        List<List<String>> commands =
-                List.of(
-                        List.of("refines", "Big", "Big", "Big.arc"),
-                        List.of("diff", "Big", "Big", "Big.arc"),
-                        List.of("tests", "Big", "--out", "tests", "Big.arc"));
-        for (List<String> command : commands) {
+        String[][] commands = {
+            {"refines", "Big", "Big", "Big.arc"},
+            {"diff", "Big", "Big", "Big.arc"},
+            {"tests", "Big", "--out", "tests", "Big.arc"}
+        };
+        for (String[] command : commands) {
             Outcome outcome = small(command);
             assertThat(outcome.status()).as(outcome.output()).isEqualTo(3);
             assertThat(outcome.output())
@@ -132,15 +133,10 @@ class InstallationTest {
     }
 
     /** In a heap of 64 MB. */
-    private Outcome small(List<String> arguments) throws Exception {
-        List<String> command = new ArrayList<>(arguments);
-        command.add(0, INSTALLATION.resolve("bin/arcomat").toString());
-        ProcessBuilder builder =
-                new ProcessBuilder(command).directory(temporary.toFile()).redirectErrorStream(true);
-        builder.environment().put("JAVA_OPTS", "-Xmx64m");
-        Process process = builder.start();
-        String output = new String(process.getInputStream().readAllBytes());
-        return new Outcome(process.waitFor(), output);
+    private Outcome small(String... arguments) throws Exception {
+        ProcessBuilder command = command(INSTALLATION, arguments);
+        command.environment().put("JAVA_OPTS", "-Xmx64m");
+        return outcome(command);
     }
 
     @Test
@@ -151,7 +147,7 @@ class InstallationTest {
         long duration = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
         List<String> complete = Folders.list(temporary);
         for (int part = 0; part < 12; part++) {
-            Process process = start(INSTALLATION, generate);
+            Process process = command(INSTALLATION, generate).start();
             process.waitFor(duration * (4 + part) / 12, TimeUnit.MILLISECONDS);
             process.destroyForcibly().waitFor();
             assertThat(Folders.list(temporary)).containsAll(complete);
