@@ -2,13 +2,10 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.RandomSketches.Knobs;
-import arcomat.analysis.Sketch.Edge;
-import arcomat.analysis.Sketch.Shape;
+import arcomat.analysis.EditRow.Edited;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.model.Automaton.Completion;
 
-import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -16,12 +13,7 @@ import net.jqwik.api.Provide;
 import net.jqwik.api.Tag;
 import net.jqwik.api.lifecycle.AfterProperty;
 
-import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
-import java.util.Random;
-import java.util.Set;
 
 /**
  * Which edits of an automaton keep its promises, for each completion: the table in the semantics.
@@ -36,137 +28,6 @@ class EditTableProperties {
 
     private int kept;
     private int leftAside;
-
-    /** An automaton with a place in it that can be reached, and with the edited one. */
-    record Edited(Sketch before, Sketch after) {}
-
-    /** The rows of the table. */
-    private enum Row {
-        DROP_ONE_OF_TWO {
-            @Override
-            Optional<Sketch> apply(Sketch sketch, Edge edge, Random random) {
-                return alternatives(sketch, edge) == 2
-                        ? Optional.of(sketch.replacing(edge))
-                        : Optional.empty();
-            }
-        },
-        DROP_THE_ONLY_ONE {
-            @Override
-            Optional<Sketch> apply(Sketch sketch, Edge edge, Random random) {
-                return alternatives(sketch, edge) == 1 && !edge.output().isEmpty()
-                        ? Optional.of(sketch.replacing(edge))
-                        : Optional.empty();
-            }
-        },
-        ADD_A_LOOP {
-            @Override
-            Optional<Sketch> apply(Sketch sketch, Edge edge, Random random) {
-                return unhandled(sketch, edge.source(), random)
-                        .map(open -> plus(sketch, open.sending("out = x0")));
-            }
-        },
-        ADD_A_CHANGE_OF_STATE {
-            @Override
-            Optional<Sketch> apply(Sketch sketch, Edge edge, Random random) {
-                int target = random.nextInt(sketch.states());
-                return unhandled(sketch, edge.source(), random)
-                        .filter(open -> target != open.source())
-                        .map(open -> plus(sketch, open.to(target).sending("out = x0")));
-            }
-        },
-        ASSIGN_AN_OMITTED_OUTPUT {
-            @Override
-            Optional<Sketch> apply(Sketch sketch, Edge edge, Random random) {
-                return edge.output().isEmpty()
-                        ? Optional.of(sketch.replacing(edge, edge.sending("out = x0")))
-                        : Optional.empty();
-            }
-        };
-
-        abstract Optional<Sketch> apply(Sketch sketch, Edge edge, Random random);
-
-        Arbitrary<Edited> with(Completion completion, boolean free) {
-            return Arbitraries.randomValue(random -> draw(completion, free, random));
-        }
-
-        private Edited draw(Completion completion, boolean free, Random random) {
-            while (true) {
-                Shape shape =
-                        new Shape(
-                                1 + random.nextInt(3),
-                                2,
-                                random.nextBoolean(),
-                                false,
-                                false,
-                                false,
-                                free,
-                                random.nextInt(3) == 0);
-                Knobs knobs = new Knobs(shape, 2 + random.nextInt(4), 40, 30, completion);
-                Sketch sketch = omitting(RandomSketches.of(knobs, random));
-                if (!isDetermined(sketch) || sketch.edges().isEmpty()) {
-                    continue;
-                }
-                Edge edge = sketch.edges().get(random.nextInt(sketch.edges().size()));
-                Optional<Sketch> after =
-                        sketch.depths()[edge.source()] < sketch.states()
-                                ? apply(sketch, edge, random)
-                                : Optional.empty();
-                if (after.isPresent()) {
-                    return new Edited(sketch, after.get());
-                }
-            }
-        }
-    }
-
-    /** Leaves out what is said to be silent, where leaving out says something else. */
-    private static Sketch omitting(Sketch sketch) {
-        return sketch.withEdges(
-                sketch.edges().stream()
-                        .map(edge -> edge.output().equals("out = --") ? edge.sending("") : edge)
-                        .toList());
-    }
-
-    /** State, input and output say where the step leads. */
-    private static boolean isDetermined(Sketch sketch) {
-        Set<List<Object>> seen = new HashSet<>();
-        Set<List<Object>> open = new HashSet<>();
-        for (Edge edge : sketch.edges()) {
-            List<Object> trigger = List.of(edge.source(), edge.input());
-            boolean any =
-                    edge.output().contains("?") || sketch.shape().free() && edge.output().isEmpty();
-            if (!seen.add(List.of(edge.source(), edge.input(), edge.output()))
-                    || open.contains(trigger)
-                    || any && alternatives(sketch, edge) > 1) {
-                return false;
-            }
-            if (any) {
-                open.add(trigger);
-            }
-        }
-        return true;
-    }
-
-    private static long alternatives(Sketch sketch, Edge edge) {
-        return sketch.edges().stream().filter(edge::hasTriggerOf).count();
-    }
-
-    private static Optional<Edge> unhandled(Sketch sketch, int state, Random random) {
-        List<String> open = new ArrayList<>(RandomSketches.symbols(sketch.shape()));
-        for (Edge edge : sketch.edges()) {
-            if (edge.source() == state) {
-                open.remove(edge.input());
-            }
-        }
-        return open.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new Edge(state, state, open.get(random.nextInt(open.size())), ""));
-    }
-
-    private static Sketch plus(Sketch sketch, Edge edge) {
-        List<Edge> edges = new ArrayList<>(sketch.edges());
-        edges.add(edge);
-        return sketch.withEdges(edges);
-    }
 
     private void holds(Edited edited) {
         kept++;
@@ -192,11 +53,11 @@ class EditTableProperties {
     }
 
     private static Promise left(Edited edited) {
-        return Promise.of(edited.after.component("Left"), List.of());
+        return Promise.of(edited.after().component("Left"), List.of());
     }
 
     private static Promise right(Edited edited) {
-        return Promise.of(edited.before.component("Right"), List.of());
+        return Promise.of(edited.before().component("Right"), List.of());
     }
 
     @AfterProperty
@@ -212,7 +73,7 @@ class EditTableProperties {
 
     @Provide("dropOneOfTwoChaos")
     Arbitrary<Edited> dropOneOfTwoChaos() {
-        return Row.DROP_ONE_OF_TWO.with(Completion.CHAOS, false);
+        return EditRow.DROP_ONE_OF_TWO.with(Completion.CHAOS, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -222,7 +83,7 @@ class EditTableProperties {
 
     @Provide("dropOneOfTwoOutput")
     Arbitrary<Edited> dropOneOfTwoOutput() {
-        return Row.DROP_ONE_OF_TWO.with(Completion.OUTPUT, false);
+        return EditRow.DROP_ONE_OF_TWO.with(Completion.OUTPUT, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -232,7 +93,7 @@ class EditTableProperties {
 
     @Provide("dropOneOfTwoIgnore")
     Arbitrary<Edited> dropOneOfTwoIgnore() {
-        return Row.DROP_ONE_OF_TWO.with(Completion.IGNORE, false);
+        return EditRow.DROP_ONE_OF_TWO.with(Completion.IGNORE, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -242,7 +103,7 @@ class EditTableProperties {
 
     @Provide("dropTheOnlyOneChaos")
     Arbitrary<Edited> dropTheOnlyOneChaos() {
-        return Row.DROP_THE_ONLY_ONE.with(Completion.CHAOS, false);
+        return EditRow.DROP_THE_ONLY_ONE.with(Completion.CHAOS, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -252,7 +113,7 @@ class EditTableProperties {
 
     @Provide("dropTheOnlyOneOutput")
     Arbitrary<Edited> dropTheOnlyOneOutput() {
-        return Row.DROP_THE_ONLY_ONE.with(Completion.OUTPUT, false);
+        return EditRow.DROP_THE_ONLY_ONE.with(Completion.OUTPUT, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -262,7 +123,7 @@ class EditTableProperties {
 
     @Provide("dropTheOnlyOneIgnore")
     Arbitrary<Edited> dropTheOnlyOneIgnore() {
-        return Row.DROP_THE_ONLY_ONE.with(Completion.IGNORE, false);
+        return EditRow.DROP_THE_ONLY_ONE.with(Completion.IGNORE, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -272,7 +133,7 @@ class EditTableProperties {
 
     @Provide("addALoopChaos")
     Arbitrary<Edited> addALoopChaos() {
-        return Row.ADD_A_LOOP.with(Completion.CHAOS, false);
+        return EditRow.ADD_A_LOOP.with(Completion.CHAOS, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -282,7 +143,7 @@ class EditTableProperties {
 
     @Provide("addALoopOutput")
     Arbitrary<Edited> addALoopOutput() {
-        return Row.ADD_A_LOOP.with(Completion.OUTPUT, false);
+        return EditRow.ADD_A_LOOP.with(Completion.OUTPUT, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -292,7 +153,7 @@ class EditTableProperties {
 
     @Provide("addALoopIgnore")
     Arbitrary<Edited> addALoopIgnore() {
-        return Row.ADD_A_LOOP.with(Completion.IGNORE, false);
+        return EditRow.ADD_A_LOOP.with(Completion.IGNORE, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -302,7 +163,7 @@ class EditTableProperties {
 
     @Provide("addAChangeOfStateChaos")
     Arbitrary<Edited> addAChangeOfStateChaos() {
-        return Row.ADD_A_CHANGE_OF_STATE.with(Completion.CHAOS, false);
+        return EditRow.ADD_A_CHANGE_OF_STATE.with(Completion.CHAOS, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -312,7 +173,7 @@ class EditTableProperties {
 
     @Provide("addAChangeOfStateOutput")
     Arbitrary<Edited> addAChangeOfStateOutput() {
-        return Row.ADD_A_CHANGE_OF_STATE.with(Completion.OUTPUT, false);
+        return EditRow.ADD_A_CHANGE_OF_STATE.with(Completion.OUTPUT, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -322,7 +183,7 @@ class EditTableProperties {
 
     @Provide("addAChangeOfStateIgnore")
     Arbitrary<Edited> addAChangeOfStateIgnore() {
-        return Row.ADD_A_CHANGE_OF_STATE.with(Completion.IGNORE, false);
+        return EditRow.ADD_A_CHANGE_OF_STATE.with(Completion.IGNORE, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -332,7 +193,7 @@ class EditTableProperties {
 
     @Provide("assignAnOmittedOutputChaos")
     Arbitrary<Edited> assignAnOmittedOutputChaos() {
-        return Row.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.CHAOS, false);
+        return EditRow.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.CHAOS, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -342,7 +203,7 @@ class EditTableProperties {
 
     @Provide("assignAnOmittedOutputOutput")
     Arbitrary<Edited> assignAnOmittedOutputOutput() {
-        return Row.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.OUTPUT, false);
+        return EditRow.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.OUTPUT, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -352,7 +213,7 @@ class EditTableProperties {
 
     @Provide("assignAnOmittedOutputIgnore")
     Arbitrary<Edited> assignAnOmittedOutputIgnore() {
-        return Row.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.IGNORE, false);
+        return EditRow.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.IGNORE, false);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -362,7 +223,7 @@ class EditTableProperties {
 
     @Provide("assignAnOmittedFreeOutputChaos")
     Arbitrary<Edited> assignAnOmittedFreeOutputChaos() {
-        return Row.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.CHAOS, true);
+        return EditRow.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.CHAOS, true);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -372,7 +233,7 @@ class EditTableProperties {
 
     @Provide("assignAnOmittedFreeOutputOutput")
     Arbitrary<Edited> assignAnOmittedFreeOutputOutput() {
-        return Row.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.OUTPUT, true);
+        return EditRow.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.OUTPUT, true);
     }
 
     @Property(seed = "1", tries = TRIES)
@@ -382,6 +243,6 @@ class EditTableProperties {
 
     @Provide("assignAnOmittedFreeOutputIgnore")
     Arbitrary<Edited> assignAnOmittedFreeOutputIgnore() {
-        return Row.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.IGNORE, true);
+        return EditRow.ASSIGN_AN_OMITTED_OUTPUT.with(Completion.IGNORE, true);
     }
 }
