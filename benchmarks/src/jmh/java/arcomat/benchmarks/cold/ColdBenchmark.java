@@ -44,8 +44,7 @@ public class ColdBenchmark {
 
     @Benchmark
     public int arcomat() throws IOException, InterruptedException {
-        return Command.run(
-                List.of("build/install/arcomat/bin/arcomat", "check", "models/coffee"));
+        return Command.run(List.of("build/install/arcomat/bin/arcomat", "check", "models/coffee"));
     }
 
     @Benchmark
