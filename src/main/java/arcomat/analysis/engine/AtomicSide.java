@@ -32,8 +32,7 @@ public final class AtomicSide implements Side {
     private final Outputs outputs;
     private final Budget budget;
 
-    private final Map<List<Configuration>, Integer> numbers = new HashMap<>();
-    private final List<List<Configuration>> configurations = new ArrayList<>();
+    private final Numbering<List<Configuration>> configurations = new Numbering<>();
     private final BitSet chaotic = new BitSet();
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final List<Focus> focus = new ArrayList<>();
@@ -132,16 +131,13 @@ public final class AtomicSide implements Side {
     }
 
     private int number(List<Configuration> configuration) {
-        Integer known = numbers.get(configuration);
-        if (known == null) {
-            known = configurations.size();
-            numbers.put(configuration, known);
-            configurations.add(configuration);
-            chaotic.set(known, configuration.stream().allMatch(c -> c == Configuration.CHAOS));
+        int number = configurations.number(configuration);
+        if (number == steps.size()) {
+            chaotic.set(number, configuration.stream().allMatch(c -> c == Configuration.CHAOS));
             focus.add(null);
             steps.add(new KnownSteps());
         }
-        return known;
+        return number;
     }
 
     @Override

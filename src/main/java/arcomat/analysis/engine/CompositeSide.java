@@ -29,8 +29,7 @@ public final class CompositeSide implements Side {
     private final int[] observed;
     private final Outputs outputs;
 
-    private final Map<Whole, Integer> numbers = new HashMap<>();
-    private final List<Whole> wholes = new ArrayList<>();
+    private final Numbering<Whole> wholes = new Numbering<>();
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final List<Focus> focus = new ArrayList<>();
     private final List<KnownSteps> steps = new ArrayList<>();
@@ -149,15 +148,12 @@ public final class CompositeSide implements Side {
     }
 
     private int number(Whole whole) {
-        Integer known = numbers.get(whole);
-        if (known == null) {
-            known = wholes.size();
-            numbers.put(whole, known);
-            wholes.add(whole);
+        int number = wholes.number(whole);
+        if (number == steps.size()) {
             focus.add(null);
             steps.add(new KnownSteps());
         }
-        return known;
+        return number;
     }
 
     /** Never: even where every part is in chaos, what it sends has its type. Sound without. */

@@ -26,8 +26,7 @@ public final class HeldInputs implements Side {
     private final int[] positions;
     private final List<Integer> latched;
 
-    private final Map<State, Integer> numbers = new HashMap<>();
-    private final List<State> states = new ArrayList<>();
+    private final Numbering<State> states = new Numbering<>();
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final List<KnownSteps> steps = new ArrayList<>();
 
@@ -111,14 +110,11 @@ public final class HeldInputs implements Side {
     }
 
     private int number(State state) {
-        Integer known = numbers.get(state);
-        if (known == null) {
-            known = states.size();
-            numbers.put(state, known);
-            states.add(state);
+        int number = states.number(state);
+        if (number == steps.size()) {
             steps.add(new KnownSteps());
         }
-        return known;
+        return number;
     }
 
     @Override

@@ -2,31 +2,19 @@ package arcomat.analysis.engine;
 
 import arcomat.semantics.Output;
 
-import java.util.ArrayList;
-import java.util.HashMap;
-import java.util.List;
-import java.util.Map;
-
 /** Numbers for output cubes over the observed ports. Both sides of a comparison share them. */
 public final class Outputs {
     /** No letter, but the run's end: the distinguished error. */
     public static final int ERROR = 0;
 
-    private final Map<Output, Integer> numbers = new HashMap<>();
-    private final List<Output> cubes = new ArrayList<>();
+    private final Numbering<Output> cubes = new Numbering<>();
 
     public Outputs() {
-        cubes.add(null);
+        cubes.number(null);
     }
 
     int number(Output cube) {
-        Integer known = numbers.get(cube);
-        if (known == null) {
-            known = cubes.size();
-            numbers.put(cube, known);
-            cubes.add(cube);
-        }
-        return known;
+        return cubes.number(cube);
     }
 
     public Output cube(int number) {

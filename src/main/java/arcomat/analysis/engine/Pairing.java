@@ -37,7 +37,7 @@ final class Pairing {
     private final List<List<Focus>> foci = new ArrayList<>();
     private final List<Integer> focusListOfSet = new ArrayList<>();
     private final LongObjectHashMap<Alphabet> alphabets = new LongObjectHashMap<>();
-    private final Map<List<Integer>, Integer> answerLists = new HashMap<>();
+    private final Numbering<IntKey> answerLists = new Numbering<>();
     private final LongObjectHashMap<List<Split.Case>> cases = new LongObjectHashMap<>();
 
     /**
@@ -194,7 +194,6 @@ final class Pairing {
         if (others.length == 1) {
             return SINGLE | others[0];
         }
-        List<Integer> key = java.util.Arrays.stream(others).boxed().toList();
-        return answerLists.computeIfAbsent(key, each -> answerLists.size());
+        return answerLists.number(new IntKey(others));
     }
 }

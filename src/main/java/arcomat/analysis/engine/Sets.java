@@ -10,19 +10,7 @@ import java.util.Map;
 
 /** Numbers for sets of configurations; each set is sorted. */
 public final class Sets {
-    private record Key(int[] members) {
-        @Override
-        public boolean equals(Object other) {
-            return other instanceof Key key && Arrays.equals(members, key.members);
-        }
-
-        @Override
-        public int hashCode() {
-            return Arrays.hashCode(members);
-        }
-    }
-
-    private final Map<Key, Integer> numbers = new HashMap<>();
+    private final Map<IntKey, Integer> numbers = new HashMap<>();
     private final List<int[]> sets = new ArrayList<>();
     private final IntArrayList singletons = new IntArrayList();
 
@@ -48,7 +36,7 @@ public final class Sets {
         if (members.length == 1) {
             return singleton(members[0]);
         }
-        Key key = new Key(members);
+        IntKey key = new IntKey(members);
         Integer known = numbers.get(key);
         if (known == null) {
             known = sets.size();

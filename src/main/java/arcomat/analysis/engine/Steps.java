@@ -3,8 +3,6 @@ package arcomat.analysis.engine;
 import arcomat.model.Trace;
 import arcomat.semantics.Output;
 
-import com.carrotsearch.hppc.IntArrayList;
-
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
@@ -41,7 +39,7 @@ public record Steps(
 
     /** Equal for steps that are the same. */
     List<Object> content() {
-        return List.of(IntArrayList.from(outputs), IntArrayList.from(next), causes, whole);
+        return List.of(new IntKey(outputs), new IntKey(next), causes, whole);
     }
 
     /** Notes that a search needs a step. */

@@ -1,6 +1,8 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.engine.IntKey;
+import arcomat.analysis.engine.Numbering;
 import arcomat.analysis.engine.Outputs;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -31,24 +33,11 @@ public final class Choices {
      */
     record Choice(Output sent, int[][] allowed) {}
 
-    private record Key(int[] cubes) {
-        @Override
-        public boolean equals(Object other) {
-            return other instanceof Key key && Arrays.equals(cubes, key.cubes);
-        }
-
-        @Override
-        public int hashCode() {
-            return Arrays.hashCode(cubes);
-        }
-    }
-
     private final List<Port> ports;
     private final Outputs outputs;
     private final Budget budget;
-    private final Map<Key, Integer> numbers = new HashMap<>();
-    private final List<int[]> lists = new ArrayList<>();
-    private final Map<Key, List<Choice>> known = new HashMap<>();
+    private final Numbering<IntKey> lists = new Numbering<>();
+    private final Map<IntKey, List<Choice>> known = new HashMap<>();
 
     /**
      * @param ports the output ports, as cubes list them
@@ -70,21 +59,19 @@ public final class Choices {
 
     /** The number of a list of cubes. */
     int number(int[] cubes) {
-        Integer number = numbers.get(new Key(cubes));
-        if (number == null) {
-            number = lists.size();
-            lists.add(cubes);
-            numbers.put(new Key(cubes), number);
-        }
-        return number;
+        return lists.number(new IntKey(cubes));
+    }
+
+    private int[] list(int number) {
+        return lists.get(number).all();
     }
 
     /** Whether whatever one list allows is also allowed by another. */
     boolean isWeaker(int list, int other) {
-        return Arrays.stream(lists.get(other))
+        return Arrays.stream(list(other))
                 .allMatch(
                         inner ->
-                                Arrays.stream(lists.get(list))
+                                Arrays.stream(list(list))
                                         .anyMatch(outer -> contains(outer, inner)));
     }
 
@@ -104,7 +91,7 @@ public final class Choices {
      * @param demands numbers of lists of cubes, one per requirement
      */
     List<Choice> of(int[] demands) {
-        Key key = new Key(demands);
+        IntKey key = new IntKey(demands);
         List<Choice> found = known.get(key);
         if (found == null) {
             found = compute(demands);
@@ -118,7 +105,7 @@ public final class Choices {
         int[][] letters = new int[demands.length][];
         int[][] errors = new int[demands.length][];
         for (int i = 0; i < demands.length; i++) {
-            int[] cubes = lists.get(demands[i]);
+            int[] cubes = list(demands[i]);
             letters[i] = positions(cubes, true);
             errors[i] = positions(cubes, false);
         }
@@ -169,7 +156,7 @@ public final class Choices {
         for (Sent option : options(demands, allowed, port)) {
             int[][] rest = new int[demands.length][];
             for (int i = 0; i < demands.length; i++) {
-                rest[i] = allowing(lists.get(demands[i]), allowed[i], port, option);
+                rest[i] = allowing(list(demands[i]), allowed[i], port, option);
             }
             if (allPossible(rest)) {
                 List<Sent> longer = new ArrayList<>(sent);
@@ -195,7 +182,7 @@ public final class Choices {
         Set<Sent> options = new LinkedHashSet<>();
         boolean some = false;
         for (int i = 0; i < demands.length; i++) {
-            int[] cubes = lists.get(demands[i]);
+            int[] cubes = list(demands[i]);
             for (int position : allowed[i]) {
                 Sent sent = outputs.cube(cubes[position]).ports().get(port);
                 if (sent instanceof Sent.Messages) {

@@ -1,7 +1,8 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.engine.IntKey;
+
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,18 +19,6 @@ final class Cover {
      * @param groups per port the positions of its samples; null where the port makes no difference
      */
     record Box(int[][] groups, int content) {}
-
-    private record Content(int[] cells) {
-        @Override
-        public boolean equals(Object other) {
-            return other instanceof Content content && Arrays.equals(cells, content.cells);
-        }
-
-        @Override
-        public int hashCode() {
-            return Arrays.hashCode(cells);
-        }
-    }
 
     /** Up to so many ports every order of division is tried. */
     private static final int FEW_PORTS = 3;
@@ -86,9 +75,9 @@ final class Cover {
             again = false;
             for (int port = 0; port < sizes.length; port++) {
                 if (!settled[port]) {
-                    Map<Content, List<Integer>> parts = parts(rest, port, settled);
+                    Map<IntKey, List<Integer>> parts = parts(rest, port, settled);
                     if (parts.size() == 1) {
-                        rest = parts.keySet().iterator().next().cells;
+                        rest = parts.keySet().iterator().next().all();
                         settled[port] = true;
                         again = true;
                     }
@@ -107,25 +96,25 @@ final class Cover {
                         (content, samples) -> {
                             int[][] longer = groups.clone();
                             longer[port] = samples.stream().mapToInt(Integer::intValue).toArray();
-                            boxes.addAll(divide(content.cells, longer, done));
+                            boxes.addAll(divide(content.all(), longer, done));
                         });
         return boxes;
     }
 
     /** The samples of a port by what is in the table for them. */
-    private Map<Content, List<Integer>> parts(int[] cells, int port, boolean[] done) {
+    private Map<IntKey, List<Integer>> parts(int[] cells, int port, boolean[] done) {
         int inner = 1;
         for (int later = port + 1; later < sizes.length; later++) {
             inner *= done[later] ? 1 : sizes[later];
         }
         int size = sizes[port];
-        Map<Content, List<Integer>> parts = new LinkedHashMap<>();
+        Map<IntKey, List<Integer>> parts = new LinkedHashMap<>();
         for (int sample = 0; sample < size; sample++) {
             int[] part = new int[cells.length / size];
             for (int i = 0; i < part.length; i++) {
                 part[i] = cells[i / inner * inner * size + sample * inner + i % inner];
             }
-            parts.computeIfAbsent(new Content(part), each -> new ArrayList<>()).add(sample);
+            parts.computeIfAbsent(new IntKey(part), each -> new ArrayList<>()).add(sample);
         }
         return parts;
     }

@@ -3,7 +3,9 @@ package arcomat.analysis.game;
 import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.Focus;
+import arcomat.analysis.engine.IntKey;
 import arcomat.analysis.engine.Kinds;
+import arcomat.analysis.engine.Numbering;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -46,7 +48,7 @@ public final class Rules {
     private final List<Port> inputs;
     private final int[] identity;
     private List<Option> openings;
-    private final Positions positions = new Positions();
+    private final Numbering<IntKey> positions = new Numbering<>();
     private final Map<List<Integer>, Alphabet> alphabets = new HashMap<>();
 
     /**
@@ -67,7 +69,7 @@ public final class Rules {
         this.identity = IntStream.range(0, inputs.size()).toArray();
         int[] free = new int[requirements.size()];
         Arrays.fill(free, Requirement.CHAOS);
-        positions.number(free);
+        positions.number(new IntKey(free));
     }
 
     List<Requirement> requirements() {
@@ -85,6 +87,11 @@ public final class Rules {
     /** How many positions have been met. */
     int size() {
         return positions.size();
+    }
+
+    /** The sets that the requirements are in, one per requirement. */
+    private int[] sets(int position) {
+        return positions.get(position).all();
     }
 
     /** How many letters matter in a position. */
@@ -110,7 +117,7 @@ public final class Rules {
         List<Focus> foci = new ArrayList<>();
         List<Integer> key = new ArrayList<>();
         for (int position : some) {
-            int[] sets = positions.sets(position);
+            int[] sets = sets(position);
             for (int i = 0; i < sets.length; i++) {
                 if (sets[i] != Requirement.CHAOS) {
                     Focus focus = requirements.get(i).focus(sets[i]);
@@ -134,7 +141,7 @@ public final class Rules {
     /** The states of the requirements in a position, as far as there are names for them. */
     List<String> states(int position) {
         List<String> names = new ArrayList<>();
-        int[] sets = positions.sets(position);
+        int[] sets = sets(position);
         for (int i = 0; i < sets.length; i++) {
             requirements.get(i).state(sets[i]).ifPresent(names::add);
         }
@@ -162,7 +169,7 @@ public final class Rules {
 
     /** What matters in a position. */
     Attention attention(int position) {
-        int[] sets = positions.sets(position);
+        int[] sets = sets(position);
         Attention all = Attention.none(inputs.size());
         for (int i = 0; i < sets.length; i++) {
             if (sets[i] != Requirement.CHAOS) {
@@ -196,7 +203,7 @@ public final class Rules {
     /** What each requirement allows; null where it allows everything. */
     Reply[] replies(int position, Value[] letter) {
         budget.insist();
-        int[] sets = positions.sets(position);
+        int[] sets = sets(position);
         Reply[] replies = new Reply[sets.length];
         for (int i = 0; i < sets.length; i++) {
             if (sets[i] != Requirement.CHAOS) {
@@ -234,6 +241,6 @@ public final class Rules {
                             ? Requirement.CHAOS
                             : requirements.get(i).successor(replies[i], choice.allowed()[asked++]);
         }
-        return positions.number(next);
+        return positions.number(new IntKey(next));
     }
 }

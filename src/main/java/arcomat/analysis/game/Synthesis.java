@@ -3,6 +3,7 @@ package arcomat.analysis.game;
 import arcomat.analysis.Budget;
 import arcomat.analysis.GivenUp;
 import arcomat.analysis.engine.Kinds;
+import arcomat.analysis.engine.Numbering;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -13,9 +14,7 @@ import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -30,8 +29,7 @@ public final class Synthesis {
     private final Budget budget;
     private final List<Port> inputs;
     private final List<Port> outputs;
-    private final Map<List<Integer>, Integer> numbers = new LinkedHashMap<>();
-    private final List<List<Integer>> states = new ArrayList<>();
+    private final Numbering<List<Integer>> states = new Numbering<>();
 
     private Synthesis(List<Game> games, Budget budget) {
         this.games = games;
@@ -81,13 +79,7 @@ public final class Synthesis {
     }
 
     private int number(List<Rules.Option> options) {
-        List<Integer> positions = options.stream().map(Rules.Option::position).toList();
-        return numbers.computeIfAbsent(
-                positions,
-                each -> {
-                    states.add(each);
-                    return states.size() - 1;
-                });
+        return states.number(options.stream().map(Rules.Option::position).toList());
     }
 
     private Optional<Machine.State> state(List<Integer> positions) {

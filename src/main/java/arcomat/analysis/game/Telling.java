@@ -2,6 +2,7 @@ package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Comparison.Allowed;
+import arcomat.analysis.engine.Numbering;
 import arcomat.analysis.engine.Steps;
 import arcomat.model.Letter;
 import arcomat.model.Value;
@@ -35,8 +36,7 @@ public final class Telling {
     private final Rules rules;
     private final List<Value[]> word;
     private final Ranks strategy;
-    private final Map<Place, Integer> numbers = new LinkedHashMap<>();
-    private final List<Place> places = new ArrayList<>();
+    private final Numbering<Place> places = new Numbering<>();
 
     private Telling(Game game, List<Value[]> word, Ranks strategy) {
         this.game = game;
@@ -69,21 +69,12 @@ public final class Telling {
     }
 
     private List<Turn> turns() {
-        number(new Place(0, BEGINNING));
+        places.number(new Place(0, BEGINNING));
         List<Turn> turns = new ArrayList<>();
         for (int i = 0; i < places.size(); i++) {
             turns.add(turn(places.get(i)));
         }
         return turns;
-    }
-
-    private int number(Place place) {
-        return numbers.computeIfAbsent(
-                place,
-                each -> {
-                    places.add(each);
-                    return places.size() - 1;
-                });
     }
 
     private Turn turn(Place place) {
@@ -94,7 +85,7 @@ public final class Telling {
         List<Turn.Answer> answers = new ArrayList<>();
         int letters = beginning || word == null ? 0 : place.letters + 1;
         for (Rules.Option option : options) {
-            int next = number(new Place(letters, option.position()));
+            int next = places.number(new Place(letters, option.position()));
             answers.add(new Turn.Answer(named(option.sent()), next));
         }
         return new Turn(

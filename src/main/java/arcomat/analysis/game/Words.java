@@ -2,10 +2,10 @@ package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Alphabet;
+import arcomat.analysis.engine.IntKey;
 import arcomat.model.Value;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedList;
@@ -62,10 +62,10 @@ final class Words {
             return new Found(Optional.of(List.of()), true);
         }
         List<Node> level = isHopeless(root.positions, 0) ? List.of() : List.of(root);
-        Map<List<Integer>, Node> seen = new HashMap<>();
+        Map<IntKey, Node> seen = new HashMap<>();
         for (int length = 1; !level.isEmpty(); length++) {
             List<Node> next = new ArrayList<>();
-            Map<List<Integer>, Integer> atLevel = new HashMap<>();
+            Map<IntKey, Integer> atLevel = new HashMap<>();
             for (Node node : level) {
                 if (seen.size() > MOST_SETS || budget.exhausted(seen.size()) != null) {
                     return new Found(Optional.empty(), false);
@@ -84,9 +84,9 @@ final class Words {
     private void expand(
             Node node,
             int length,
-            Map<List<Integer>, Node> seen,
+            Map<IntKey, Node> seen,
             List<Node> next,
-            Map<List<Integer>, Integer> atLevel) {
+            Map<IntKey, Integer> atLevel) {
         Alphabet alphabet = rules.alphabet(node.positions);
         for (int i : rules.different(alphabet, node.positions)) {
             Value[] letter = alphabet.letter(i);
@@ -108,11 +108,8 @@ final class Words {
     }
 
     private static void add(
-            Node child,
-            Map<List<Integer>, Node> seen,
-            List<Node> next,
-            Map<List<Integer>, Integer> atLevel) {
-        List<Integer> key = Arrays.stream(child.positions).boxed().toList();
+            Node child, Map<IntKey, Node> seen, List<Node> next, Map<IntKey, Integer> atLevel) {
+        IntKey key = new IntKey(child.positions);
         Integer place = atLevel.get(key);
         if (place != null && child.messages < next.get(place).messages) {
             next.set(place, child);
