@@ -1,7 +1,5 @@
 package arcomat.generate;
 
-import arcomat.generate.language.TemplateEngine;
-import arcomat.generate.language.TemplateFailure;
 import arcomat.generate.view.ControllerView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -21,8 +19,6 @@ import java.util.stream.Collectors;
  * that sends constants, has no variables, and compares its inputs with constants.
  */
 public final class ControllerText {
-    private static final String TEMPLATE = "controller.ftl";
-
     private final Component component;
     private final Automaton automaton;
     private final ModelWords words;
@@ -40,14 +36,7 @@ public final class ControllerText {
         String folder = controller.packageName().replace('.', '/');
         String path = (folder.isEmpty() ? "" : folder + "/") + controller.name() + ".arc";
         ControllerView view = new ControllerText(controller).view(remarks);
-        String template = Target.resource("arc", TEMPLATE).orElseThrow();
-        try {
-            TemplateEngine engine = new TemplateEngine(Map.of(TEMPLATE, template));
-            return new GeneratedFile(path, engine.render(TEMPLATE, view));
-        } catch (TemplateFailure e) {
-            throw new IllegalStateException(
-                    e.template() + ":" + e.line() + ":" + e.column() + ": " + e.getMessage(), e);
-        }
+        return new GeneratedFile(path, OwnTemplate.render("arc", "controller.ftl", view));
     }
 
     private ControllerView view(List<String> remarks) {
