@@ -14,4 +14,8 @@ public record Generation(List<GeneratedFile> files, List<Diagnostic> findings, L
         files = List.copyOf(files);
         findings = List.copyOf(findings);
     }
+
+    static Generation failed(Diagnostic finding) {
+        return new Generation(List.of(), List.of(finding), Layout.NONE);
+    }
 }

@@ -2,7 +2,6 @@ package arcomat.generate;
 
 import arcomat.generate.language.Language;
 import arcomat.generate.language.Names;
-import arcomat.generate.language.TemplateEngine;
 import arcomat.generate.language.TemplateFailure;
 import arcomat.source.Diagnostic;
 
@@ -34,12 +33,7 @@ public final class Generator {
                             new Names(new Language(entries)),
                             request.choosing(),
                             request.components());
-            Output output =
-                    new Output(
-                            target,
-                            new TemplateEngine(target.allFiles()),
-                            program.names(),
-                            findings);
+            Output output = new Output(target, findings);
             MessageTypes types = new MessageTypes(program);
             new Views(program, types, request, findings).all(output);
             findings.addAll(Sockets.check(request, entries));
@@ -48,15 +42,11 @@ public final class Generator {
                     findings.all(),
                     Layouts.of(program, types, request.programs()));
         } catch (Language.MissingEntry e) {
-            return failed(findings.missing(e.getMessage()));
+            return Generation.failed(findings.missing(e.getMessage()));
         } catch (TooManyChoices e) {
-            return failed(Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
+            return Generation.failed(Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
         } catch (TemplateFailure e) {
-            return failed(findings.template(e));
+            return Generation.failed(findings.template(e));
         }
-    }
-
-    private static Generation failed(Diagnostic finding) {
-        return new Generation(List.of(), List.of(finding), Layout.NONE);
     }
 }

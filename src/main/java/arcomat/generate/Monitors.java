@@ -2,20 +2,15 @@ package arcomat.generate;
 
 import arcomat.generate.language.Language;
 import arcomat.generate.language.Names;
-import arcomat.generate.language.TemplateEngine;
 import arcomat.generate.language.TemplateFailure;
 import arcomat.generate.language.Words;
 import arcomat.generate.view.AssignmentView;
-import arcomat.generate.view.ClassView;
-import arcomat.generate.view.EnumView;
-import arcomat.generate.view.HeadView;
 import arcomat.generate.view.MonitorView;
 import arcomat.generate.view.MonitorsView;
 import arcomat.generate.view.MonitorsView.WatcherView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 
 import java.util.ArrayList;
@@ -65,14 +60,10 @@ public final class Monitors {
         try {
             return new Monitors(watched, automata).generate(target, findings);
         } catch (Language.MissingEntry e) {
-            return failed(findings.missing(e.getMessage()));
+            return Generation.failed(findings.missing(e.getMessage()));
         } catch (TemplateFailure e) {
-            return failed(findings.template(e));
+            return Generation.failed(findings.template(e));
         }
-    }
-
-    private static Generation failed(Diagnostic finding) {
-        return new Generation(List.of(), List.of(finding), Layout.NONE);
     }
 
     private Generation generate(Target target, TargetFindings findings) throws TemplateFailure {
@@ -83,22 +74,17 @@ public final class Monitors {
         }
         Names names = new Names(new Language(entries(target)));
         Program program = new Program(names, Choosing.FIRST, all);
-        Output output = new Output(target, new TemplateEngine(target.allFiles()), names, findings);
+        Output output = new Output(target, findings);
         MessageTypes types = new MessageTypes(program);
-        for (EnumView view : types.enums()) {
-            output.write("enum", view.folder(), view.prefix(), view.name(), view);
-        }
-        for (ClassView view : types.classes()) {
-            output.write("class", view.folder(), view.prefix(), view.name(), view);
-        }
+        output.write(types);
         for (int i = 0; i < classes.size(); i++) {
             FileContext context = program.context(classes.get(i));
             MonitorView view = new MonitorViews(watched, automata.get(i), context).view();
-            write("monitor", view.head(), view, output);
+            output.write("monitor", view.head(), view);
         }
         if (classes.size() > 1) {
             MonitorsView view = view(program.context(whole), program);
-            write("monitors", view.head(), view, output);
+            output.write("monitors", view.head(), view);
         }
         return new Generation(
                 findings.all().isEmpty() ? output.files() : List.of(),
@@ -111,11 +97,6 @@ public final class Monitors {
         Map<String, String> entries = new HashMap<>(target.entries());
         entries.merge(MEMBERS, entries.getOrDefault("reserved.monitor", ""), (a, b) -> a + " " + b);
         return entries;
-    }
-
-    private static void write(String subject, HeadView head, Record view, Output output)
-            throws TemplateFailure {
-        output.write(subject, head.folder(), head.prefix(), head.name(), view);
     }
 
     private String nameOf(Automaton automaton) {

@@ -1,8 +1,9 @@
 package arcomat.generate;
 
-import arcomat.generate.language.Names;
 import arcomat.generate.language.TemplateEngine;
 import arcomat.generate.language.TemplateFailure;
+import arcomat.generate.view.ClassView;
+import arcomat.generate.view.EnumView;
 import arcomat.generate.view.HeadView;
 
 import java.util.ArrayList;
@@ -38,9 +39,9 @@ final class Output {
     private final List<GeneratedFile> files = new ArrayList<>();
     private final Set<String> paths = new HashSet<>();
 
-    Output(Target target, TemplateEngine engine, Names names, TargetFindings findings) {
+    Output(Target target, TargetFindings findings) {
         this.rules = target.rules();
-        this.engine = engine;
+        this.engine = new TemplateEngine(target.allFiles());
         this.findings = findings;
         for (Target.Rule rule : rules.values()) {
             if (!SUBJECTS.contains(rule.subject())) {
@@ -51,6 +52,21 @@ final class Output {
 
     List<GeneratedFile> files() {
         return files;
+    }
+
+    /** The enums and classes that messages are made of. */
+    void write(MessageTypes types) throws TemplateFailure {
+        for (EnumView view : types.enums()) {
+            write("enum", view.folder(), view.prefix(), view.name(), view);
+        }
+        for (ClassView view : types.classes()) {
+            write("class", view.folder(), view.prefix(), view.name(), view);
+        }
+    }
+
+    /** Writes every file that the target makes for a component. */
+    void write(String subject, HeadView head, Record view) throws TemplateFailure {
+        write(subject, head.folder(), head.prefix(), head.name(), view);
     }
 
     /** Writes every file that the target makes for a subject. */

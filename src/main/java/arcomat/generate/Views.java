@@ -2,8 +2,6 @@ package arcomat.generate;
 
 import arcomat.generate.language.TemplateFailure;
 import arcomat.generate.language.TypeName;
-import arcomat.generate.view.ClassView;
-import arcomat.generate.view.EnumView;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.PartsView;
 import arcomat.generate.view.PlatformView;
@@ -28,12 +26,7 @@ final class Views {
     }
 
     void all(Output output) throws TemplateFailure {
-        for (EnumView view : types.enums()) {
-            output.write("enum", view.folder(), view.prefix(), view.name(), view);
-        }
-        for (ClassView view : types.classes()) {
-            output.write("class", view.folder(), view.prefix(), view.name(), view);
-        }
+        output.write(types);
         for (FileContext context : program.contexts()) {
             component(context, output);
         }
@@ -57,12 +50,12 @@ final class Views {
             platform(context, "platform", head, view, output);
         } else if (context.composition().isPresent()) {
             CompositeViews views = new CompositeViews(context, program);
-            write("composite", head, views.view(head), output);
+            output.write("composite", head, views.view(head));
             for (PartsView view : views.sections(head)) {
                 output.write("section", view.folder(), view.prefix(), view.name(), view);
             }
         } else if (Members.automaton(component).isPresent()) {
-            write("atomic", head, new AtomicViews(context, program.choosing()).view(head), output);
+            output.write("atomic", head, new AtomicViews(context, program.choosing()).view(head));
         }
     }
 
@@ -70,12 +63,12 @@ final class Views {
             throws TemplateFailure {
         EventViews views = new EventViews(context, program);
         if (Members.automaton(context.component()).isPresent()) {
-            write("event", head, views.atomic(head), output);
+            output.write("event", head, views.atomic(head));
         } else {
             if (context.component().platform()) {
                 platform(context, "border", head, views.network(head), output);
             } else {
-                write("network", head, views.network(head), output);
+                output.write("network", head, views.network(head));
             }
         }
     }
@@ -97,11 +90,11 @@ final class Views {
             String general = generalName(context.component());
             String path = generalPath(context.component(), skeleton.get(), head);
             output.copy(path, request.handwritten().get(path));
-            write(subject, head, platform.extending(general), output);
+            output.write(subject, head, platform.extending(general));
         } else if (skeleton.isPresent() && needsClass()) {
             findings.implementation(context.component(), skeleton.get());
         } else {
-            write(subject, head, view, output);
+            output.write(subject, head, view);
         }
     }
 
@@ -126,11 +119,6 @@ final class Views {
 
     private boolean needsClass() {
         return program.names().language().entry("platform").orElse("").strip().equals("class");
-    }
-
-    private static void write(String subject, HeadView head, Record view, Output output)
-            throws TemplateFailure {
-        output.write(subject, head.folder(), head.prefix(), head.name(), view);
     }
 
     private void program(Component main, Output output) throws TemplateFailure {
