@@ -11,6 +11,7 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Variable;
+import arcomat.semantics.Behaviour;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Guards;
 import arcomat.semantics.Rewriting;
@@ -36,13 +37,12 @@ final class MonitorSteps {
 
     /**
      * @param watched the component of the model
-     * @param owned names of the outputs that the automaton decides about
      * @param context of the class to be written
      */
-    MonitorSteps(Component watched, Automaton automaton, Set<String> owned, FileContext context) {
+    MonitorSteps(Component watched, Automaton automaton, FileContext context) {
         this.watched = watched;
         this.automaton = automaton;
-        this.owned = owned;
+        this.owned = Behaviour.owned(watched, automaton);
         this.context = context;
         this.text = context.expressions();
         this.formulas = new Formulas(text);

@@ -18,7 +18,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 
 /** The view of a class that watches a component for one requirement. */
 final class MonitorViews {
@@ -43,18 +42,7 @@ final class MonitorViews {
         this.watched = watched;
         this.automaton = automaton;
         this.context = context;
-        this.steps = new MonitorSteps(watched, automaton, owned(watched, automaton), context);
-    }
-
-    /** A sole automaton of an atomic component owns all outputs, others those that they write. */
-    private static Set<String> owned(Component component, Automaton automaton) {
-        if (!component.isComposite() && component.automata().size() == 1) {
-            return component.outputs().stream().map(Port::name).collect(Collectors.toSet());
-        }
-        Set<String> written = new TreeSet<>();
-        automaton.initials().forEach(i -> i.sends().forEach(s -> written.add(s.port().name())));
-        automaton.transitions().forEach(t -> t.sends().forEach(s -> written.add(s.port().name())));
-        return written;
+        this.steps = new MonitorSteps(watched, automaton, context);
     }
 
     MonitorView view() {

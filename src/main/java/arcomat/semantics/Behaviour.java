@@ -37,31 +37,33 @@ public final class Behaviour {
                 component.body() instanceof Component.Atomic atomic && !component.platform()
                         ? atomic.automata()
                         : List.of();
-        return conjunction(component, automata, automata.size() == 1, arguments);
+        return of(component, automata, arguments);
     }
 
     /**
-     * Some automata of a component, perhaps with another completion. A sole automaton of an atomic
-     * component decides about all its ports; any other about those that it writes.
+     * Some automata of a component, perhaps with another completion.
      *
      * @param automata of the component, or made from them
      */
     public static Behaviour of(
             Component component, List<Automaton> automata, List<Value> arguments) {
-        boolean sole =
-                component.body() instanceof Component.Atomic atomic
-                        && atomic.automata().size() == 1;
-        return conjunction(component, automata, sole, arguments);
-    }
-
-    private static Behaviour conjunction(
-            Component component, List<Automaton> automata, boolean sole, List<Value> arguments) {
         Behaviour behaviour = new Behaviour(component);
         for (Automaton automaton : automata) {
-            Set<String> owned = sole ? names(component.outputs()) : written(automaton);
+            Set<String> owned = owned(component, automaton);
             behaviour.relations.add(new StepRelation(component, automaton, owned, arguments));
         }
         return behaviour;
+    }
+
+    /**
+     * Names of the outputs that an automaton decides about: a sole automaton of an atomic component
+     * all of them, any other those that it writes.
+     */
+    public static Set<String> owned(Component component, Automaton automaton) {
+        boolean sole =
+                component.body() instanceof Component.Atomic atomic
+                        && atomic.automata().size() == 1;
+        return sole ? names(component.outputs()) : written(automaton);
     }
 
     private static Set<String> names(List<Port> ports) {
