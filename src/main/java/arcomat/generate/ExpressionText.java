@@ -1,6 +1,5 @@
 package arcomat.generate;
 
-import arcomat.generate.language.Escapes;
 import arcomat.generate.language.Language;
 import arcomat.generate.language.Names;
 import arcomat.generate.language.References;
@@ -29,6 +28,7 @@ final class ExpressionText {
     private final Language language;
     private final References references;
     private final Members members;
+    private final Literals literals;
 
     /** Where an expression stands, for the message of an error: transition or declaration. */
     private String place = "";
@@ -41,6 +41,7 @@ final class ExpressionText {
         this.language = names.language();
         this.references = references;
         this.members = members;
+        this.literals = new Literals(names, references);
     }
 
     boolean checks() {
@@ -150,64 +151,12 @@ final class ExpressionText {
 
     /** A literal of the target. */
     Text of(Value value, Type type) {
-        if (value instanceof Value.BooleanValue truth) {
-            return language.express("literal." + truth.value(), type, Map.of(), List.of());
-        }
-        if (value instanceof Value.IntegerValue integer) {
-            return number(integer.value() < 0, String.valueOf(integer.value()), type);
-        }
-        if (value instanceof Value.RealValue real) {
-            String digits = single(type) ? String.valueOf((float) real.value()) : real.toString();
-            return number(digits.startsWith("-"), digits, type);
-        }
-        if (value instanceof Value.EnumValue constant) {
-            return language.express(
-                    "literal",
-                    type,
-                    Map.of(
-                            "type", references.to(names.of(constant.type())),
-                            "code", names.constant(constant.type(), constant.ordinal()).code(),
-                            "number", String.valueOf(constant.ordinal() + 1)),
-                    List.of());
-        }
-        if (value instanceof Value.ObjectValue object) {
-            return object(object);
-        }
-        String content =
-                value instanceof Value.CharacterValue c
-                        ? Escapes.character(language, c.value())
-                        : Escapes.string(language, ((Value.StringValue) value).value());
-        return language.express("literal", type, Map.of("value", content), List.of());
-    }
-
-    private Text number(boolean negative, String digits, Type type) {
-        String key = negative ? "literal.negative" : "literal";
-        return language.express(key, type, Map.of("value", digits), List.of());
-    }
-
-    private static boolean single(Type type) {
-        return type instanceof Type.RealType real && real.single();
-    }
-
-    private Text object(Value.ObjectValue object) {
-        List<String> arguments = new ArrayList<>();
-        for (int i = 0; i < object.attributes().size(); i++) {
-            Type type = object.type().attributes().get(i).type();
-            arguments.add(of(object.attributes().get(i), type).text());
-        }
-        Map<String, String> filled =
-                Map.of(
-                        "type", references.to(names.of(object.type())),
-                        "arguments", String.join(", ", arguments));
-        return language.express("literal", object.type(), filled, List.of());
+        return literals.of(value, type);
     }
 
     /** A string literal of the target. */
     String literal(String content) {
-        String escaped = Escapes.string(language, content);
-        return language.express(
-                        "literal", new Type.StringType(), Map.of("value", escaped), List.of())
-                .text();
+        return literals.string(content);
     }
 
     /** The name of a type. */
@@ -275,8 +224,8 @@ final class ExpressionText {
                 "checked.range",
                 wanted,
                 Map.of(
-                        "low", number(range.low() < 0, "" + range.low(), wanted).text(),
-                        "high", number(range.high() < 0, "" + range.high(), wanted).text(),
+                        "low", literals.of(range.low(), wanted).text(),
+                        "high", literals.of(range.high(), wanted).text(),
                         "place", literal(place + ": " + what)),
                 List.of(text));
     }
