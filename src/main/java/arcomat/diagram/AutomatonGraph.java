@@ -71,7 +71,7 @@ public final class AutomatonGraph {
                         nodes,
                         edges,
                         0);
-        return new Graph(title, List.of(frame), List.of(), Graph.Flow.EITHER);
+        return new Graph(title, List.of(frame), Graph.Flow.EITHER);
     }
 
     private Node stateNode(int index) {

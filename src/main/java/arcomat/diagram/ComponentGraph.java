@@ -41,7 +41,7 @@ public final class ComponentGraph {
             title.add(Line.small(LEGEND));
         }
         Node frame = drawing.node(mark, title, component, "", 0);
-        return new Graph(component.qualifiedName(), List.of(frame), List.of(), Graph.Flow.RIGHT);
+        return new Graph(component.qualifiedName(), List.of(frame), Graph.Flow.RIGHT);
     }
 
     private boolean showsDelay(Component component, int level) {

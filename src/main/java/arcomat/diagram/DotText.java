@@ -32,7 +32,6 @@ public final class DotText {
             dot.prefix = graph.roots().size() > 1 ? root.name() + " " : "";
             dot.node(root, "  ");
         }
-        dot.edges(graph.edges(), "", "  ");
         return dot.text.append("}\n").toString();
     }
 
@@ -63,11 +62,11 @@ public final class DotText {
         node.children().stream()
                 .filter(child -> !child.children().isEmpty())
                 .forEach(child -> open.add(child.name()));
-        edges(node.edges(), node.name(), deeper);
+        edges(node.edges(), deeper);
         text.append(indent + "}\n");
     }
 
-    private void edges(List<Edge> edges, String holder, String indent) {
+    private void edges(List<Edge> edges, String indent) {
         for (Edge edge : edges) {
             text.append(indent + key(end(edge.source())) + " -> " + key(end(edge.target())));
             String ports = ends(edge);

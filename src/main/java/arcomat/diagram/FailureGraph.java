@@ -42,7 +42,7 @@ public final class FailureGraph {
         roots.add(run(title, steps));
         left.ifPresent(side -> roots.add(frame(side, "left", 1)));
         right.ifPresent(side -> roots.add(frame(side, "right", 2)));
-        return new Graph(title, roots, List.of(), Graph.Flow.EITHER);
+        return new Graph(title, roots, Graph.Flow.EITHER);
     }
 
     private static Node frame(Graph side, String name, int rank) {

@@ -8,13 +8,11 @@ import java.util.Optional;
  *
  * @param title of the whole picture
  * @param roots the outermost nodes
- * @param edges between the outermost nodes
  * @param flow where edges lead
  */
-public record Graph(String title, List<Node> roots, List<Edge> edges, Flow flow) {
+public record Graph(String title, List<Node> roots, Flow flow) {
     public Graph {
         roots = List.copyOf(roots);
-        edges = List.copyOf(edges);
     }
 
     public enum Flow {

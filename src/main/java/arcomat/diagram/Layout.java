@@ -105,7 +105,6 @@ public final class Layout {
         }
         root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
         graph.roots().forEach(node -> layout.add(node, root, true));
-        layout.connect(graph.edges(), graph.roots(), null, root);
         new RecursiveGraphLayoutEngine().layout(root, new NullElkProgressMonitor());
         return new Placement(layout).picture(graph, root);
     }

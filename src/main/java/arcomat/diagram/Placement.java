@@ -35,7 +35,6 @@ final class Placement {
 
     Picture picture(Graph graph, ElkNode root) {
         graph.roots().forEach(node -> place(node, 0, 0));
-        graph.edges().forEach(edge -> place(edge, 0, 0));
         return new Picture(graph.title(), root.getWidth(), root.getHeight(), elements);
     }
 

@@ -49,7 +49,7 @@ public final class TypesGraph {
         List<Line> title = List.of(Line.bold(name));
         Node frame =
                 new Node(Mark.of("frame", "", place), Form.BOX, title, List.of(), nodes, edges, 0);
-        return new Graph(name, List.of(frame), List.of(), Graph.Flow.RIGHT);
+        return new Graph(name, List.of(frame), Graph.Flow.RIGHT);
     }
 
     private static Node node(TypeBox type) {
