@@ -144,7 +144,7 @@ public final class Layout {
         made.setProperty(LayeredOptions.PARTITIONING_PARTITION, node.rank());
         size(node, made);
         labels(node, made);
-        node.ports().forEach(port -> add(port, made, outermost));
+        node.ports().forEach(port -> add(port, made));
         made.setProperty(
                 LayeredOptions.PORT_LABELS_PLACEMENT,
                 outermost && node.isOpen()
@@ -203,7 +203,7 @@ public final class Layout {
         if (node.lines().isEmpty() || node.isOpen()) {
             return;
         }
-        label(node.lines(), made);
+        label(TextSize.ofLines(node.lines()), made);
         boolean top = !node.ports().isEmpty();
         made.setProperty(
                 LayeredOptions.NODE_LABELS_PLACEMENT,
@@ -211,21 +211,20 @@ public final class Layout {
         made.setProperty(LayeredOptions.NODE_LABELS_PADDING, new ElkPadding(TITLE, PADDING));
     }
 
-    private static ElkLabel label(List<Graph.Line> lines, ElkGraphElement owner) {
+    private static ElkLabel label(TextSize size, ElkGraphElement owner) {
         ElkLabel label = ElkGraphUtil.createLabel(owner);
-        TextSize size = TextSize.ofLines(lines);
         label.setText(LABEL);
         label.setDimensions(size.width(), size.height());
         return label;
     }
 
-    private void add(Graph.Port port, ElkNode owner, boolean outermost) {
+    private void add(Graph.Port port, ElkNode owner) {
         ElkPort made = ElkGraphUtil.createPort(owner);
         ports.put(port, made);
         made.setDimensions(PORT, PORT);
         made.setProperty(LayeredOptions.PORT_SIDE, port.left() ? PortSide.WEST : PortSide.EAST);
         made.setProperty(LayeredOptions.PORT_BORDER_OFFSET, -PORT / 2);
-        label(List.of(Graph.Line.small(port.label())), made);
+        label(TextSize.ofLines(List.of(Graph.Line.small(port.label()))), made);
     }
 
     private void connect(List<Edge> added, List<Node> children, Node owner, ElkNode holder) {
@@ -239,11 +238,9 @@ public final class Layout {
             ElkEdge made = connect(source, target);
             edges.put(edge, List.of(made));
             if (!edge.captions().isEmpty()) {
-                ElkLabel label = ElkGraphUtil.createLabel(made);
-                TextSize size = TextSize.of(edge.captions());
-                label.setText(LABEL);
-                label.setDimensions(size.width(), size.height());
-                label.setProperty(LayeredOptions.EDGE_LABELS_PLACEMENT, EdgeLabelPlacement.CENTER);
+                label(TextSize.of(edge.captions()), made)
+                        .setProperty(
+                                LayeredOptions.EDGE_LABELS_PLACEMENT, EdgeLabelPlacement.CENTER);
             }
         }
     }
