@@ -44,7 +44,8 @@ public final class Generator {
         } catch (Language.MissingEntry e) {
             return Generation.failed(findings.missing(e.getMessage()));
         } catch (TooManyChoices e) {
-            return Generation.failed(Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
+            return Generation.failed(
+                    Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
         } catch (TemplateFailure e) {
             return Generation.failed(findings.template(e));
         }

@@ -5,60 +5,46 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.WrongUse;
-import arcomat.report.page.Browser;
+import arcomat.report.page.BrowserTest;
 
-import org.junit.jupiter.api.Assumptions;
-import org.junit.jupiter.api.DynamicTest;
-import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.TestFactory;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 
 /** The page that plays a world again, in a browser: play, pause, speed, follow, step. */
-@Tag("slow")
-class WorldPageBrowserTest {
+class WorldPageBrowserTest extends BrowserTest {
     private static final String WORLD = "models/coffee/world/meeting.world";
 
-    @TempDir private Path folder;
-
-    @TestFactory
-    List<DynamicTest> replay() {
-        return List.of(
-                Browser.isThere()
-                        ? DynamicTest.dynamicTest("the meeting is played again", this::play)
-                        : DynamicTest.dynamicTest(
-                                "skipped: there is no 'chromium' with 'chromedriver' here",
-                                () -> Assumptions.abort("no browser")));
+    @Override
+    protected Map<String, Executable> tests() {
+        return Map.of("the meeting is played again", this::play);
     }
 
     private void play() throws WrongUse {
         Pipeline pipeline = new Pipeline(Path.of(""), Progress.NONE);
         pipeline.writeReplay(pipeline.prepareWorld(WORLD).run(1), "the meeting", folder.toString());
         String page = folder.resolve("index.html").toUri().toString();
-        try (Browser browser = new Browser()) {
-            browser.open(page, ".floor .robot");
-            stepsAndJumps(browser);
-            plays(browser);
-            follows(browser);
-            browser.open(page + "?again#7", ".floor .robot");
-            assertThat(browser.text("#clock")).startsWith("7.0 s");
-            browser.wear("dark");
-            browser.picture("world-dark");
-            assertThat(browser.problems()).isEmpty();
-        }
+        browser.open(page, ".floor .robot");
+        stepsAndJumps();
+        plays();
+        follows();
+        browser.open(page + "?again#7", ".floor .robot");
+        assertThat(browser.text("#clock")).startsWith("7.0 s");
+        browser.wear("dark");
+        browser.picture("world-dark");
     }
 
-    private static void stepsAndJumps(Browser browser) {
+    private void stepsAndJumps() {
         assertThat(browser.text("#clock")).startsWith("0.0 s of 22.0 s");
         browser.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT);
         assertThat(browser.text("#clock")).startsWith("0.2 s");
         browser.pressWithShift(Keys.ARROW_RIGHT);
         assertThat(browser.text("#events .current")).contains("loaded waiting");
-        assertThat(displays(browser)).containsExactly("driving", "waiting");
+        assertThat(displays()).containsExactly("driving", "waiting");
         browser.press(Keys.END);
         assertThat(browser.text("#clock")).startsWith("22.0 s");
         WebElement backing =
@@ -67,36 +53,36 @@ class WorldPageBrowserTest {
                         .findFirst()
                         .orElseThrow();
         backing.click();
-        assertThat(displays(browser)).containsExactly("backing", "waiting");
+        assertThat(displays()).containsExactly("backing", "waiting");
         assertThat(browser.findAll(".floor .ray")).hasSize(2);
         browser.picture("world");
     }
 
-    private static List<String> displays(Browser browser) {
+    private List<String> displays() {
         return browser.findAll(".card .display").stream().map(WebElement::getText).toList();
     }
 
-    private static void plays(Browser browser) {
+    private void plays() {
         browser.run("document.activeElement.blur()");
         browser.press(Keys.HOME, "+", "+", "+", "+", Keys.SPACE);
         assertThat(browser.text("#play")).isEqualTo("Pause");
-        browser.await(() -> seconds(browser) > 2);
+        browser.await(() -> seconds() > 2);
         browser.press(Keys.SPACE);
         assertThat(browser.text("#play")).isEqualTo("Play");
-        double stopped = seconds(browser);
+        double stopped = seconds();
         browser.run(
                 "return new Promise((done) => requestAnimationFrame(() =>"
                         + " requestAnimationFrame(done)))");
-        assertThat(seconds(browser)).isEqualTo(stopped);
+        assertThat(seconds()).isEqualTo(stopped);
         assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("16");
     }
 
-    private static double seconds(Browser browser) {
+    private double seconds() {
         return Double.parseDouble(browser.text("#clock").split(" ")[0]);
     }
 
     /** The floor around the robot, instead of all of it. */
-    private static void follows(Browser browser) {
+    private void follows() {
         String all = browser.find(".floor").getDomAttribute("viewBox");
         WebElement follow = browser.find(".card button");
         follow.click();
