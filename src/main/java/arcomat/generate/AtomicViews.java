@@ -1,21 +1,15 @@
 package arcomat.generate;
 
-import arcomat.generate.view.AssignmentView;
 import arcomat.generate.view.AtomicView;
 import arcomat.generate.view.CompletionView;
 import arcomat.generate.view.FieldView;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.SectionView;
-import arcomat.generate.view.StateNameView;
 import arcomat.generate.view.StateView;
 import arcomat.generate.view.TransitionView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.model.Expression;
-import arcomat.model.Variable;
-import arcomat.semantics.Fault;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
@@ -36,19 +30,17 @@ final class AtomicViews {
     }
 
     AtomicView view(HeadView head) {
-        List<FieldView> constants = new ArrayList<>();
-        List<FieldView> variables = new ArrayList<>();
-        List<AssignmentView> constructed = new ArrayList<>();
-        component.constants().forEach(v -> declare(v, constants, constructed));
-        automaton.variables().forEach(v -> declare(v, variables, constructed));
+        Fields fields = new Fields(component, context);
+        List<FieldView> constants = component.constants().stream().map(fields::declared).toList();
+        List<FieldView> variables = automaton.variables().stream().map(fields::declared).toList();
         List<TransitionView> initials = automaton.initials().stream().map(this::initial).toList();
         List<SectionView> sections = states.sections();
         return new AtomicView(
                 head,
                 constants,
                 variables,
-                constructed,
-                states.named() ? names() : List.of(),
+                fields.constructed(),
+                states.named() ? fields.states(automaton) : List.of(),
                 initials,
                 automaton.states().size() > 1,
                 sections,
@@ -62,32 +54,6 @@ final class AtomicViews {
 
     boolean draws() {
         return states.draws();
-    }
-
-    private void declare(
-            Variable variable, List<FieldView> fields, List<AssignmentView> constructed) {
-        ExpressionText text = context.expressions();
-        boolean literal = variable.initial() instanceof Expression.Constant;
-        text.at(Fault.place(component, variable));
-        String initial = text.inRange(variable.initial(), variable.type(), variable.name()).text();
-        fields.add(
-                new FieldView(
-                        text.type(variable.type()),
-                        context.members().of(variable),
-                        literal ? initial : "",
-                        variable.span() == null ? "" : Places.text(variable.span())));
-        if (!literal) {
-            constructed.add(new AssignmentView(text.target(variable), initial));
-        }
-    }
-
-    private List<StateNameView> names() {
-        List<StateNameView> names = new ArrayList<>();
-        for (String state : automaton.states()) {
-            String constant = context.members().state(names.size());
-            names.add(new StateNameView(constant, names.size(), state));
-        }
-        return names;
     }
 
     private TransitionView initial(Automaton.Initial initial) {

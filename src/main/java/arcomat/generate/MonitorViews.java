@@ -1,20 +1,16 @@
 package arcomat.generate;
 
 import arcomat.generate.language.TypeName;
-import arcomat.generate.view.AssignmentView;
 import arcomat.generate.view.FieldView;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.MonitorView;
 import arcomat.generate.view.MonitorView.SeenView;
-import arcomat.generate.view.StateNameView;
 import arcomat.generate.view.TypeView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.model.Variable;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -31,8 +27,6 @@ final class MonitorViews {
     private final Automaton automaton;
     private final FileContext context;
     private final MonitorSteps steps;
-    private final List<FieldView> constants = new ArrayList<>();
-    private final List<AssignmentView> constructed = new ArrayList<>();
 
     /**
      * @param watched the component of the model
@@ -47,8 +41,9 @@ final class MonitorViews {
 
     MonitorView view() {
         HeadView head = Heads.of(context, false);
-        watched.constants().forEach(this::declare);
-        List<FieldView> variables = automaton.variables().stream().map(this::variable).toList();
+        Fields fields = new Fields(watched, context);
+        List<FieldView> constants = watched.constants().stream().map(fields::declared).toList();
+        List<FieldView> variables = automaton.variables().stream().map(fields::of).toList();
         ExpressionText text = context.expressions();
         List<SeenView> outputs = watched.outputs().stream().map(this::seen).toList();
         String requirement =
@@ -62,8 +57,8 @@ final class MonitorViews {
                 watched.title(automaton),
                 text.literal(requirement),
                 constants,
-                constructed,
-                steps.named() ? states() : List.of(),
+                fields.constructed(),
+                steps.named() ? fields.states(automaton) : List.of(),
                 automaton.states().size() <= MOST_STATE_NAMES
                         ? automaton.states().stream().map(text::literal).toList()
                         : List.of(),
@@ -74,36 +69,6 @@ final class MonitorViews {
                 steps.completion(),
                 context.members().state(),
                 steps.values());
-    }
-
-    private void declare(Variable constant) {
-        FieldView field = variable(constant);
-        boolean literal = constant.initial() instanceof arcomat.model.Expression.Constant;
-        String name = context.expressions().target(constant);
-        constants.add(
-                new FieldView(field.type(), field.name(), literal ? field.initial() : "", ""));
-        if (!literal) {
-            constructed.add(new AssignmentView(name, field.initial()));
-        }
-    }
-
-    private FieldView variable(Variable variable) {
-        ExpressionText text = context.expressions();
-        text.at(arcomat.semantics.Fault.place(watched, variable));
-        return new FieldView(
-                text.type(variable.type()),
-                context.members().of(variable),
-                text.inRange(variable.initial(), variable.type(), variable.name()).text(),
-                "");
-    }
-
-    private List<StateNameView> states() {
-        List<StateNameView> names = new ArrayList<>();
-        for (String state : automaton.states()) {
-            names.add(
-                    new StateNameView(context.members().state(names.size()), names.size(), state));
-        }
-        return names;
     }
 
     private SeenView seen(Port port) {
