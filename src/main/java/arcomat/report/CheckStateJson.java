@@ -9,12 +9,9 @@ import arcomat.source.Span;
 import arcomat.source.Suppressed;
 import arcomat.source.TextEdit;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
 import java.util.Collection;
 import java.util.Map;
 import java.util.TreeMap;
@@ -28,27 +25,25 @@ public final class CheckStateJson {
     private CheckStateJson() {}
 
     public static String render(CheckState state) {
-        StringWriter out = new StringWriter();
-        try (JsonGenerator json = new JsonFactory().createGenerator(out)) {
-            json.writeStartArray();
-            json.writeString(state.key());
-            json.writeStartArray();
-            for (Map.Entry<String, String> folder : new TreeMap<>(state.folders()).entrySet()) {
-                json.writeString(folder.getKey());
-                json.writeString(folder.getValue());
-            }
-            json.writeEndArray();
-            json.writeStartArray();
-            for (File file : state.files()) {
-                json.writeRaw('\n');
-                write(json, file);
-            }
-            json.writeEndArray();
-            json.writeEndArray();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        return Json.compact(json -> write(json, state));
+    }
+
+    private static void write(JsonGenerator json, CheckState state) throws IOException {
+        json.writeStartArray();
+        json.writeString(state.key());
+        json.writeStartArray();
+        for (Map.Entry<String, String> folder : new TreeMap<>(state.folders()).entrySet()) {
+            json.writeString(folder.getKey());
+            json.writeString(folder.getValue());
         }
-        return out.append('\n').toString();
+        json.writeEndArray();
+        json.writeStartArray();
+        for (File file : state.files()) {
+            json.writeRaw('\n');
+            write(json, file);
+        }
+        json.writeEndArray();
+        json.writeEndArray();
     }
 
     private static void write(JsonGenerator json, File file) throws IOException {

@@ -10,7 +10,7 @@ import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.List;
 
-/** JSON text with two blanks of indentation and a line break at its end. */
+/** JSON text with a line break at its end. */
 final class Json {
     private Json() {}
 
@@ -19,18 +19,28 @@ final class Json {
         void write(JsonGenerator json) throws IOException;
     }
 
+    /** With two blanks of indentation. */
     static String text(Body body) {
-        StringWriter out = new StringWriter();
         DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
         DefaultPrettyPrinter printer =
                 new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
+        return escapeHalfPairs(
+                compact(
+                        json -> {
+                            json.setPrettyPrinter(printer);
+                            body.write(json);
+                        }));
+    }
+
+    /** With no more blanks and line breaks than the body writes. */
+    static String compact(Body body) {
+        StringWriter out = new StringWriter();
         try (JsonGenerator json = new JsonFactory().createGenerator(out)) {
-            json.setPrettyPrinter(printer);
             body.write(json);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return escapeHalfPairs(out.append('\n').toString());
+        return out.append('\n').toString();
     }
 
     /** A field with a list of texts. */

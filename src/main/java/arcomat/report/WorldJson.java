@@ -13,12 +13,9 @@ import arcomat.world.Segment;
 import arcomat.world.Way;
 import arcomat.world.World;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
 import java.util.List;
 
 /**
@@ -35,13 +32,7 @@ public final class WorldJson {
     }
 
     public static String render(Recording recording) {
-        StringWriter out = new StringWriter();
-        try (JsonGenerator json = new JsonFactory().createGenerator(out)) {
-            new WorldJson(json).write(recording);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return out.append('\n').toString();
+        return Json.compact(json -> new WorldJson(json).write(recording));
     }
 
     private void write(Recording recording) throws IOException {
