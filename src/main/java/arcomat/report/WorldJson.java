@@ -133,19 +133,13 @@ public final class WorldJson {
         json.writeStringField("socket", "S" + sensor.socket());
         json.writeStringField(
                 "type", sensor.getClass().getSimpleName().toLowerCase(java.util.Locale.ROOT));
+        // Where a holder is shows in its cup.
+        if (sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)) {
+            number("x", placed.place().x());
+            number("y", placed.place().y());
+        }
         if (sensor instanceof Device.Ultrasonic ultrasonic) {
-            number("x", ultrasonic.place().x());
-            number("y", ultrasonic.place().y());
             number("facing", Math.toDegrees(ultrasonic.facing()));
-        } else if (sensor instanceof Device.Light light) {
-            number("x", light.place().x());
-            number("y", light.place().y());
-        } else if (sensor instanceof Device.Chute chute) {
-            number("x", chute.place().x());
-            number("y", chute.place().y());
-        } else if (sensor instanceof Device.Feeler feeler) {
-            number("x", feeler.place().x());
-            number("y", feeler.place().y());
         }
         json.writeEndObject();
     }
