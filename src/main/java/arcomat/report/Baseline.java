@@ -3,11 +3,7 @@ package arcomat.report;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HexFormat;
 import java.util.List;
@@ -96,14 +92,7 @@ public record Baseline(SortedMap<Entry, Integer> entries) {
         String own = normal(place.firstLine().text());
         String line = place.file().line(place.startPosition().line());
         String text = own.isEmpty() ? normal(line) : own;
-        try {
-            byte[] hash =
-                    MessageDigest.getInstance("SHA-256")
-                            .digest(text.getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(Arrays.copyOf(hash, FINGERPRINT_BYTES));
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
+        return HexFormat.of().formatHex(Sha256.of(text), 0, FINGERPRINT_BYTES);
     }
 
     private static String normal(String text) {
