@@ -53,7 +53,7 @@ public final class ArcomatPlugin implements Plugin<Project> {
     private static ArcomatExtension settings(Project project) {
         ArcomatExtension settings = project.getExtensions().create(NAME, ArcomatExtension.class);
         settings.getToolVersion().convention(ownVersion());
-        settings.getTargets().convention(List.of("jvm"));
+        settings.getTargets().convention(List.of(Targets.JVM));
         settings.getChoose().convention("first");
         settings.getProfile().convention("requirements");
         settings.getWarningsFail().convention(false);

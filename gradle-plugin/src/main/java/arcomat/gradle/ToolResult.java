@@ -18,7 +18,7 @@ record ToolResult(int status, String out, String err) {
     private static final int WRONG_USE = 2;
     private static final String COMPLAINT = "arcomat: ";
 
-    boolean isFine() {
+    private boolean isFine() {
         return status == FINE;
     }
 

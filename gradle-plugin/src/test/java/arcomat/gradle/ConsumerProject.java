@@ -112,7 +112,7 @@ final class ConsumerProject {
         ConsumerProject project = new ConsumerProject(folder);
         project.write("settings.gradle", "rootProject.name = 'coffee'\n");
         project.write("build.gradle", new ConsumerProject(original).read("build.gradle"));
-        project.append("build.gradle", TOOL_OF_THIS_BUILD);
+        project.useToolOfThisBuild();
         return project;
     }
 
