@@ -35,7 +35,6 @@ import java.util.stream.Stream;
 class ErrorIndexTest {
     private static final Path INDEX = Path.of("docs/errors.md");
     private static final String PAGES = "src/main/resources/explain/";
-    private static final Set<String> MODELS = Set.of("arc", "cd", "mt", "ioautomaton");
     private static final boolean UPDATE = Boolean.getBoolean("transcripts.update");
     private static final Pattern SEEN = Pattern.compile("\\b(error|warning) (ARC\\d{4})\\b");
 
@@ -102,7 +101,7 @@ class ErrorIndexTest {
         for (String code : Explanations.titles().keySet()) {
             boolean aboutFiles = code.startsWith("ARC00");
             for (Fence fence : Fence.of(Path.of(PAGES + code + ".md"))) {
-                if (!aboutFiles && !checks.contains(code) && MODELS.contains(fence.language())) {
+                if (!aboutFiles && !checks.contains(code) && fence.isModel()) {
                     SourceFile model = new SourceFile(code + "." + fence.language(), fence.text());
                     assertThat(Parser.parse(model).findings()).as(code).isEmpty();
                 }

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A block of code in a page of Markdown, perhaps indented as a part of a list.
@@ -15,6 +16,7 @@ import java.util.List;
  */
 record Fence(String language, String title, List<String> body, int line) {
     private static final String MARK = "```";
+    private static final Set<String> MODELS = Set.of("arc", "cd", "ioautomaton", "mt");
 
     static List<Fence> of(Path page) throws IOException {
         List<String> lines = Files.readAllLines(page);
@@ -34,6 +36,11 @@ record Fence(String language, String title, List<String> body, int line) {
             }
         }
         return fences;
+    }
+
+    /** Whether it is written in a language of the tool. */
+    boolean isModel() {
+        return MODELS.contains(language);
     }
 
     String text() {
