@@ -106,20 +106,20 @@ final class Behaving {
 
     /** A division by zero in the guard, or in the effect where the guard is true. */
     Term dividesByZero(int transition) {
-        return solver.or(
-                solver.and(
-                        at.isIn(transitions().get(transition).source()),
-                        hazards.divisionByZero(guards.get(transition))),
-                solver.and(enabled(transition), effectIs(transition, hazards::divisionByZero)));
+        return meets(transition, hazards::divisionByZero);
     }
 
     /** An overflow in the guard, or in the effect where the guard is true. */
     Term overflows(int transition) {
+        return meets(transition, hazards::overflow);
+    }
+
+    private Term meets(int transition, Function<Expression, Term> hazard) {
         return solver.or(
                 solver.and(
                         at.isIn(transitions().get(transition).source()),
-                        hazards.overflow(guards.get(transition))),
-                solver.and(enabled(transition), effectIs(transition, hazards::overflow)));
+                        hazard.apply(guards.get(transition))),
+                solver.and(enabled(transition), effectIs(transition, hazard)));
     }
 
     /** It may be taken, and a value is outside of its range. */
