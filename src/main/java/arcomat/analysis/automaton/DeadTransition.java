@@ -17,11 +17,6 @@ final class DeadTransition implements Analysis {
     }
 
     @Override
-    public void see(Situation situation) {
-        // What is enabled is known afterwards.
-    }
-
-    @Override
     public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int i = 0; i < subject.automaton().transitions().size(); i++) {

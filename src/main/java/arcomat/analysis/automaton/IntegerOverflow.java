@@ -22,11 +22,6 @@ final class IntegerOverflow implements Analysis {
     }
 
     @Override
-    public void see(Situation situation) {
-        // The values have wrapped around already.
-    }
-
-    @Override
     public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (Map.Entry<Integer, Situation> entry : knowledge.overflows().entrySet()) {

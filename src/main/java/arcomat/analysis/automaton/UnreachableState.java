@@ -18,11 +18,6 @@ final class UnreachableState implements Analysis {
     }
 
     @Override
-    public void see(Situation situation) {
-        // What is reached is known afterwards.
-    }
-
-    @Override
     public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int state = 0; state < subject.automaton().states().size(); state++) {
