@@ -11,6 +11,11 @@ public sealed interface Sent {
     /** No message. */
     Sent SILENCE = new Messages(List.of());
 
+    /** One message, or none where it is null. */
+    static Sent of(Value message) {
+        return message == null ? SILENCE : new Messages(List.of(message));
+    }
+
     /** These messages in order; none is silence, time-synchronous there is at most one. */
     record Messages(List<Value> values) implements Sent {
         public Messages {

@@ -247,8 +247,6 @@ final class EventParts {
             return List.of(Sent.SILENCE);
         }
         Kinds kinds = Kinds.of(wiring.sender[signal], all, new Attention.Whole());
-        return kinds.samples().stream()
-                .<Sent>map(v -> v == null ? Sent.SILENCE : new Sent.Messages(List.of(v)))
-                .toList();
+        return kinds.samples().stream().map(Sent::of).toList();
     }
 }

@@ -231,8 +231,7 @@ final class EventUnfolding implements Unfolding {
     private Outcome outcome(EventRun run) {
         List<Sent> kept = new ArrayList<>(registers.size());
         for (Wiring.Reader register : registers) {
-            Value value = run.latched(register.part(), register.port());
-            kept.add(value == null ? Sent.SILENCE : new Sent.Messages(List.of(value)));
+            kept.add(Sent.of(run.latched(register.part(), register.port())));
         }
         List<List<Sent>> signals = new ArrayList<>();
         for (int signal = 0; signal < network.signals(); signal++) {

@@ -110,12 +110,8 @@ final class Parts {
             look = look.and(look(before, reader.part(), reader.port()));
         }
         Port port = wiring.sender[signal];
-        return sent(Kinds.of(port, !open.allows(List.of()), look).samples());
-    }
-
-    private static List<Sent> sent(List<Value> samples) {
-        return samples.stream()
-                .<Sent>map(v -> v == null ? Sent.SILENCE : new Sent.Messages(List.of(v)))
+        return Kinds.of(port, !open.allows(List.of()), look).samples().stream()
+                .map(Sent::of)
                 .toList();
     }
 
@@ -192,6 +188,8 @@ final class Parts {
         }
         Look whole = new arcomat.semantics.Attention.Whole();
         boolean total = !sent.allows(List.of());
-        return sent(Kinds.of(wiring.sender[signal], total, whole).samples());
+        return Kinds.of(wiring.sender[signal], total, whole).samples().stream()
+                .map(Sent::of)
+                .toList();
     }
 }

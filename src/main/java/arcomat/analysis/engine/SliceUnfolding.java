@@ -64,8 +64,7 @@ final class SliceUnfolding implements Unfolding {
             visible[signal] = before.registers().get(signal);
         }
         for (int i = 0; i < letter.length; i++) {
-            visible[network.inputs().get(i).signal()] =
-                    letter[i] == null ? Sent.SILENCE : new Sent.Messages(List.of(letter[i]));
+            visible[network.inputs().get(i).signal()] = Sent.of(letter[i]);
         }
         return new Slice(visible, visible.length);
     }
