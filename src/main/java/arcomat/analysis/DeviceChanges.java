@@ -1,7 +1,6 @@
 package arcomat.analysis;
 
 import arcomat.analysis.Verdict.Sentence;
-import arcomat.model.Value;
 import arcomat.semantics.Network;
 
 import java.util.ArrayList;
@@ -9,7 +8,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 
 /**
  * What is different about the devices of a composition: a motor at another port of the brick is
@@ -49,9 +47,6 @@ final class DeviceChanges {
     }
 
     private static String words(Network.Device device) {
-        String arguments =
-                device.arguments().stream().map(Value::toString).collect(Collectors.joining(", "));
-        return device.component().qualifiedName()
-                + (arguments.isEmpty() ? "" : "(" + arguments + ")");
+        return Promise.title(device.component(), device.arguments());
     }
 }

@@ -52,7 +52,7 @@ public record Promise(
     /** The same with one automaton only, by its name. */
     public Optional<Promise> only(String automaton) {
         List<Automaton> named =
-                automataOf(component).stream().filter(a -> a.name().equals(automaton)).toList();
+                component.automata().stream().filter(a -> a.name().equals(automaton)).toList();
         return named.isEmpty()
                 ? Optional.empty()
                 : Optional.of(new Promise(component, arguments, named));
@@ -60,9 +60,7 @@ public record Promise(
 
     /** All automata on a component, those that ask something of a decomposed one too. */
     public static List<Automaton> automataOf(Component component) {
-        return component.body() instanceof Component.Atomic atomic
-                ? atomic.automata()
-                : component.requirements();
+        return component.automata();
     }
 
     /** The same with another completion. */
@@ -139,12 +137,17 @@ public record Promise(
 
     /** The component's name, its arguments, and the automaton's where it is one of several. */
     public String title() {
-        boolean part = automata.size() == 1 && automataOf(component).size() > 1;
+        boolean part = automata.size() == 1 && component.automata().size() > 1;
         String name = part ? automata.get(0).name() : "";
-        return component.qualifiedName() + listed() + (name.isEmpty() ? "" : "#" + name) + mark;
+        return title(component, arguments) + (name.isEmpty() ? "" : "#" + name) + mark;
     }
 
-    private String listed() {
+    /** {@code p.Timer(3, 5)}; without brackets where there are no arguments. */
+    static String title(Component component, List<Value> arguments) {
+        return component.qualifiedName() + listed(arguments);
+    }
+
+    private static String listed(List<Value> arguments) {
         return arguments.isEmpty()
                 ? ""
                 : arguments.stream()

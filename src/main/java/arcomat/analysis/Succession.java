@@ -135,8 +135,7 @@ public final class Succession {
     }
 
     private String fresh(List<Value> arguments) {
-        String all = arguments.stream().map(Value::toString).collect(Collectors.joining(", "));
-        return fresh.qualifiedName() + (all.isEmpty() ? "" : "(" + all + ")");
+        return Promise.title(fresh, arguments);
     }
 
     private static boolean hasDefaults(Component component) {

@@ -156,8 +156,8 @@ record Sketch(
         boolean extra = one.extended || two.extended;
         Component first = (extra ? one.withExtension() : one).component(name);
         Component second = (extra ? two.withExtension() : two).component(name);
-        List<Automaton> automata = new ArrayList<>(Promise.automataOf(first));
-        automata.addAll(Promise.automataOf(second));
+        List<Automaton> automata = new ArrayList<>(first.automata());
+        automata.addAll(second.automata());
         return new Component(
                 first.packageName(),
                 first.name(),
