@@ -1,14 +1,11 @@
 package arcomat.analysis;
 
-import arcomat.lower.Lowering;
+import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parser;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import java.util.Set;
 
 /** Requirements that compare numbers and texts with arbitrary values. */
 final class Comparisons {
@@ -35,10 +32,8 @@ final class Comparisons {
             text.append("}\n");
         }
         SourceFile file = new SourceFile("coffee/Compare.arc", text + "}\n");
-        Workspace workspace =
-                Workspace.of(List.of(Parser.parse(file).unit().orElseThrow()), Set.of());
         return Promise.of(
-                Lowering.lower(workspace).component("coffee.Compare").orElseThrow(), List.of());
+                ReadModels.model(file).component("coffee.Compare").orElseThrow(), List.of());
     }
 
     private static String condition(String type, Random random) {

@@ -16,12 +16,11 @@ import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
+import arcomat.models.ReadModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Formatter;
-import arcomat.syntax.Parser;
-import arcomat.tree.Unit;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -82,9 +81,7 @@ final class ControllerReading {
     private static Component read(List<SourceFile> models, SourceFile file, String name) {
         List<SourceFile> sources = new ArrayList<>(models);
         sources.add(file);
-        List<Unit> units =
-                sources.stream().map(each -> Parser.parse(each).unit().orElseThrow()).toList();
-        Workspace workspace = Workspace.of(units, Set.of());
+        Workspace workspace = ReadModels.workspace(sources);
         List<Diagnostic> findings =
                 Checks.run(workspace, Profile.EXECUTABLE).stream()
                         .filter(finding -> finding.span().file().path().equals(file.path()))

@@ -1,14 +1,10 @@
 package arcomat.analysis;
 
-import arcomat.lower.Lowering;
-import arcomat.model.Component;
+import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parser;
 
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /**
  * Requirements that count: each has an input of its own, and when that has come often enough, it
@@ -51,12 +47,6 @@ final class Counters {
                 "component Counters {\n  port %sout Integer[0..9] level;\n%s}\n"
                         .formatted(ports, automata);
         SourceFile file = new SourceFile("Counters.arc", text);
-        Component component =
-                Lowering.lower(
-                                Workspace.of(
-                                        List.of(Parser.parse(file).unit().orElseThrow()), Set.of()))
-                        .component("Counters")
-                        .orElseThrow();
-        return Promise.of(component, List.of());
+        return Promise.of(ReadModels.model(file).component("Counters").orElseThrow(), List.of());
     }
 }

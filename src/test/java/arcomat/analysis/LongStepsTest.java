@@ -7,18 +7,15 @@ import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.coverage.TransitionTests;
-import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;
+import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parser;
 
 import org.junit.jupiter.api.Test;
 
 import java.time.Duration;
 import java.util.List;
-import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 
@@ -50,14 +47,7 @@ class LongStepsTest {
     }
 
     private static Promise promise(String text) {
-        Model model =
-                Lowering.lower(
-                        Workspace.of(
-                                List.of(
-                                        Parser.parse(new SourceFile("M.arc", text))
-                                                .unit()
-                                                .orElseThrow()),
-                                Set.of()));
+        Model model = ReadModels.model(new SourceFile("M.arc", text));
         return Promise.of(model.component("M").orElseThrow(), List.of());
     }
 

@@ -4,17 +4,14 @@ import arcomat.check.Checks;
 import arcomat.check.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
+import arcomat.models.ReadModels;
 import arcomat.source.Severity;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
-import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
-import arcomat.tree.Unit;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import java.util.Set;
 
 /**
  * Event-driven compositions of a few small parts: short queues, latched ports, fan-out, choices,
@@ -55,17 +52,12 @@ final class RandomCompositions {
             int part = dropped.nextInt(count);
             files.set(part, withoutOne(files.get(part)));
         }
-        List<Unit> units = new ArrayList<>();
+        List<SourceFile> sources = new ArrayList<>();
         for (int i = 0; i < files.size(); i++) {
             String name = i < count ? "P" + i : "Whole";
-            SourceFile file = new SourceFile("load/" + name + ".arc", files.get(i));
-            Parsed parsed = Parser.parse(file);
-            units.add(
-                    parsed.unit()
-                            .orElseThrow(
-                                    () -> new AssertionError(parsed.findings() + file.text())));
+            sources.add(new SourceFile("load/" + name + ".arc", files.get(i)));
         }
-        Workspace workspace = Workspace.of(units, Set.of());
+        Workspace workspace = ReadModels.workspace(sources);
         Checks.run(workspace, Profile.REQUIREMENTS).stream()
                 .filter(f -> f.severity() == Severity.ERROR)
                 .findFirst()

@@ -1,13 +1,9 @@
 package arcomat.analysis;
 
-import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.models.ModelFiles;
+import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
-import arcomat.tree.Unit;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -15,7 +11,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 
 /**
  * A data file of the tests of analyses: {@code == models FOLDER} and {@code == file PATH} bring
@@ -71,13 +66,6 @@ record Sections(List<Section> all) {
     }
 
     Model model() {
-        List<Unit> units = new ArrayList<>();
-        for (SourceFile source : sources()) {
-            Parsed parsed = Parser.parse(source);
-            units.add(
-                    parsed.unit()
-                            .orElseThrow(() -> new AssertionError(parsed.findings().toString())));
-        }
-        return Lowering.lower(Workspace.of(units, Set.of()));
+        return ReadModels.model(sources());
     }
 }

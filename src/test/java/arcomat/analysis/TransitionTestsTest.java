@@ -14,6 +14,7 @@ import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.models.ModelFiles;
+import arcomat.models.ReadModels;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTests;
 import arcomat.simulate.SuiteText;
@@ -167,7 +168,7 @@ class TransitionTestsTest {
         assertThat(parsed.findings()).as(text).isEmpty();
         List<Unit> units = new ArrayList<>(workspace.units());
         units.add(parsed.unit().orElseThrow());
-        for (StreamTest test : checked(units).tests()) {
+        for (StreamTest test : checked(Workspace.of(units, Set.of())).tests()) {
             if (test.suite().endsWith("Transitions")) {
                 assertThat(StreamTests.run(test).verdict())
                         .as(text)
@@ -242,17 +243,10 @@ class TransitionTestsTest {
     static Model model(Path folder, Optional<SourceFile> more) {
         List<SourceFile> sources = new ArrayList<>(ModelFiles.of(folder));
         more.ifPresent(sources::add);
-        List<Unit> units = new ArrayList<>();
-        for (SourceFile source : sources) {
-            Parsed parsed = Parser.parse(source);
-            assertThat(parsed.findings()).as(source.text()).isEmpty();
-            units.add(parsed.unit().orElseThrow());
-        }
-        return checked(units);
+        return checked(ReadModels.workspace(sources));
     }
 
-    private static Model checked(List<Unit> units) {
-        Workspace workspace = Workspace.of(units, Set.of());
+    private static Model checked(Workspace workspace) {
         assertThat(Checks.run(workspace, Profile.REQUIREMENTS).stream().filter(Diagnostic::isError))
                 .isEmpty();
         return Lowering.lower(workspace);

@@ -1,19 +1,14 @@
 package arcomat.simulate;
 
-import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.models.ModelFiles;
+import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
-import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 
 /** Models from text, for tests: no checks are run. */
 final class ModelText {
@@ -28,17 +23,6 @@ final class ModelText {
     static Model read(Path folder, Map<String, String> texts) {
         List<SourceFile> sources = new ArrayList<>(ModelFiles.of(folder));
         texts.forEach((path, text) -> sources.add(new SourceFile(path, text)));
-        return lower(sources);
-    }
-
-    private static Model lower(List<SourceFile> sources) {
-        List<Unit> units = new ArrayList<>();
-        for (SourceFile source : sources) {
-            Parsed parsed = Parser.parse(source);
-            units.add(
-                    parsed.unit()
-                            .orElseThrow(() -> new AssertionError(parsed.findings().toString())));
-        }
-        return Lowering.lower(Workspace.of(units, Set.of()));
+        return ReadModels.model(sources);
     }
 }

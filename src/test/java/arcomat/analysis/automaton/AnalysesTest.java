@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.DataFile;
 import arcomat.check.Expectation;
+import arcomat.models.ReadModels;
 import arcomat.source.Diagnostic;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -34,7 +35,7 @@ class AnalysesTest {
 
     private static void compare(Path path) throws IOException {
         DataFile data = DataFile.read(path);
-        List<Examination> examinations = Models.examine(Models.read(data.files()));
+        List<Examination> examinations = Models.examine(ReadModels.model(data.files()));
         List<Expectation> actual =
                 examinations.stream()
                         .flatMap(each -> each.findings().stream())

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Model;
 import arcomat.models.ModelFiles;
+import arcomat.models.ReadModels;
 
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -19,7 +20,7 @@ class CoffeeFindingsTest {
 
     @BeforeAll
     static void read() {
-        model = Models.read(ModelFiles.of(Path.of("models/coffee")));
+        model = ReadModels.model(ModelFiles.of(Path.of("models/coffee")));
     }
 
     @ParameterizedTest

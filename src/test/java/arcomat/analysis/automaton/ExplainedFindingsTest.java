@@ -2,6 +2,7 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
 
 import org.junit.jupiter.params.ParameterizedTest;
@@ -45,7 +46,7 @@ class ExplainedFindingsTest {
     private static List<String> codes(String text) {
         String name = text.replaceAll("(?s)component (\\w+).*", "$1");
         List<SourceFile> files = List.of(new SourceFile(name + ".arc", text));
-        return Models.examine(Models.read(files)).stream()
+        return Models.examine(ReadModels.model(files)).stream()
                 .flatMap(each -> each.findings().stream())
                 .map(Finding::code)
                 .toList();

@@ -2,38 +2,18 @@ package arcomat.analysis.automaton;
 
 import arcomat.analysis.Budget;
 import arcomat.analysis.Promise;
-import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
-import arcomat.source.SourceFile;
-import arcomat.symbols.Workspace;
-import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
-import arcomat.tree.Unit;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 
-/** Models from text, and what the analyses say about them. */
+/** What the analyses say about models. */
 final class Models {
     private Models() {}
-
-    static Model read(List<SourceFile> files) {
-        List<Unit> units = new ArrayList<>();
-        for (SourceFile file : files) {
-            Parsed parsed = Parser.parse(file);
-            if (!parsed.findings().isEmpty()) {
-                throw new AssertionError(parsed.findings().toString());
-            }
-            units.add(parsed.unit().orElseThrow());
-        }
-        return Lowering.lower(Workspace.of(units, Set.of()));
-    }
 
     /** Of all components with automata; parameters without a default have their first value. */
     static List<Examination> examine(Model model) {

@@ -9,6 +9,7 @@ import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.SymbolicSearch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.models.ReadModels;
 import arcomat.semantics.Fault;
 import arcomat.source.SourceFile;
 
@@ -40,7 +41,7 @@ class NaiveAgreementTest {
     @Property(seed = "1", tries = 500)
     void agree(@ForAll("automata") String text) {
         Component component =
-                Models.read(List.of(new SourceFile("Random.arc", text))).components().get(0);
+                ReadModels.model(List.of(new SourceFile("Random.arc", text))).components().get(0);
         Examination examination = Models.examine(component).get(0);
         NaiveExploration naive = NaiveExploration.of(component);
 
@@ -139,7 +140,7 @@ class NaiveAgreementTest {
 
     private static Collection<Outcome> agreed(String text) {
         Component component =
-                Models.read(List.of(new SourceFile("Random.arc", text))).components().get(0);
+                ReadModels.model(List.of(new SourceFile("Random.arc", text))).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         Subject subject = Subject.of(component, automaton, List.of());
         Seen seen = new Seen();
