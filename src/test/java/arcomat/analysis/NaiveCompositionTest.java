@@ -10,9 +10,7 @@ import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
-import arcomat.simulate.Question;
 
 import org.junit.jupiter.api.Test;
 
@@ -117,10 +115,10 @@ class NaiveCompositionTest {
     private static Optional<Set<List<Map<String, Value>>>> interpreted(
             Component whole, List<Map<String, Value>> word) {
         Set<List<Map<String, Value>>> found = new HashSet<>();
-        Script script = new Script();
+        Script script = new Script(Integer.MAX_VALUE);
         for (int runs = 0; runs < MOST_RUNS; runs++) {
             found.add(run(new Interpreter(whole, List.of(), script), whole, word));
-            if (!script.next()) {
+            if (!script.advance()) {
                 return Optional.of(found);
             }
         }
@@ -146,48 +144,5 @@ class NaiveCompositionTest {
             }
         }
         return shown;
-    }
-
-    /** Decides run after run, each time in another way, until there is none left. */
-    private static final class Script implements Choice {
-        private final List<Integer> picked = new ArrayList<>();
-        private final List<Integer> counts = new ArrayList<>();
-        private int position;
-
-        /** Prepares the next run; false if this was the last. */
-        boolean next() {
-            position = 0;
-            while (!picked.isEmpty()) {
-                int last = picked.size() - 1;
-                if (picked.get(last) + 1 < counts.get(last)) {
-                    picked.set(last, picked.get(last) + 1);
-                    return true;
-                }
-                picked.remove(last);
-                counts.remove(last);
-            }
-            return false;
-        }
-
-        private int pick(int count) {
-            if (position == picked.size()) {
-                picked.add(0);
-                counts.add(count);
-            }
-            return picked.get(position++);
-        }
-
-        @Override
-        public int pick(Question question) {
-            return pick(question.count());
-        }
-
-        @Override
-        public Optional<Value> message(Port port, boolean required) {
-            List<Value> values = new ArrayList<>(NaiveInclusion.values(port));
-            values.removeIf(value -> value == null);
-            int picked = pick(values.size() + (required ? 0 : 1));
-            return picked < values.size() ? Optional.of(values.get(picked)) : Optional.empty();
-        }
     }
 }

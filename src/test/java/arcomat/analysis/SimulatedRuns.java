@@ -1,20 +1,15 @@
 package arcomat.analysis;
 
-import arcomat.analysis.engine.SmallType;
 import arcomat.model.Component;
 import arcomat.model.Letter;
-import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
-import arcomat.simulate.Question;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -37,7 +32,7 @@ final class SimulatedRuns {
 
     /** The first step is the beginning, without an event. */
     static Set<Run> of(Component component, List<Value> arguments, List<Letter> letters) {
-        Script script = new Script();
+        Script script = new Script(MOST_CHOICES);
         Set<Run> runs = new LinkedHashSet<>();
         do {
             runs.add(run(new Interpreter(component, arguments, script), letters));
@@ -56,49 +51,5 @@ final class SimulatedRuns {
             return new Run(outputs, true);
         }
         return new Run(outputs, false);
-    }
-
-    /** Follows a script, the first alternative after its end. */
-    private static final class Script implements Choice {
-        private final List<Integer> picks = new ArrayList<>();
-        private final List<Integer> counts = new ArrayList<>();
-        private int position;
-
-        @Override
-        public int pick(Question question) {
-            return pick(question.count());
-        }
-
-        private int pick(int count) {
-            if (position == MOST_CHOICES) {
-                throw new ModelError("messages circle");
-            }
-            if (position == picks.size()) {
-                picks.add(0);
-                counts.add(count);
-            }
-            return picks.get(position++);
-        }
-
-        @Override
-        public Optional<Value> message(Port port, boolean required) {
-            List<Value> values = SmallType.values(port.type()).orElseThrow();
-            int picked = pick(values.size() + (required ? 0 : 1));
-            return picked == values.size() ? Optional.empty() : Optional.of(values.get(picked));
-        }
-
-        boolean advance() {
-            position = 0;
-            while (!picks.isEmpty()) {
-                int last = picks.size() - 1;
-                if (picks.get(last) + 1 < counts.get(last)) {
-                    picks.set(last, picks.get(last) + 1);
-                    return true;
-                }
-                picks.remove(last);
-                counts.remove(last);
-            }
-            return false;
-        }
     }
 }
