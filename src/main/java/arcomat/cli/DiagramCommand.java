@@ -2,8 +2,8 @@ package arcomat.cli;
 
 import arcomat.pipeline.AnalysisLimits;
 import arcomat.pipeline.DiagramRequest;
-import arcomat.pipeline.DiagramRequest.Format;
 import arcomat.pipeline.DiagramResult;
+import arcomat.pipeline.PictureFormat;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.WrongUse;
 import arcomat.report.FindingsText;
@@ -50,7 +50,7 @@ final class DiagramCommand extends LimitedCommand {
             paramLabel = "FORMAT",
             defaultValue = "svg",
             description = "How to write pictures: ${COMPLETION-CANDIDATES}; default svg.")
-    private Format format;
+    private PictureFormat format;
 
     @Option(
             names = "--highlight",

@@ -1,7 +1,6 @@
 package arcomat.pipeline;
 
 import arcomat.diagram.Graph;
-import arcomat.pipeline.DiagramRequest.Format;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -23,8 +22,7 @@ final class DiagramFile {
     static void write(String file, Graph graph, PathNames names) throws WrongUse {
         Path path = names.resolve(file).toAbsolutePath().normalize();
         String folder = path.getParent().toString();
-        byte[] content =
-                DiagramStep.content(graph, format(file), new SourceLinks(names, folder)::of);
+        byte[] content = format(file).content(graph, new SourceLinks(names, folder)::of);
         try {
             Files.createDirectories(path.getParent());
             AtomicFile.write(path, content);
@@ -33,8 +31,8 @@ final class DiagramFile {
         }
     }
 
-    private static Format format(String file) throws WrongUse {
-        return Arrays.stream(Format.values())
+    private static PictureFormat format(String file) throws WrongUse {
+        return Arrays.stream(PictureFormat.values())
                 .filter(format -> file.endsWith("." + format))
                 .findFirst()
                 .orElseThrow(

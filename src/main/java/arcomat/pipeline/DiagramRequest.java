@@ -15,18 +15,11 @@ import java.util.Optional;
  */
 public record DiagramRequest(
         List<String> components,
-        Format format,
+        PictureFormat format,
         String out,
         int depth,
         Optional<AnalysisLimits> highlight) {
     public DiagramRequest {
         components = List.copyOf(components);
-    }
-
-    /** Named as on the command line, and as files end. */
-    public enum Format {
-        svg,
-        png,
-        dot
     }
 }

@@ -2,12 +2,8 @@ package arcomat.pipeline;
 
 import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Examination;
-import arcomat.diagram.DotText;
 import arcomat.diagram.GalleryPage;
 import arcomat.diagram.Graph;
-import arcomat.diagram.Layout;
-import arcomat.diagram.SvgText;
-import arcomat.diagram.Theme;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.source.Span;
@@ -42,12 +38,13 @@ final class DiagramStep {
         Function<Span, Optional<String>> links = new SourceLinks(names, request.out())::of;
         Map<String, byte[]> files = new LinkedHashMap<>();
         for (Map.Entry<String, Graph> each : graphs.entrySet()) {
-            byte[] content = content(each.getValue(), request.format(), links);
+            byte[] content = request.format().content(each.getValue(), links);
             files.put(each.getKey() + "." + request.format(), content);
         }
-        if (request.format() != DiagramRequest.Format.dot) {
+        if (request.format() != PictureFormat.dot) {
             String title = "Pictures of " + String.join(", ", paths);
-            files.put("index.html", bytes(GalleryPage.render(title, List.copyOf(files.keySet()))));
+            String gallery = GalleryPage.render(title, List.copyOf(files.keySet()));
+            files.put("index.html", gallery.getBytes(StandardCharsets.UTF_8));
         }
         OutputFolder.replace(names.resolve(request.out()), request.out(), files);
         return new DiagramResult(checked.result(), List.copyOf(files.keySet()));
@@ -92,22 +89,5 @@ final class DiagramStep {
                     .forEach(drawings::add);
         }
         return drawings;
-    }
-
-    static byte[] content(
-            Graph graph, DiagramRequest.Format format, Function<Span, Optional<String>> links)
-            throws WrongUse {
-        return switch (format) {
-            case svg -> bytes(SvgText.render(Layout.of(graph), Theme.ADAPTIVE, links));
-            case png ->
-                    PngImage.of(
-                            SvgText.render(
-                                    Layout.of(graph), Theme.LIGHT, place -> Optional.empty()));
-            case dot -> bytes(DotText.render(graph));
-        };
-    }
-
-    private static byte[] bytes(String text) {
-        return text.getBytes(StandardCharsets.UTF_8);
     }
 }

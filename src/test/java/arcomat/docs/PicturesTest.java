@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.model.Automaton.Completion;
 import arcomat.pipeline.AnalysisLimits;
 import arcomat.pipeline.DiagramRequest;
-import arcomat.pipeline.DiagramRequest.Format;
+import arcomat.pipeline.PictureFormat;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.RefinesRequest;
@@ -33,7 +33,7 @@ class PicturesTest {
                 List.of("coffee.fetcher.Fetcher", "coffee.fig6.AvoidCrash", "coffee.types.Types");
         String out = DRAWN.resolve("coffee").toString();
         DiagramRequest request =
-                new DiagramRequest(components, Format.svg, out, 1000, Optional.empty());
+                new DiagramRequest(components, PictureFormat.svg, out, 1000, Optional.empty());
         List<String> files = pipeline.diagram(request, MODELS).files();
         assertThat(files).hasSize(4);
         for (String file : files) {
