@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.pipeline.CheckResult;
+import arcomat.pipeline.check.CheckResult;
 
 import picocli.CommandLine.Option;
 

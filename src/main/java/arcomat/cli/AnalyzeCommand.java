@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.AnalyzeRequest;
-import arcomat.pipeline.AnalyzeResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.AnalyzeRequest;
+import arcomat.pipeline.analysis.AnalyzeResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.ExaminationJson;
 import arcomat.report.ExaminationText;
 

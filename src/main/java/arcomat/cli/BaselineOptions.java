@@ -1,8 +1,8 @@
 package arcomat.cli;
 
-import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.Baseline.Comparison;
 import arcomat.report.CheckReport;
 import arcomat.source.Diagnostic;

@@ -2,7 +2,7 @@ package arcomat.cli;
 
 import arcomat.brick.BrickReport;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.BrickReportText;
 import arcomat.report.FindingsText;
 

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.Recheck;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.recheck.Recheck;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.CheckReport;
 import arcomat.source.Diagnostic;
 

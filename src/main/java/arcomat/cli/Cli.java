@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.Printable;
 import arcomat.report.Style;
 

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.Progress;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.FindingsText;
 
 import picocli.CommandLine.Option;

@@ -2,8 +2,8 @@ package arcomat.cli;
 
 import arcomat.analysis.Answered;
 import arcomat.model.Automaton.Completion;
-import arcomat.pipeline.RefinesRequest;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.RefinesRequest;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.VerdictJson;
 import arcomat.report.VerdictText;
 

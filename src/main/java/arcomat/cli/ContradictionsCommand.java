@@ -1,10 +1,10 @@
 package arcomat.cli;
 
 import arcomat.analysis.Consistency;
-import arcomat.pipeline.ContradictionsRequest;
-import arcomat.pipeline.ContradictionsResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.ContradictionsRequest;
+import arcomat.pipeline.analysis.ContradictionsResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.ConsistencyJson;
 import arcomat.report.ConsistencyPage;
 import arcomat.report.ConsistencyText;

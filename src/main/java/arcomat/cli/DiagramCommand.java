@@ -1,11 +1,11 @@
 package arcomat.cli;
 
-import arcomat.pipeline.AnalysisLimits;
-import arcomat.pipeline.DiagramRequest;
-import arcomat.pipeline.DiagramResult;
-import arcomat.pipeline.PictureFormat;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.diagram.DiagramRequest;
+import arcomat.pipeline.diagram.DiagramResult;
+import arcomat.pipeline.picture.PictureFormat;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.FindingsText;
 
 import picocli.CommandLine;

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
 import arcomat.analysis.Difference;
-import arcomat.pipeline.DiffResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.DiffResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.DifferenceJson;
 import arcomat.report.DifferenceText;
 

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
 import arcomat.analysis.Evolution;
-import arcomat.pipeline.EvolutionResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.EvolutionResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.EvolutionJson;
 import arcomat.report.EvolutionText;
 

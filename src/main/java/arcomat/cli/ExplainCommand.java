@@ -1,8 +1,8 @@
 package arcomat.cli;
 
-import arcomat.pipeline.Explanations;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.Explanations;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.ExplanationText;
 
 import picocli.CommandLine;

@@ -1,7 +1,7 @@
 package arcomat.cli;
 
-import arcomat.pipeline.FormatResult;
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.format.FormatResult;
 import arcomat.report.FindingsText;
 
 import picocli.CommandLine;

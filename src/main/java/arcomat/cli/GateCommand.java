@@ -1,11 +1,11 @@
 package arcomat.cli;
 
 import arcomat.analysis.Gate;
-import arcomat.pipeline.CheckResult;
-import arcomat.pipeline.GateRequest;
-import arcomat.pipeline.GateResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.gate.GateRequest;
+import arcomat.pipeline.gate.GateResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.GateCases;
 import arcomat.report.GateJson;
 import arcomat.report.GateText;

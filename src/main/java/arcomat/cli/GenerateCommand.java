@@ -1,10 +1,10 @@
 package arcomat.cli;
 
-import arcomat.pipeline.GenerationRequest;
-import arcomat.pipeline.GenerationResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.Robot;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.generate.GenerationRequest;
+import arcomat.pipeline.generate.GenerationResult;
+import arcomat.pipeline.generate.Robot;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.BrickReportText;
 import arcomat.report.FindingsText;
 

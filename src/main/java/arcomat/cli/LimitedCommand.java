@@ -1,8 +1,8 @@
 package arcomat.cli;
 
 import arcomat.analysis.Verdict.Answer;
-import arcomat.pipeline.AnalysisLimits;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.step.WrongUse;
 
 import picocli.CommandLine.Option;
 

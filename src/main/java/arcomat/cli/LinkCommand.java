@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.LinkRequest;
-import arcomat.pipeline.LinkResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.LinkRequest;
+import arcomat.pipeline.brick.LinkResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.BrickReportText;
 import arcomat.report.FindingsText;
 import arcomat.report.Printable;

@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.pipeline.Explanations;
+import arcomat.pipeline.check.Explanations;
 import arcomat.report.GitHubCommands;
 import arcomat.report.Reported;
 import arcomat.report.Sarif;

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
 import arcomat.analysis.Answered;
-import arcomat.pipeline.MonaResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.MonaResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.MonaReport;
 
 import picocli.CommandLine;

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.MonitorRequest;
-import arcomat.pipeline.MonitorResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.monitor.MonitorRequest;
+import arcomat.pipeline.monitor.MonitorResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.FindingsText;
 import arcomat.report.MonitorJson;
 

@@ -1,7 +1,7 @@
 package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.page.Page;
 
 import picocli.CommandLine.Option;

@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.pipeline.Progress;
+import arcomat.pipeline.step.Progress;
 
 import java.io.PrintWriter;
 

@@ -1,9 +1,8 @@
 package arcomat.cli;
 
 import arcomat.analysis.Answered;
-import arcomat.pipeline.AnalysisResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.VerdictPage;
 
 import picocli.CommandLine;

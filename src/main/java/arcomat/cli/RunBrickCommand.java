@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.BrickRunRequest;
-import arcomat.pipeline.BrickRunResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.BrickRunRequest;
+import arcomat.pipeline.brick.BrickRunResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.BrickPage;
 import arcomat.report.BrickTraceCsv;
 import arcomat.report.BrickTraceJson;

@@ -1,10 +1,10 @@
 package arcomat.cli;
 
-import arcomat.pipeline.Dialogue;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.SimulationRequest;
-import arcomat.pipeline.SimulationResult;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.simulate.Dialogue;
+import arcomat.pipeline.simulate.SimulationRequest;
+import arcomat.pipeline.simulate.SimulationResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.Printable;
 import arcomat.report.TraceCsv;
 import arcomat.report.TraceJson;

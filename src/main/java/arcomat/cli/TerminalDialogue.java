@@ -1,7 +1,7 @@
 package arcomat.cli;
 
 import arcomat.model.Letter;
-import arcomat.pipeline.Dialogue;
+import arcomat.pipeline.simulate.Dialogue;
 import arcomat.report.Printable;
 import arcomat.simulate.Question;
 

@@ -1,9 +1,9 @@
 package arcomat.cli;
 
-import arcomat.pipeline.CheckResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.TestResult;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.simulate.TestResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.JunitXml;
 import arcomat.report.StreamTestCases;
 import arcomat.report.StreamTestFindings;

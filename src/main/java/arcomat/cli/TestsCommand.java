@@ -2,9 +2,9 @@ package arcomat.cli;
 
 import arcomat.analysis.coverage.TransitionTests;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.TransitionTestsRequest;
-import arcomat.pipeline.TransitionTestsResult;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.TransitionTestsRequest;
+import arcomat.pipeline.analysis.TransitionTestsResult;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.TransitionTestsJson;
 import arcomat.report.TransitionTestsText;
 

@@ -1,8 +1,8 @@
 package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.PreparedWorld;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.world.PreparedWorld;
 import arcomat.report.FindingsText;
 import arcomat.report.WorldText;
 import arcomat.world.Recording;

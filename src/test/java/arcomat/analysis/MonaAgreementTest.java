@@ -8,7 +8,7 @@ import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.SmallType;
 import arcomat.model.Component;
 import arcomat.model.Model;
-import arcomat.pipeline.InstalledMona;
+import arcomat.pipeline.analysis.InstalledMona;
 
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.check.Checks;
 import arcomat.check.Law;
 import arcomat.check.Profile;
-import arcomat.pipeline.Explanations;
+import arcomat.pipeline.check.Explanations;
 import arcomat.source.Severity;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parser;

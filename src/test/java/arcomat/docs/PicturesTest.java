@@ -3,12 +3,12 @@ package arcomat.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Automaton.Completion;
-import arcomat.pipeline.AnalysisLimits;
-import arcomat.pipeline.DiagramRequest;
-import arcomat.pipeline.PictureFormat;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.Progress;
-import arcomat.pipeline.RefinesRequest;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.analysis.RefinesRequest;
+import arcomat.pipeline.diagram.DiagramRequest;
+import arcomat.pipeline.picture.PictureFormat;
+import arcomat.pipeline.step.Progress;
 
 import org.junit.jupiter.api.Test;
 

@@ -11,7 +11,7 @@ import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
-import arcomat.pipeline.Agreement;
+import arcomat.pipeline.compile.Agreement;
 import arcomat.report.FindingsText;
 import arcomat.report.Style;
 import arcomat.rt.ModelError;

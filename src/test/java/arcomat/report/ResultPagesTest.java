@@ -3,11 +3,11 @@ package arcomat.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Trace;
-import arcomat.pipeline.AnalysisLimits;
-import arcomat.pipeline.AnalysisResult;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.Progress;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.analysis.AnalysisResult;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.page.Page;
 import arcomat.report.page.Story;
 import arcomat.report.page.Timeline.Flaw;

@@ -3,8 +3,8 @@ package arcomat.report;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.Progress;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.report.page.BrowserTest;
 
 import org.junit.jupiter.api.function.Executable;

@@ -4,9 +4,9 @@ import arcomat.benchmarks.Goal;
 import arcomat.benchmarks.Group;
 import arcomat.benchmarks.Measurement;
 import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.PreparedWorld;
-import arcomat.pipeline.Progress;
-import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.world.PreparedWorld;
 import arcomat.world.Recording;
 
 import java.nio.file.Path;

@@ -1,0 +1,130 @@
+package arcomat.pipeline.analysis;
+
+import arcomat.analysis.Promise;
+import arcomat.analysis.automaton.Unexamined;
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.model.Parameter;
+import arcomat.model.Value;
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.MainComponent;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Arguments;
+import arcomat.semantics.Network;
+import arcomat.source.Span;
+import arcomat.symbols.ComponentSymbol;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What all components of a model promise that have automata. A component with parameters is taken
+ * with its defaults; one without defaults with the arguments of each of its instances.
+ */
+public final class InstancePromises {
+    private static final String TYPES_MISSING =
+            "is generic, and no part says its type arguments; name a model root with one that does";
+
+    private final Model model;
+    private final CheckedModels checked;
+    private final Map<String, Set<List<Value>>> instances = new LinkedHashMap<>();
+
+    /**
+     * @param checked the models that were lowered to the model
+     */
+    public InstancePromises(Model model, CheckedModels checked) {
+        this.model = model;
+        this.checked = checked;
+        model.components().stream()
+                .filter(component -> component.isComposite() && hasDefaults(component))
+                .forEach(this::collect);
+    }
+
+    /** Of the components in files that the user named. */
+    public List<Promise> all() {
+        List<Promise> promises = new ArrayList<>();
+        for (Component component : withAutomata()) {
+            for (List<Value> arguments : arguments(component)) {
+                promises.add(new Promise(component, arguments, Promise.automataOf(component)));
+            }
+        }
+        return promises;
+    }
+
+    /** Those that promise nothing definite, since no instance says the arguments. */
+    List<Unexamined> withoutArguments() {
+        List<Unexamined> open = new ArrayList<>();
+        for (Component component : withAutomata()) {
+            if (arguments(component).isEmpty()) {
+                open.add(new Unexamined(component.qualifiedName(), valuesMissing(component)));
+            }
+        }
+        for (ComponentSymbol symbol : checked.workspace().components()) {
+            if (isGenericWithoutPart(symbol)) {
+                open.add(new Unexamined(symbol.qualifiedName(), TYPES_MISSING));
+            }
+        }
+        return open;
+    }
+
+    private static String valuesMissing(Component component) {
+        String name = component.qualifiedName();
+        return "takes %s, which no part fixes; give them with --component '%s%s'"
+                .formatted(
+                        MainComponent.signature(component.parameters()),
+                        name,
+                        MainComponent.example(component.parameters()));
+    }
+
+    private boolean isGenericWithoutPart(ComponentSymbol symbol) {
+        String specialised = symbol.qualifiedName() + "<";
+        boolean behaves = !symbol.ownAutomata().isEmpty() || !symbol.ownTables().isEmpty();
+        return symbol.isGeneric()
+                && behaves
+                && !symbol.isPlatform()
+                && isNamed(symbol.nameSpan())
+                && model.components().stream()
+                        .noneMatch(each -> each.qualifiedName().startsWith(specialised));
+    }
+
+    private List<Component> withAutomata() {
+        return model.components().stream()
+                .filter(component -> isNamed(component.span()) && !component.platform())
+                .filter(component -> !Promise.automataOf(component).isEmpty())
+                .toList();
+    }
+
+    private boolean isNamed(Span span) {
+        return checked.loaded().isNamedByUser(span.file().path());
+    }
+
+    private Set<List<Value>> arguments(Component component) {
+        return hasDefaults(component)
+                ? Set.of(Arguments.complete(component, List.of()))
+                : instances.getOrDefault(component.qualifiedName(), Set.of());
+    }
+
+    private static boolean hasDefaults(Component component) {
+        return component.parameters().stream()
+                .map(Parameter::initial)
+                .allMatch(initial -> initial.isPresent());
+    }
+
+    private void collect(Component whole) {
+        try {
+            Network network = Network.of(whole, Arguments.complete(whole, List.of()));
+            for (Network.Instance instance : network.instances()) {
+                instances
+                        .computeIfAbsent(
+                                instance.component().qualifiedName(), name -> new LinkedHashSet<>())
+                        .add(instance.arguments());
+            }
+        } catch (ModelError argumentsGoWrong) {
+            // Said when the whole is run; its parts are examined without it.
+        }
+    }
+}

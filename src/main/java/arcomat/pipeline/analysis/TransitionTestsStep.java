@@ -1,0 +1,121 @@
+package arcomat.pipeline.analysis;
+
+import arcomat.analysis.Promise;
+import arcomat.analysis.coverage.Goal;
+import arcomat.analysis.coverage.TransitionTests;
+import arcomat.model.Component;
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.PromiseReference;
+import arcomat.pipeline.file.OutputFolder;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.rt.ModelError;
+import arcomat.simulate.SuiteText;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+import arcomat.syntax.Formatter;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Writes a suite of stream tests that takes every transition. */
+public final class TransitionTestsStep {
+    private TransitionTestsStep() {}
+
+    public static TransitionTestsResult run(
+            TransitionTestsRequest request, List<String> paths, PathNames names, Progress progress)
+            throws WrongUse {
+        CheckedModels checked =
+                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+        if (checked.hasErrors()) {
+            return new TransitionTestsResult(checked.result(), Optional.empty(), "", "");
+        }
+        Promise promise =
+                PromiseReference.parse(request.component()).in(checked, checked.lower(progress));
+        requireBehaviour(promise.component());
+        String suite = suite(promise.component());
+        progress.step("looking for tests");
+        TransitionTests.Result found = find(promise, suite, request);
+        if (found.tests().isEmpty()) {
+            return new TransitionTestsResult(
+                    checked.result(), Optional.of(found), promise.title(), "");
+        }
+        String folder = promise.component().packageName().replace('.', '/');
+        String file = (folder.isEmpty() ? "" : folder + "/") + suite + ".mt";
+        byte[] text = text(file, suite, promise, found).getBytes(StandardCharsets.UTF_8);
+        OutputFolder.replace(names.resolve(request.out()), request.out(), Map.of(file, text));
+        return new TransitionTestsResult(
+                checked.result(), Optional.of(found), promise.title(), request.out() + "/" + file);
+    }
+
+    private static TransitionTests.Result find(
+            Promise promise, String suite, TransitionTestsRequest request) throws WrongUse {
+        try {
+            return TransitionTests.of(promise, suite, request.limits().budget());
+        } catch (ModelError error) {
+            throw new WrongUse(
+                    "the model goes wrong before it reads anything: " + error.getMessage());
+        }
+    }
+
+    private static void requireBehaviour(Component component) throws WrongUse {
+        String name = "component '" + component.qualifiedName() + "'";
+        if (component.isComposite()) {
+            throw new WrongUse(
+                    name
+                            + " is decomposed, and tests are made from the transitions of one"
+                            + " automaton; name one of its parts");
+        }
+        if (component.platform() || Promise.of(component, List.of()).automata().isEmpty()) {
+            throw new WrongUse(name + " has no automaton, so there is nothing to take");
+        }
+        if (component.name().contains("<")) {
+            throw new WrongUse(name + " has type arguments, which no suite can name");
+        }
+    }
+
+    /** The name of the suite: what is tested, and how. */
+    private static String suite(Component component) {
+        return component.name().replace(".", "") + "Transitions";
+    }
+
+    private static String text(
+            String file, String suite, Promise promise, TransitionTests.Result found) {
+        List<String> remarks = new ArrayList<>();
+        int taken = found.transitions() - found.uncovered().size();
+        remarks.add(
+                "Made by arcomat tests: %d of %d transitions of %s are taken."
+                        .formatted(taken, found.transitions(), promise.title()));
+        found.uncovered()
+                .forEach(
+                        each ->
+                                remarks.add(
+                                        "Not taken: "
+                                                + line(each.transition())
+                                                + ": "
+                                                + each.reason()));
+        List<SuiteText.Entry> entries = new ArrayList<>();
+        for (TransitionTests.Test test : found.tests()) {
+            List<String> takes = test.covers().stream().map(TransitionTestsStep::line).toList();
+            entries.add(new SuiteText.Entry(takes, test.streams()));
+        }
+        String text =
+                SuiteText.of(suite, promise.component(), promise.arguments(), remarks, entries);
+        return Formatter.format(new SourceFile(file, text)).text().orElse(text);
+    }
+
+    /** {@code line 22: driving -> waiting}. */
+    private static String line(Goal goal) {
+        Span span = goal.transition().span();
+        return "line "
+                + span.startPosition().line()
+                + ": "
+                + goal.source()
+                + " -> "
+                + goal.target();
+    }
+}

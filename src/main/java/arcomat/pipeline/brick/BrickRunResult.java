@@ -1,0 +1,34 @@
+package arcomat.pipeline.brick;
+
+import arcomat.sim.trace.Trace;
+import arcomat.source.Diagnostic;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What came of running a program on a simulated brick.
+ *
+ * @param findings about the script
+ * @param run empty exactly if the findings did not let the program run
+ */
+public record BrickRunResult(List<Diagnostic> findings, Optional<Run> run) {
+    public BrickRunResult {
+        findings = List.copyOf(findings);
+    }
+
+    /**
+     * A run.
+     *
+     * @param milliseconds of virtual time
+     * @param ending how it ended, in words: "the program ended"
+     * @param failure what nothing in the program caught
+     * @param screen what the display shows at the end, without empty rows at its end
+     */
+    public record Run(
+            Trace trace,
+            long milliseconds,
+            String ending,
+            Optional<String> failure,
+            List<String> screen) {}
+}

@@ -1,0 +1,108 @@
+package arcomat.pipeline.brick;
+
+import arcomat.brick.Origin;
+import arcomat.brick.RobotClass;
+import arcomat.brick.RobotJar;
+import arcomat.pipeline.file.Failures;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.sim.load.Program;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.jar.Attributes;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+import java.util.jar.Manifest;
+
+/**
+ * A program's jar as it was read.
+ *
+ * @param shown the path as the user wrote it
+ * @param main qualified name of the main class
+ */
+public record JarReader(String shown, byte[] bytes, String main, List<RobotClass> classes) {
+    private static final String CLASS = ".class";
+
+    /**
+     * A jar in a file.
+     *
+     * @param written as the user wrote it
+     * @throws WrongUse where there is none, or what is there is no robot's
+     */
+    public static JarReader read(String written, PathNames names) throws WrongUse {
+        Path file = names.resolve(written);
+        if (!Files.isRegularFile(file)) {
+            throw new WrongUse("there is no jar '" + written + "'");
+        }
+        try {
+            return of(written, Files.readAllBytes(file));
+        } catch (IOException | RuntimeException e) { // damaged archives give either
+            throw new WrongUse("'" + written + "' cannot be read as a jar: " + Failures.reason(e));
+        }
+    }
+
+    /**
+     * A jar that is at hand already.
+     *
+     * @param shown what messages call it
+     * @throws WrongUse where it is no robot's
+     */
+    public static JarReader of(String shown, byte[] bytes) throws IOException, WrongUse {
+        List<RobotClass> classes = new ArrayList<>();
+        try (JarInputStream jar = new JarInputStream(new ByteArrayInputStream(bytes))) {
+            String main =
+                    Optional.ofNullable(jar.getManifest())
+                            .map(Manifest::getMainAttributes)
+                            .map(attributes -> attributes.getValue(Attributes.Name.MAIN_CLASS))
+                            .orElseThrow(() -> notAProgram(shown));
+            for (JarEntry entry = jar.getNextJarEntry(); entry != null; ) {
+                if (entry.getName().endsWith(CLASS)) {
+                    classes.add(classOf(entry.getName(), jar.readAllBytes()));
+                }
+                entry = jar.getNextJarEntry();
+            }
+            return new JarReader(shown, bytes, main, List.copyOf(classes));
+        }
+    }
+
+    private static WrongUse notAProgram(String shown) {
+        return new WrongUse(
+                "'"
+                        + shown
+                        + "' is no robot's jar: its manifest names no Main-Class; 'arcomat generate"
+                        + " --target lejos' makes such jars");
+    }
+
+    /** Where a class of somebody's jar comes from is not known, unless its package tells. */
+    private static RobotClass classOf(String path, byte[] bytes) {
+        Origin origin =
+                path.startsWith("arcomat/rt/")
+                        ? Origin.RUNTIME
+                        : path.startsWith("arcomat/nxt/") || path.startsWith("nxt/")
+                                ? Origin.PLATFORM
+                                : Origin.GENERATED;
+        return new RobotClass(path, bytes, origin, Optional.empty());
+    }
+
+    /** What a simulated brick runs. */
+    public Program program() {
+        Map<String, byte[]> byName = new HashMap<>();
+        for (RobotClass each : classes) {
+            int length = each.path().length() - CLASS.length();
+            byName.put(each.path().substring(0, length).replace('/', '.'), each.bytes());
+        }
+        return new Program(main, byName);
+    }
+
+    public RobotJar jar() {
+        return new RobotJar(shown, classes);
+    }
+}

@@ -1,0 +1,89 @@
+package arcomat.pipeline.check;
+
+import static java.util.stream.Collectors.toSet;
+
+import arcomat.pipeline.file.Failures;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.Baseline;
+import arcomat.report.Baseline.Entry;
+import arcomat.report.BaselineText;
+import arcomat.source.Diagnostic;
+
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/**
+ * A file of known findings. Its paths count from the folder that it lies in: it fits wherever the
+ * models are checked out and from wherever the tool is started.
+ *
+ * @param file as the user wrote it
+ */
+public record BaselineFile(String file, PathNames names) {
+
+    /** Entries of files that nobody looked at are not gone, as long as the files are there. */
+    public Baseline.Comparison compare(CheckResult check) throws WrongUse {
+        Baseline.Comparison all = read().compare(check.findings(), this::path);
+        Set<String> checked = check.paths().stream().map(this::path).collect(toSet());
+        SortedMap<Entry, Integer> gone = new TreeMap<>();
+        all.gone()
+                .forEach(
+                        (entry, times) -> {
+                            Path place = folder().resolve(entry.path());
+                            if (checked.contains(entry.path()) || !Files.exists(place)) {
+                                gone.put(entry.at(shown(entry.path())), times);
+                            }
+                        });
+        return new Baseline.Comparison(all.fresh(), all.known(), gone);
+    }
+
+    private String shown(String path) {
+        return names.shown(folder().resolve(path), Path.of(path).isAbsolute());
+    }
+
+    /** What is to be written into the file, so that it knows these findings. */
+    public String text(List<Diagnostic> findings) {
+        return BaselineText.render(Baseline.of(findings, this::path));
+    }
+
+    private Baseline read() throws WrongUse {
+        Path place = names.resolve(file);
+        if (!Files.exists(place)) {
+            throw new WrongUse(
+                    "there is no baseline '%s'; --write-baseline %s makes one"
+                            .formatted(file, file));
+        }
+        try {
+            return BaselineText.parse(Files.readString(place));
+        } catch (BaselineText.Damaged problem) {
+            throw damaged(problem.getMessage());
+        } catch (CharacterCodingException e) {
+            throw damaged("it is not UTF-8");
+        } catch (IOException e) {
+            throw new WrongUse("cannot read '" + file + "': " + Failures.reason(e));
+        }
+    }
+
+    private WrongUse damaged(String reason) {
+        return new WrongUse(
+                "'%s' is no baseline: %s; restore it, or write it anew with --write-baseline %s"
+                        .formatted(file, reason, file));
+    }
+
+    private Path folder() {
+        return names.resolve(file).toAbsolutePath().normalize().getParent();
+    }
+
+    private String path(String shown) {
+        Path folder = folder();
+        Path path = names.resolve(shown).toAbsolutePath().normalize();
+        boolean related = path.getRoot().equals(folder.getRoot());
+        return (related ? folder.relativize(path) : path).toString().replace('\\', '/');
+    }
+}

@@ -1,0 +1,123 @@
+package arcomat.pipeline.check;
+
+import arcomat.check.Checks;
+import arcomat.check.Profile;
+import arcomat.check.Review;
+import arcomat.lower.Lowering;
+import arcomat.model.Model;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.Progress;
+import arcomat.source.Diagnostic;
+import arcomat.source.Suppressed;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Workspace;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.function.Function;
+
+/**
+ * The files behind a set of paths, read, parsed and checked: every finding of every file in one
+ * run.
+ *
+ * @param findings to be shown, ordered, each once
+ * @param suppressed what the models declare to be meant and what does not keep them from their use
+ */
+public record CheckedModels(
+        LoadedModels loaded,
+        Workspace workspace,
+        List<Diagnostic> findings,
+        List<Suppressed> suppressed) {
+
+    /** Checks models for their own sake. */
+    public static CheckedModels check(
+            List<String> paths, Profile profile, PathNames names, Progress progress) {
+        LoadedModels loaded = ModelLoader.load(paths, names, progress);
+        Workspace workspace = workspace(loaded, progress);
+        Review review = Checks.review(workspace, profile);
+        return of(loaded, workspace, review.findings(), review.suppressed());
+    }
+
+    /**
+     * Checks models that are about to run: no error is excused by being meant.
+     *
+     * @param executable components that code is made of; requirements beside them need not be
+     *     executable
+     */
+    public static CheckedModels checkToRun(
+            List<String> paths,
+            Function<Workspace, Collection<ComponentSymbol>> executable,
+            PathNames names,
+            Progress progress) {
+        return checkToRun(ModelLoader.load(paths, names, progress), executable, progress);
+    }
+
+    /** As {@link #checkToRun}, but stream tests are not looked at. */
+    public static CheckedModels checkWithoutTests(
+            List<String> paths, PathNames names, Progress progress) {
+        LoadedModels loaded = ModelLoader.load(paths, names, progress).withoutTests();
+        return checkToRun(loaded, models -> List.of(), progress);
+    }
+
+    private static CheckedModels checkToRun(
+            LoadedModels loaded,
+            Function<Workspace, Collection<ComponentSymbol>> executable,
+            Progress progress) {
+        Workspace workspace = workspace(loaded, progress);
+        Review review = Checks.review(workspace, Profile.REQUIREMENTS);
+        TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
+        findings.addAll(review.findings());
+        review.suppressed().stream()
+                .map(Suppressed::finding)
+                .filter(Diagnostic::isError)
+                .forEach(findings::add);
+        List<Suppressed> meant =
+                review.suppressed().stream().filter(each -> !each.finding().isError()).toList();
+        MadeOf code = MadeOf.those(executable.apply(workspace));
+        if (!code.isEmpty()) {
+            findings.removeIf(code::contains);
+            Checks.run(workspace, Profile.EXECUTABLE).stream()
+                    .filter(code::contains)
+                    .forEach(findings::add);
+        }
+        return of(loaded, workspace, findings, meant);
+    }
+
+    private static Workspace workspace(LoadedModels loaded, Progress progress) {
+        progress.step("checking", loaded.units().size(), "model");
+        return Workspace.of(loaded.units(), loaded.broken());
+    }
+
+    private static CheckedModels of(
+            LoadedModels loaded,
+            Workspace workspace,
+            Collection<Diagnostic> found,
+            List<Suppressed> meant) {
+        TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
+        findings.addAll(loaded.findings());
+        findings.addAll(found);
+        findings.removeIf(finding -> !loaded.isShown(finding));
+        if (loaded.findings().stream().anyMatch(Diagnostic::isError)) {
+            // What does not parse may well be what is suppressed.
+            findings.removeIf(Checks::isUnusedSuppression);
+        }
+        List<Suppressed> suppressed =
+                meant.stream().filter(each -> loaded.isShown(each.finding())).toList();
+        return new CheckedModels(loaded, workspace, List.copyOf(findings), suppressed);
+    }
+
+    public boolean hasErrors() {
+        return findings.stream().anyMatch(Diagnostic::isError);
+    }
+
+    /** The meaning of the models; only without errors. */
+    public Model lower(Progress progress) {
+        progress.step("lowering");
+        return Lowering.lower(workspace);
+    }
+
+    public CheckResult result() {
+        return new CheckResult(findings, suppressed, loaded.named());
+    }
+}

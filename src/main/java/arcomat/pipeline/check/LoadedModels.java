@@ -1,0 +1,73 @@
+package arcomat.pipeline.check;
+
+import arcomat.pipeline.step.PathNames;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.tree.Unit;
+
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * The files behind a set of paths, parsed.
+ *
+ * @param named paths of the files that the user named, by file or by folder
+ * @param sources all files that could be read, in that order
+ * @param units the trees of all files that parse, files that others need included
+ * @param broken paths of the files that could not be read or parsed
+ * @param findings about reading and parsing
+ * @param needed paths of the files that were read only because others refer to them
+ */
+public record LoadedModels(
+        List<String> named,
+        List<SourceFile> sources,
+        List<Unit> units,
+        Set<String> broken,
+        List<Diagnostic> findings,
+        Set<String> needed) {
+    public LoadedModels {
+        named = List.copyOf(named);
+        sources = List.copyOf(sources);
+        units = List.copyOf(units);
+        broken = Set.copyOf(broken);
+        findings = List.copyOf(findings);
+        needed = Set.copyOf(needed);
+    }
+
+    /** The same but for the stream tests, as if there were none. */
+    LoadedModels withoutTests() {
+        return new LoadedModels(
+                named.stream().filter(path -> !isTest(path)).toList(),
+                sources.stream().filter(file -> !isTest(file.path())).toList(),
+                units.stream().filter(unit -> !isTest(unit.file().path())).toList(),
+                broken.stream().filter(path -> !isTest(path)).collect(Collectors.toSet()),
+                findings.stream().filter(each -> !isTest(each.span().file().path())).toList(),
+                needed);
+    }
+
+    private static boolean isTest(String path) {
+        return path.endsWith(".mt");
+    }
+
+    /** The model roots of all files that lie where their package says. */
+    public Set<Path> roots(PathNames names) {
+        Set<Path> roots = new LinkedHashSet<>();
+        for (Unit unit : units) {
+            ModelRoot.of(unit, names.resolve(unit.file().path())).ifPresent(roots::add);
+        }
+        return roots;
+    }
+
+    /** Whether a file is one of those asked about, and not only needed by them. */
+    public boolean isNamedByUser(String path) {
+        return !needed.contains(path);
+    }
+
+    /** Warnings about files that the user did not name are somebody else's business. */
+    boolean isShown(Diagnostic finding) {
+        return finding.isError() || isNamedByUser(finding.span().file().path());
+    }
+}

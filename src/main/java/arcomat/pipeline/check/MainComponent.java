@@ -1,0 +1,172 @@
+package arcomat.pipeline.check;
+
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.model.Parameter;
+import arcomat.model.Value;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.semantics.Arguments;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Nearest;
+import arcomat.symbols.Workspace;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * The component that is to run, as {@code --main} names it: {@code p.Fetcher}, or {@code
+ * p.Timer(2)} with a value for each parameter that has no default.
+ */
+public record MainComponent(Component component, List<Value> arguments) {
+    private static final int NAMED_COMPONENTS = 10;
+    private static final Pattern WRITTEN = Pattern.compile("\\s*([^(]*?)\\s*(?:\\((.*)\\)\\s*)?");
+    private static final Pattern ARGUMENT =
+            Pattern.compile("\\s*(\"[^\"]*\"|'[^']*'|[^,\"']*?)\\s*(,|$)");
+
+    public MainComponent {
+        arguments = List.copyOf(arguments);
+    }
+
+    /**
+     * By its name, with arguments in brackets or without.
+     *
+     * @param written such as {@code p.Robot(3, "left")}
+     * @throws WrongUse where there is no such component, or the arguments do not fit it
+     */
+    public static MainComponent find(String written, CheckedModels checked, Model model)
+            throws WrongUse {
+        Matcher matcher = WRITTEN.matcher(written);
+        if (!matcher.matches()) {
+            throw new WrongUse("'" + written + "' is not a name such as p.Robot");
+        }
+        Component component = component(matcher.group(1), checked, model);
+        return new MainComponent(component, arguments(component, split(matcher.group(2))));
+    }
+
+    /** What a name as for {@link #find} may mean before the models have a meaning. */
+    public static List<ComponentSymbol> symbols(String written, Workspace models) {
+        Matcher matcher = WRITTEN.matcher(written);
+        return matcher.matches() ? models.components(matcher.group(1)) : List.of();
+    }
+
+    /** The only component that is there to be deployed, for a command that names none. */
+    public static MainComponent onlyDeployed(Model model) throws WrongUse {
+        List<Component> deployed = model.components().stream().filter(Component::deploy).toList();
+        if (deployed.size() == 1) {
+            return new MainComponent(deployed.get(0), arguments(deployed.get(0), List.of()));
+        }
+        throw new WrongUse(
+                "which component is to run? name it with --main; there are " + listing(model));
+    }
+
+    /** By its name alone. */
+    public static Component component(String name, CheckedModels checked, Model model)
+            throws WrongUse {
+        Optional<Component> found = model.component(name);
+        if (found.isPresent()) {
+            return found.get();
+        }
+        if (!checked.workspace().components(name).isEmpty()) {
+            throw new WrongUse(
+                    "component '"
+                            + name
+                            + "' is generic and cannot run by itself; name a component with a part"
+                            + " that says its type arguments");
+        }
+        throw new WrongUse("there is no component '" + name + "'" + hint(name, model));
+    }
+
+    private static String hint(String name, Model model) {
+        List<String> names = model.components().stream().map(Component::qualifiedName).toList();
+        // A simple name means the component of that name in whatever package.
+        Optional<String> sameSimpleName =
+                names.stream().filter(n -> n.endsWith("." + name)).findFirst();
+        return sameSimpleName
+                .or(() -> Nearest.to(name, names))
+                .map(meant -> "; did you mean '" + meant + "'?")
+                .orElseGet(() -> "; there are " + listing(model));
+    }
+
+    private static String listing(Model model) {
+        List<String> names = model.components().stream().map(Component::qualifiedName).toList();
+        String listed = names.stream().limit(NAMED_COMPONENTS).collect(Collectors.joining(", "));
+        int more = names.size() - NAMED_COMPONENTS;
+        return names.isEmpty()
+                ? "no components"
+                : more > 0 ? listed + " and " + more + " more" : listed;
+    }
+
+    private static List<String> split(String arguments) {
+        List<String> parts = new ArrayList<>();
+        if (arguments == null || arguments.isBlank()) {
+            return parts;
+        }
+        Matcher matcher = ARGUMENT.matcher(arguments);
+        int at = 0;
+        while (at <= arguments.length() && matcher.find(at)) {
+            parts.add(matcher.group(1));
+            at = matcher.group(2).isEmpty() ? arguments.length() + 1 : matcher.end();
+        }
+        return parts;
+    }
+
+    private static List<Value> arguments(Component component, List<String> written)
+            throws WrongUse {
+        List<Parameter> parameters = component.parameters();
+        long required = parameters.stream().filter(p -> p.initial().isEmpty()).count();
+        if (written.size() < required || written.size() > parameters.size()) {
+            throw new WrongUse(
+                    "component '"
+                            + component.qualifiedName()
+                            + "' takes "
+                            + signature(parameters)
+                            + "; write '"
+                            + component.qualifiedName()
+                            + example(parameters)
+                            + "'");
+        }
+        List<Value> values = new ArrayList<>();
+        for (int i = 0; i < written.size(); i++) {
+            Parameter parameter = parameters.get(i);
+            String text = written.get(i);
+            values.add(
+                    WrittenValue.parse(text, parameter.type())
+                            .orElseThrow(
+                                    () ->
+                                            new WrongUse(
+                                                    "argument '"
+                                                            + text
+                                                            + "' of '"
+                                                            + component.qualifiedName()
+                                                            + "' is not a value of "
+                                                            + parameter.type().name()
+                                                            + ", the type of '"
+                                                            + parameter.name()
+                                                            + "'")));
+        }
+        return Arguments.complete(component, values);
+    }
+
+    /** Parameters in words, for a message about arguments. */
+    public static String signature(List<Parameter> parameters) {
+        if (parameters.isEmpty()) {
+            return "no arguments";
+        }
+        return parameters.stream()
+                .map(p -> p.type().name() + " " + p.name() + (p.initial().isPresent() ? "?" : ""))
+                .collect(Collectors.joining(", ", "the arguments (", ")"));
+    }
+
+    /** Arguments that would do, for such a message. */
+    public static String example(List<Parameter> parameters) {
+        return parameters.isEmpty()
+                ? ""
+                : parameters.stream()
+                        .map(Parameter::name)
+                        .collect(Collectors.joining(", ", "(", ")"));
+    }
+}

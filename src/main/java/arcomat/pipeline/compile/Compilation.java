@@ -1,0 +1,33 @@
+package arcomat.pipeline.compile;
+
+import java.util.List;
+import java.util.Map;
+
+/**
+ * What came of compiling Java.
+ *
+ * @param classes class files by internal name ({@code p/Robot}), those of files without errors
+ * @param sources path of the source file by internal name of the class
+ */
+public record Compilation(
+        Map<String, byte[]> classes, Map<String, String> sources, List<Problem> problems) {
+    public Compilation {
+        classes = Map.copyOf(classes);
+        sources = Map.copyOf(sources);
+        problems = List.copyOf(problems);
+    }
+
+    /**
+     * An error of the compiler.
+     *
+     * @param path of the source file
+     * @param start offset of the first character, or -1
+     * @param end offset behind the last one
+     */
+    public record Problem(String path, int line, int start, int end, String message) {
+        @Override
+        public String toString() {
+            return path + ":" + line + ": " + message;
+        }
+    }
+}

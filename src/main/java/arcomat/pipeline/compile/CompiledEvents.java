@@ -1,0 +1,144 @@
+package arcomat.pipeline.compile;
+
+import arcomat.generate.Layout;
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Network;
+import arcomat.simulate.Surroundings;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Drives event-driven compiled code: one event and all that follows from it. It visits the
+ * instances itself, in the order in which the generated network does, to see every reaction.
+ */
+final class CompiledEvents implements CompiledExecution.Engine {
+    /** As the interpreter has it: then messages circle for ever. */
+    private static final int MOST_REACTIONS = 1_000_000;
+
+    private final CompiledModel model;
+    private final Network network;
+    private final Messages messages;
+    private final Surroundings surroundings;
+    private final Map<String, CompiledModel.Part> parts;
+    private final List<Waiter> waiters = new ArrayList<>();
+    private final Map<String, Call> senders = new LinkedHashMap<>();
+    private final Map<String, List<Value>> shown = new LinkedHashMap<>();
+    private boolean started;
+
+    /** An instance with its queue. */
+    private record Waiter(CompiledActor actor, Slot queued, int capacity, Call start, Call react) {}
+
+    CompiledEvents(CompiledModel model, Network network, List<Value> arguments, int seed) {
+        this.model = model;
+        this.network = network;
+        this.messages = new Messages(model);
+        this.surroundings = new Surroundings(network);
+        String className = model.place(model.component()).className();
+        Object whole = model.instantiate(className, messages.constructorArguments(arguments, seed));
+        parts = model.parts(whole);
+        List<CompiledActor> actors = CompiledActor.all(model, network, parts, messages);
+        for (int i = 0; i < actors.size(); i++) {
+            Component component = network.instances().get(i).component();
+            Object object = parts.get(actors.get(i).path()).object();
+            waiters.add(
+                    new Waiter(
+                            actors.get(i),
+                            new Slot(object, model.place(component).queued()),
+                            component.queueCapacity(),
+                            new Call(object, "start", 0),
+                            new Call(object, "react", 0)));
+        }
+        network.inputs().forEach(this::connectInput);
+        network.outputs().forEach(this::watchOutput);
+    }
+
+    private void connectInput(Network.External external) {
+        Layout.Place place = place(external);
+        String method = place.methods().get(external.port().name());
+        senders.put(external.name(), new Call(part(external).object(), method, 1));
+    }
+
+    private void watchOutput(Network.External external) {
+        shown.put(external.name(), new ArrayList<>());
+        Slot border = new Slot(part(external).object(), place(external).border());
+        BorderRecorder recorder = (BorderRecorder) border.get();
+        if (recorder == null) {
+            recorder = new BorderRecorder(messages);
+            border.set(recorder);
+        }
+        recorder.record(external.port(), shown.get(external.name()));
+    }
+
+    private Layout.Place place(Network.External external) {
+        return model.place(part(external).component());
+    }
+
+    private CompiledModel.Part part(Network.External external) {
+        int dot = external.name().lastIndexOf('.');
+        return parts.get(external.name().substring(0, Math.max(0, dot)));
+    }
+
+    @Override
+    public Trace.Step step(Letter input, int number) {
+        shown.values().forEach(List::clear);
+        List<Trace.Activity> activities = new ArrayList<>();
+        if (!started) {
+            started = true;
+            waiters.forEach(waiter -> guarded(waiter, waiter.start));
+            runToCompletion(activities);
+        }
+        surroundings.requireKnownPorts(input);
+        for (Network.External external : network.inputs()) {
+            for (Value message : input.messages(external.name())) {
+                Object held = messages.toJava(message, external.port().type());
+                guarded(null, () -> senders.get(external.name()).with(held));
+            }
+        }
+        runToCompletion(activities);
+        return new Trace.Step(number, input, new Letter(shown), activities);
+    }
+
+    private void runToCompletion(List<Trace.Activity> activities) {
+        int reactions = 0;
+        boolean worked = true;
+        while (worked) {
+            worked = false;
+            for (Waiter waiter : waiters) {
+                if (waiter.queued.getInt() > 0) {
+                    worked = true;
+                    waiter.actor.begin();
+                    guarded(waiter, waiter.react);
+                    activities.add(waiter.actor.activity());
+                    reactions++;
+                }
+            }
+            if (reactions > MOST_REACTIONS) {
+                throw new ModelError(
+                        "messages circle without end: "
+                                + MOST_REACTIONS
+                                + " reactions to one event, and still some wait");
+            }
+        }
+    }
+
+    /** Puts the path of the instance that went wrong before the message of an error. */
+    private void guarded(Waiter active, Runnable action) {
+        try {
+            action.run();
+        } catch (ModelError problem) {
+            Waiter culprit = active;
+            for (Waiter waiter : waiters) {
+                culprit = waiter.queued.getInt() > waiter.capacity ? waiter : culprit;
+            }
+            String path = culprit == null ? "" : culprit.actor.path();
+            throw new ModelError((path.isEmpty() ? "" : path + ": ") + problem.getMessage());
+        }
+    }
+}

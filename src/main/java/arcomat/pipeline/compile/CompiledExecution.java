@@ -1,0 +1,63 @@
+package arcomat.pipeline.compile;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Execution;
+import arcomat.semantics.Network;
+
+import java.util.List;
+
+/** One run of compiled code, with the same traces as the interpreter's. */
+public final class CompiledExecution implements Execution {
+    /** Time-synchronous or event-driven. */
+    interface Engine {
+        Trace.Step step(Letter input, int number);
+    }
+
+    private final CompiledModel model;
+    private final Network network;
+    private final List<Value> arguments;
+    private final int seed;
+    private Engine engine;
+    private int number;
+
+    /**
+     * @param arguments one per parameter of the component
+     * @param seed of the random choices, if the model was compiled for them
+     */
+    public CompiledExecution(CompiledModel model, List<Value> arguments, int seed) {
+        this.model = model;
+        this.network = Network.of(model.component(), arguments);
+        this.arguments = List.copyOf(arguments);
+        this.seed = seed;
+    }
+
+    @Override
+    public Component component() {
+        return model.component();
+    }
+
+    @Override
+    public Trace.Step step(Letter input) {
+        int now = number++;
+        try {
+            if (engine == null) {
+                engine =
+                        isTimed()
+                                ? new CompiledSlices(model, network, arguments, seed)
+                                : new CompiledEvents(model, network, arguments, seed);
+            }
+            return engine.step(input, now);
+        } catch (ModelError problem) {
+            String unit = isTimed() ? "slice " : "step ";
+            throw new ModelError(unit + now + ": " + problem.getMessage());
+        }
+    }
+
+    private boolean isTimed() {
+        return component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+    }
+}

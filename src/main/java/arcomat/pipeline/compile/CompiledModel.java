@@ -1,0 +1,125 @@
+package arcomat.pipeline.compile;
+
+import arcomat.generate.Choosing;
+import arcomat.generate.GeneratedFile;
+import arcomat.generate.Generation;
+import arcomat.generate.Generator;
+import arcomat.generate.Layout;
+import arcomat.generate.Request;
+import arcomat.generate.Target;
+import arcomat.model.Component;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Composition;
+
+import java.lang.reflect.Array;
+import java.lang.reflect.InvocationTargetException;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** A component as compiled code, loaded and ready to be instantiated. Compiled once, run often. */
+public record CompiledModel(
+        Component component, Choosing choosing, Layout layout, ClassLoader loader) {
+
+    /**
+     * Generates Java for a component and all its parts, compiles and loads it.
+     *
+     * @param component passes the checks of the executable profile
+     */
+    public static CompiledModel of(Component component, Choosing choosing) {
+        Target target = Target.shipped("jvm").orElseThrow();
+        Generation generation = Generator.generate(Request.library(component, choosing), target);
+        if (!generation.findings().isEmpty()) {
+            throw new IllegalStateException(generation.findings().get(0).message());
+        }
+        Map<String, String> sources = new LinkedHashMap<>();
+        for (GeneratedFile file : generation.files()) {
+            sources.put(file.path(), file.text());
+        }
+        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+        if (!compilation.problems().isEmpty()) {
+            throw new IllegalStateException(compilation.problems().toString());
+        }
+        return new CompiledModel(
+                component, choosing, generation.layout(), new Loader(compilation.classes()));
+    }
+
+    /** Finds classes in memory; what generated code needs besides is the tool's own runtime. */
+    private static final class Loader extends ClassLoader {
+        private final Map<String, byte[]> classes;
+
+        Loader(Map<String, byte[]> classes) {
+            super(CompiledModel.class.getClassLoader());
+            this.classes = classes;
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            // A model may use package names of the tool; its own classes come first.
+            synchronized (getClassLoadingLock(name)) {
+                byte[] file = classes.get(name.replace('.', '/'));
+                if (file == null) {
+                    return super.loadClass(name, resolve);
+                }
+                Class<?> known = findLoadedClass(name);
+                return known != null ? known : defineClass(name, file, 0, file.length);
+            }
+        }
+    }
+
+    /** Calls the one constructor of a class. */
+    Object instantiate(String className, List<Object> arguments) {
+        try {
+            return loader.loadClass(className)
+                    .getConstructors()[0]
+                    .newInstance(arguments.toArray());
+        } catch (InvocationTargetException e) {
+            if (e.getCause() instanceof ModelError problem) {
+                throw problem;
+            }
+            throw new IllegalStateException(e);
+        } catch (ReflectiveOperationException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    Layout.Place place(Component part) {
+        return layout.components().get(part.qualifiedName());
+    }
+
+    /** An instance: its component and its object. */
+    record Part(Component component, Object object) {}
+
+    /** The instances of a run by their path, the whole under the empty path. */
+    Map<String, Part> parts(Object whole) {
+        Map<String, Part> parts = new LinkedHashMap<>();
+        collect("", component, whole, parts);
+        return parts;
+    }
+
+    private void collect(String path, Component part, Object object, Map<String, Part> parts) {
+        parts.put(path, new Part(part, object));
+        if (!part.isComposite() || part.platform()) {
+            return;
+        }
+        String prefix = path.isEmpty() ? "" : path + ".";
+        for (Composition.Node node : Composition.of(part).nodes()) {
+            Object inner = object;
+            for (String field : place(part).parts().get(node.path()).split("\\.")) {
+                inner = member(inner, field);
+            }
+            collect(prefix + node.path(), node.component(), inner, parts);
+        }
+    }
+
+    /** A field, or an element of an array: {@code cells[3]}. */
+    private static Object member(Object owner, String field) {
+        int bracket = field.indexOf('[');
+        if (bracket < 0) {
+            return new Slot(owner, field).get();
+        }
+        Object array = new Slot(owner, field.substring(0, bracket)).get();
+        int index = Integer.parseInt(field.substring(bracket + 1, field.length() - 1));
+        return Array.get(array, index);
+    }
+}

@@ -1,0 +1,2 @@
+/** Brings files into canonical form. Knows nothing of what they mean. */
+package arcomat.pipeline.format;

@@ -1,0 +1,56 @@
+package arcomat.pipeline.picture;
+
+import arcomat.diagram.Graph;
+import arcomat.pipeline.file.AtomicFile;
+import arcomat.pipeline.file.Failures;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Optional;
+
+/** One picture in a file of its own; its name says the format. */
+public final class DiagramFile {
+    private DiagramFile() {}
+
+    /** Before long work whose result could not be written. */
+    public static void requireKnown(Optional<String> file) throws WrongUse {
+        if (file.isPresent()) {
+            format(file.get());
+        }
+    }
+
+    /**
+     * Writes a picture; folders on the way are made.
+     *
+     * @param file as the user wrote it
+     * @throws WrongUse where its name says no format, or it cannot be written
+     */
+    public static void write(String file, Graph graph, PathNames names) throws WrongUse {
+        Path path = names.resolve(file).toAbsolutePath().normalize();
+        String folder = path.getParent().toString();
+        byte[] content = format(file).content(graph, new SourceLinks(names, folder)::of);
+        try {
+            Files.createDirectories(path.getParent());
+            AtomicFile.write(path, content);
+        } catch (IOException e) {
+            throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
+        }
+    }
+
+    private static PictureFormat format(String file) throws WrongUse {
+        return Arrays.stream(PictureFormat.values())
+                .filter(format -> file.endsWith("." + format))
+                .findFirst()
+                .orElseThrow(
+                        () ->
+                                new WrongUse(
+                                        "'"
+                                                + file
+                                                + "' says no format; pictures end in .svg, .png or"
+                                                + " .dot"));
+    }
+}

@@ -1,0 +1,93 @@
+package arcomat.pipeline.picture;
+
+import arcomat.analysis.Footprints;
+import arcomat.analysis.Footprints.Footprint;
+import arcomat.analysis.Moment;
+import arcomat.analysis.Promise;
+import arcomat.analysis.Verdict;
+import arcomat.diagram.AutomatonGraph;
+import arcomat.diagram.FailureGraph;
+import arcomat.diagram.Graph;
+import arcomat.diagram.Highlights;
+import arcomat.diagram.Highlights.Highlight;
+import arcomat.diagram.Highlights.Kind;
+import arcomat.model.Automaton;
+import arcomat.model.Value;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** What is to be drawn of a failed comparison: the run, and its way through both automata. */
+public final class FailurePicture {
+    private FailurePicture() {}
+
+    /** Of a verdict that fails with a run. */
+    public static Graph of(Promise left, Promise right, Verdict verdict) {
+        List<Moment> trace = verdict.trace();
+        List<FailureGraph.Step> steps = trace.stream().map(FailurePicture::step).toList();
+        String title = left.title() + " does not refine " + right.title();
+        return FailureGraph.of(
+                title,
+                steps,
+                side(left, "left: ", trace, true),
+                side(right, "right: ", trace, false));
+    }
+
+    private static FailureGraph.Step step(Moment moment) {
+        List<String> letters = new ArrayList<>();
+        moment.input()
+                .messages()
+                .forEach((port, values) -> letters.add(port + " = " + text(values)));
+        List<String> sent = new ArrayList<>();
+        moment.outputs()
+                .forEach(
+                        (port, messages) -> {
+                            if (!messages.equals(Sent.SILENCE)) {
+                                sent.add(
+                                        port
+                                                + " = "
+                                                + (messages instanceof Sent.Messages
+                                                        ? messages
+                                                        : "*"));
+                            }
+                        });
+        letters.add("/ " + (moment.error() ? "error" : sent.isEmpty() ? "--" : sent.get(0)));
+        letters.addAll(sent.subList(Math.min(1, sent.size()), sent.size()));
+        return new FailureGraph.Step(letters, moment.left(), moment.right());
+    }
+
+    private static String text(List<Value> values) {
+        return values.size() == 1 ? values.get(0).toString() : values.toString();
+    }
+
+    /** The automaton of a side, with the numbers of the steps at its states and transitions. */
+    private static Optional<Graph> side(
+            Promise side, String which, List<Moment> trace, boolean isLeft) {
+        if (side.automata().size() != 1) {
+            return Optional.empty();
+        }
+        Automaton automaton = side.automata().get(0);
+        List<Footprint> footprints = Footprints.of(side, automaton, trace, isLeft);
+        Map<Integer, List<Highlight>> states = new LinkedHashMap<>();
+        Map<Integer, List<Highlight>> transitions = new LinkedHashMap<>();
+        for (int i = 0; i < trace.size(); i++) {
+            Highlight step = new Highlight(Kind.ACTIVE, "step " + i, "");
+            footprints.get(i).states().forEach(state -> add(states, state, step));
+            footprints.get(i).transitions().forEach(each -> add(transitions, each, step));
+            if (!isLeft && i > 0 && trace.get(i).right().isEmpty()) {
+                Highlight stuck = new Highlight(Kind.PROBLEM, "no step " + i, "");
+                footprints.get(i - 1).states().forEach(state -> add(states, state, stuck));
+            }
+        }
+        Highlights highlights = new Highlights(states, transitions);
+        return Optional.of(AutomatonGraph.of(which + side.title(), automaton, highlights));
+    }
+
+    private static void add(Map<Integer, List<Highlight>> map, int index, Highlight highlight) {
+        map.computeIfAbsent(index, key -> new ArrayList<>()).add(highlight);
+    }
+}

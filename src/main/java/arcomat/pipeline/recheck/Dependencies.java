@@ -1,0 +1,101 @@
+package arcomat.pipeline.recheck;
+
+import arcomat.report.CheckState;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Which files can see a change of which, judged by the words in their texts: a file refers to
+ * another one at most if it contains all words of a name that the other one defines. That is more
+ * than the names that are resolved, but it holds for names that appear, vanish, move or hide others
+ * just as well.
+ */
+final class Dependencies {
+    private final Map<String, Footprint> files = new LinkedHashMap<>();
+    private final Map<String, List<String>> claimants;
+
+    Dependencies(Collection<CheckState.File> files) {
+        files.forEach(file -> this.files.put(file.path(), Footprint.of(file)));
+        this.claimants = claimants();
+    }
+
+    /**
+     * Files, those that claim the same as one of them, and all that they refer to, over any number
+     * of steps.
+     */
+    Set<String> neededBy(Set<String> paths) {
+        Set<String> needed = new HashSet<>(paths);
+        for (String path : paths) {
+            files.get(path).claims().forEach(claim -> needed.addAll(claimants.get(claim)));
+        }
+        Deque<String> open = new ArrayDeque<>(needed);
+        while (!open.isEmpty() && needed.size() < files.size()) {
+            Set<String> mentions = files.get(open.remove()).mentions();
+            files.forEach(
+                    (path, other) -> {
+                        if (!needed.contains(path)
+                                && other.offers().stream().anyMatch(mentions::containsAll)) {
+                            needed.add(path);
+                            open.add(path);
+                        }
+                    });
+        }
+        return needed;
+    }
+
+    /**
+     * The files whose findings may be others than before, over any number of steps: those that
+     * changed, those that refer to one of these, and those that claim what one of these claims.
+     *
+     * @param changed footprints of what changed, before and now
+     */
+    Set<String> affectedBy(Collection<Footprint> changed) {
+        Set<String> affected = new HashSet<>();
+        Deque<Footprint> open = new ArrayDeque<>(changed);
+        while (!open.isEmpty()) {
+            Footprint current = open.remove();
+            List<String> fresh = new ArrayList<>();
+            for (String claim : current.claims()) {
+                claimants.getOrDefault(claim, List.of()).stream()
+                        .filter(affected::add)
+                        .forEach(fresh::add);
+            }
+            files.forEach(
+                    (path, other) -> {
+                        if (!affected.contains(path) && refers(other, current)) {
+                            affected.add(path);
+                            fresh.add(path);
+                        }
+                    });
+            fresh.forEach(path -> open.add(files.get(path)));
+        }
+        return affected;
+    }
+
+    private static boolean refers(Footprint from, Footprint to) {
+        return to.offers().stream().anyMatch(from.mentions()::containsAll);
+    }
+
+    private Map<String, List<String>> claimants() {
+        Map<String, List<String>> claimants = new HashMap<>();
+        files.forEach(
+                (path, file) ->
+                        file.claims()
+                                .forEach(
+                                        claim ->
+                                                claimants
+                                                        .computeIfAbsent(
+                                                                claim, c -> new ArrayList<>(1))
+                                                        .add(path)));
+        return claimants;
+    }
+}

@@ -1,0 +1,70 @@
+package arcomat.pipeline.recheck;
+
+import arcomat.report.CheckState;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+
+/**
+ * How a file can touch others.
+ *
+ * @param offers what others may refer to, each as the words that a text must contain to do so: a
+ *     name is looked for as it is written, behind a package or behind an import, so that all parts
+ *     of the full name are in the text
+ * @param mentions the words of its text
+ * @param claims what only one file may have
+ */
+record Footprint(List<List<String>> offers, Set<String> mentions, Set<String> claims) {
+    /** Behind the name of a package: all of it, as in an import. No name has this letter. */
+    private static final String ALL = "*";
+
+    static Footprint of(CheckState.File file) {
+        Set<String> claims = new HashSet<>();
+        claims.add("file " + file.path().toLowerCase(Locale.ROOT));
+        if (file.names().isEmpty()) {
+            return new Footprint(brokenOffers(file.path()), Set.of(), claims);
+        }
+        CheckState.Names names = file.names().get();
+        List<List<String>> offers = new ArrayList<>();
+        names.components().stream().findFirst().map(Footprint::words).ifPresent(offers::add);
+        names.diagram().map(Footprint::words).ifPresent(offers::add);
+        for (String component : names.components()) {
+            claims.add(javaClass(names.packageName(), component));
+        }
+        return new Footprint(offers, file.mentions(), claims);
+    }
+
+    /** The parts of a qualified name. */
+    static List<String> words(String qualifiedName) {
+        return List.of(qualifiedName.split("\\."));
+    }
+
+    /** How a text mentions all of a package. */
+    static String allOf(String packageName) {
+        return packageName.substring(packageName.lastIndexOf('.') + 1) + ALL;
+    }
+
+    /** What a file without a tree might define is excused, and so are imports of its folder. */
+    private static List<List<String>> brokenOffers(String path) {
+        int slash = path.lastIndexOf('/');
+        int dot = path.lastIndexOf('.');
+        String name = (dot > slash ? path.substring(0, dot) : path).replace('/', '.');
+        List<List<String>> offers = new ArrayList<>();
+        offers.add(List.of(name.substring(slash + 1)));
+        int last = name.lastIndexOf('.');
+        if (last >= 0) {
+            offers.add(List.of(allOf(name.substring(0, last))));
+        }
+        return offers;
+    }
+
+    /** Layers aside: more files than necessary have the same one. */
+    private static String javaClass(String packageName, String component) {
+        String inPackage =
+                packageName.isEmpty() ? component : component.substring(packageName.length() + 1);
+        return "class " + packageName + "." + inPackage.replace(".", "");
+    }
+}

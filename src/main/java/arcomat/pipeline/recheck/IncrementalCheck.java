@@ -1,0 +1,121 @@
+package arcomat.pipeline.recheck;
+
+import arcomat.check.Checks;
+import arcomat.check.Profile;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.Library;
+import arcomat.pipeline.check.ModelLoader;
+import arcomat.pipeline.check.NamedFiles;
+import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.Progress;
+import arcomat.report.CheckState;
+import arcomat.report.CheckState.File;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.Suppressed;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * Checks what changed since the last check and what that touches; of all other files the findings
+ * are known. Where files beyond those that the user named come or go, everything is checked.
+ *
+ * @param tool whatever tells this tool from others that may find something else
+ */
+public record IncrementalCheck(
+        List<String> paths, Profile profile, String tool, PathNames names, Progress progress) {
+
+    /**
+     * @param state for the next check
+     * @param checked those of the named files that were checked
+     */
+    public record Outcome(CheckResult result, CheckState state, List<String> checked) {}
+
+    /**
+     * Checks; whatever cannot be used of the state is checked anew.
+     *
+     * @param file what the last check left, if any
+     */
+    public Outcome run(StateFile file) {
+        Set<Path> searched = ModelLoader.searchedFolders(paths, names);
+        NamedFiles named = NamedFiles.read(paths, names, progress);
+        String key = key(searched, named);
+        Optional<CheckState> before = file.read(key, path -> source(path, named));
+        Surroundings around = new Surroundings(names, searched, named.paths());
+        return before.flatMap(state -> update(state, named, around))
+                .orElseGet(() -> full(key, searched));
+    }
+
+    /** Where something cannot be read, less is found than where everything can. */
+    private String key(Set<Path> searched, NamedFiles named) {
+        return Digest.of(
+                String.join(
+                        "\n",
+                        tool,
+                        profile.name(),
+                        new TreeSet<>(searched).toString(),
+                        named.hasErrors() ? "incomplete" : "complete"));
+    }
+
+    /** Findings may be about a file that others need; there are few of them. */
+    private SourceFile source(String path, NamedFiles named) {
+        if (named.readable().containsKey(path)) {
+            return named.source(path);
+        }
+        Path place = names.resolve(path);
+        if (Library.isShown(path) && !Files.exists(place)) {
+            return Library.file(path);
+        }
+        return FileReader.read(place, path).file().orElseGet(() -> new SourceFile(path, ""));
+    }
+
+    private Outcome full(String key, Set<Path> searched) {
+        CheckedModels models = CheckedModels.check(paths, profile, names, progress);
+        Surroundings around = new Surroundings(names, searched, models.loaded().named());
+        List<File> files = new StateOfFiles(around).of(models);
+        CheckState state = new CheckState(key, around.folders(), files);
+        return new Outcome(models.result(), state, models.loaded().named());
+    }
+
+    private Optional<Outcome> update(CheckState before, NamedFiles named, Surroundings around) {
+        if (!around.areAsBefore(before.folders())) {
+            return Optional.empty();
+        }
+        Update update = Update.of(before, named, new StateOfFiles(around), names, progress);
+        if (update.surroundingsChange()) {
+            return Optional.empty();
+        }
+        List<File> files = update.check(profile);
+        Map<String, String> folders = new HashMap<>(before.folders());
+        folders.putAll(around.folders());
+        CheckState state = new CheckState(before.key(), folders, files);
+        return Optional.of(new Outcome(result(files, named), state, update.checkedFiles()));
+    }
+
+    private static CheckResult result(List<File> files, NamedFiles named) {
+        List<Diagnostic> findings = new ArrayList<>(named.findings());
+        List<Suppressed> suppressed = new ArrayList<>();
+        for (File file : files) {
+            findings.addAll(file.findings());
+            suppressed.addAll(file.suppressed());
+        }
+        TreeSet<Diagnostic> ordered = new TreeSet<>(Diagnostic.ORDER);
+        ordered.addAll(findings);
+        if (named.hasErrors()) {
+            ordered.removeIf(Checks::isUnusedSuppression);
+        }
+        suppressed.sort(Comparator.comparing(Suppressed::finding, Diagnostic.ORDER));
+        return new CheckResult(List.copyOf(ordered), suppressed, named.paths());
+    }
+}

@@ -1,0 +1,101 @@
+package arcomat.pipeline.recheck;
+
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoadedModels;
+import arcomat.report.CheckState;
+import arcomat.report.CheckState.File;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.Suppressed;
+import arcomat.symbols.Outline;
+import arcomat.tree.Import;
+import arcomat.tree.Unit;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** What is to be remembered of files. */
+record StateOfFiles(Surroundings around) {
+
+    /** Of all files of a check. */
+    List<File> of(CheckedModels models) {
+        LoadedModels loaded = models.loaded();
+        Set<String> named = Set.copyOf(loaded.named());
+        Map<String, Unit> units = new HashMap<>();
+        loaded.units().forEach(unit -> units.put(unit.file().path(), unit));
+        Map<String, List<Diagnostic>> findings = byFile(models.findings());
+        Map<String, List<Suppressed>> suppressed = suppressedByFile(models.suppressed());
+        List<File> files = new ArrayList<>();
+        Set<String> unreadable = new HashSet<>(loaded.broken());
+        for (SourceFile source : loaded.sources()) {
+            String path = source.path();
+            unreadable.remove(path);
+            Optional<Unit> unit = Optional.ofNullable(units.get(path));
+            File file = of(source, unit, named.contains(path));
+            files.add(
+                    file.with(
+                            findings.getOrDefault(path, List.of()),
+                            suppressed.getOrDefault(path, List.of())));
+        }
+        unreadable.forEach(path -> files.add(unreadable(path, named.contains(path))));
+        return files;
+    }
+
+    /** Without findings. */
+    File of(SourceFile source, Optional<Unit> unit, boolean named) {
+        return new File(
+                source.path(),
+                Digest.of(source.text()),
+                named,
+                unit.map(around::neededBy).orElse(List.of()),
+                unit.map(Outline::of).map(StateOfFiles::names),
+                unit.map(StateOfFiles::mentions).orElse(Set.of()),
+                List.of(),
+                List.of());
+    }
+
+    /** The findings about reading it are made afresh each time. */
+    static File unreadable(String path, boolean named) {
+        return new File(
+                path, "", named, List.of(), Optional.empty(), Set.of(), List.of(), List.of());
+    }
+
+    private static CheckState.Names names(Outline outline) {
+        return new CheckState.Names(
+                outline.packageName(), outline.components(), outline.diagram(), outline.types());
+    }
+
+    static Outline outline(CheckState.Names names) {
+        return new Outline(names.packageName(), names.components(), names.diagram(), names.types());
+    }
+
+    private static Set<String> mentions(Unit unit) {
+        Set<String> mentions = Mentions.in(unit.file().text());
+        unit.imports().stream()
+                .filter(Import::wildcard)
+                .forEach(each -> mentions.add(Footprint.allOf(each.name().text())));
+        return mentions;
+    }
+
+    static Map<String, List<Diagnostic>> byFile(List<Diagnostic> findings) {
+        Map<String, List<Diagnostic>> byFile = new HashMap<>();
+        for (Diagnostic each : findings) {
+            byFile.computeIfAbsent(each.span().file().path(), path -> new ArrayList<>()).add(each);
+        }
+        return byFile;
+    }
+
+    static Map<String, List<Suppressed>> suppressedByFile(List<Suppressed> suppressed) {
+        Map<String, List<Suppressed>> byFile = new HashMap<>();
+        for (Suppressed each : suppressed) {
+            byFile.computeIfAbsent(each.finding().span().file().path(), path -> new ArrayList<>())
+                    .add(each);
+        }
+        return byFile;
+    }
+}

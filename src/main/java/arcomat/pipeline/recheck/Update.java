@@ -1,0 +1,216 @@
+package arcomat.pipeline.recheck;
+
+import arcomat.check.Checks;
+import arcomat.check.Profile;
+import arcomat.check.Review;
+import arcomat.pipeline.check.Library;
+import arcomat.pipeline.check.ModelLoader;
+import arcomat.pipeline.check.NamedFiles;
+import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.Progress;
+import arcomat.report.CheckState;
+import arcomat.report.CheckState.File;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.Suppressed;
+import arcomat.symbols.Outline;
+import arcomat.symbols.Workspace;
+import arcomat.syntax.Parsed;
+import arcomat.syntax.Parser;
+import arcomat.tree.Unit;
+
+import java.nio.file.Files;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** From the state of the files at the last check to that of the files now. */
+final class Update {
+    private final PathNames names;
+    private final Progress progress;
+    private final List<File> before;
+    private final NamedFiles named;
+    private final Map<String, File> after = new LinkedHashMap<>();
+    private final Map<String, SourceFile> others = new HashMap<>();
+    private final Map<String, Parsed> parsed = new HashMap<>();
+    private final Set<String> affected = new TreeSet<>();
+    private Dependencies dependencies;
+
+    private Update(List<File> before, NamedFiles named, PathNames names, Progress progress) {
+        this.before = before;
+        this.named = named;
+        this.names = names;
+        this.progress = progress;
+    }
+
+    static Update of(
+            CheckState before,
+            NamedFiles named,
+            StateOfFiles states,
+            PathNames names,
+            Progress progress) {
+        Update update = new Update(before.files(), named, names, progress);
+        update.compare(states);
+        return update;
+    }
+
+    /** Parses what changed. */
+    private void compare(StateOfFiles states) {
+        Map<String, File> old = new HashMap<>();
+        before.forEach(file -> old.put(file.path(), file));
+        for (String path : named.paths()) {
+            SourceFile source = named.readable().get(path);
+            after.put(
+                    path, source == null ? unreadable(path, true) : now(source, true, old, states));
+        }
+        for (File file : before) {
+            if (!file.named() && !after.containsKey(file.path())) {
+                after.put(file.path(), notNamed(file, old, states));
+            }
+        }
+        dependencies = new Dependencies(after.values());
+        affected.addAll(new Changes(before, after.values()).affected(dependencies));
+    }
+
+    private static File unreadable(String path, boolean named) {
+        return StateOfFiles.unreadable(path, named);
+    }
+
+    private File notNamed(File file, Map<String, File> old, StateOfFiles states) {
+        if (Library.isShown(file.path())) {
+            return file;
+        }
+        Optional<SourceFile> source =
+                FileReader.read(names.resolve(file.path()), file.path()).file();
+        source.ifPresent(read -> others.put(file.path(), read));
+        return source.map(read -> now(read, false, old, states))
+                .orElseGet(() -> unreadable(file.path(), false));
+    }
+
+    private File now(
+            SourceFile source, boolean isNamed, Map<String, File> old, StateOfFiles states) {
+        File known = old.get(source.path());
+        if (known != null
+                && known.named() == isNamed
+                && known.hash().equals(Digest.of(source.text()))) {
+            return known;
+        }
+        Parsed result = Parser.parse(source);
+        parsed.put(source.path(), result);
+        return states.of(source, result.unit(), isNamed);
+    }
+
+    /**
+     * Whether other files may be read than before, or in another order, besides those that the user
+     * names; or whether one of them cannot be read.
+     */
+    boolean surroundingsChange() {
+        Map<String, File> old = new HashMap<>();
+        before.forEach(file -> old.put(file.path(), file));
+        Set<String> all = new HashSet<>(old.keySet());
+        all.addAll(after.keySet());
+        return all.stream().anyMatch(path -> changesSurroundings(old.get(path), after.get(path)));
+    }
+
+    /** Whether a path may be that of a file of the library or that of another one. */
+    private boolean isAmbiguous(File file) {
+        return !file.named()
+                && Library.isShown(file.path())
+                && Files.exists(names.resolve(file.path()));
+    }
+
+    private boolean changesSurroundings(File old, File fresh) {
+        if (old == null || fresh == null) {
+            File single = old == null ? fresh : old;
+            return !single.named() || !single.needs().isEmpty() || Library.mayHide(single.path());
+        }
+        return isAmbiguous(fresh)
+                || old.named() != fresh.named()
+                || !old.needs().equals(fresh.needs())
+                || !fresh.named() && !Library.isShown(fresh.path()) && fresh.hash().isEmpty();
+    }
+
+    /** Of the files that the user named. */
+    List<String> checkedFiles() {
+        return affected.stream().filter(path -> after.get(path).named()).toList();
+    }
+
+    /** Checks what is affected, and returns the state of all files. */
+    List<File> check(Profile profile) {
+        if (affected.isEmpty()) {
+            return List.copyOf(after.values());
+        }
+        Set<String> needed = dependencies.neededBy(affected);
+        parse(needed);
+        List<Unit> units = new ArrayList<>();
+        List<Outline> outlines = new ArrayList<>();
+        Set<String> broken = new HashSet<>();
+        for (File file : after.values()) {
+            if (file.names().isEmpty()) {
+                broken.add(file.path());
+            } else if (needed.contains(file.path())) {
+                units.add(parsed.get(file.path()).unit().orElseThrow());
+            } else {
+                outlines.add(StateOfFiles.outline(file.names().get()));
+            }
+        }
+        progress.step("checking", affected.size(), "model");
+        Workspace workspace = Workspace.of(units, broken, outlines);
+        return merge(
+                Checks.review(workspace, profile, unit -> affected.contains(unit.file().path())));
+    }
+
+    private void parse(Set<String> needed) {
+        List<SourceFile> missing = new ArrayList<>();
+        for (File file : after.values()) {
+            boolean isMissing = needed.contains(file.path()) && !parsed.containsKey(file.path());
+            if (isMissing && !file.hash().isEmpty()) {
+                missing.add(source(file));
+            }
+        }
+        List<Parsed> results = ModelLoader.parse(missing, progress);
+        for (int i = 0; i < missing.size(); i++) {
+            parsed.put(missing.get(i).path(), results.get(i));
+        }
+    }
+
+    private SourceFile source(File file) {
+        if (file.named()) {
+            return named.source(file.path());
+        }
+        SourceFile other = others.get(file.path());
+        return other == null ? Library.file(file.path()) : other;
+    }
+
+    private List<File> merge(Review review) {
+        Map<String, List<Diagnostic>> findings = StateOfFiles.byFile(review.findings());
+        Map<String, List<Suppressed>> suppressed =
+                StateOfFiles.suppressedByFile(review.suppressed());
+        List<File> merged = new ArrayList<>();
+        for (File file : after.values()) {
+            String path = file.path();
+            if (affected.contains(path)) {
+                TreeSet<Diagnostic> found = new TreeSet<>(Diagnostic.ORDER);
+                Optional.ofNullable(parsed.get(path)).ifPresent(p -> found.addAll(p.findings()));
+                found.addAll(findings.getOrDefault(path, List.of()));
+                found.removeIf(each -> !file.named() && !each.isError());
+                List<Suppressed> meant =
+                        suppressed.getOrDefault(path, List.of()).stream()
+                                .filter(each -> file.named() || each.finding().isError())
+                                .toList();
+                merged.add(file.with(List.copyOf(found), meant));
+            } else {
+                merged.add(Objects.requireNonNull(file));
+            }
+        }
+        return merged;
+    }
+}

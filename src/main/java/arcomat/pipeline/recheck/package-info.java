@@ -1,0 +1,5 @@
+/**
+ * The check again after a change, of no more than the change touches, with the same findings. Knows
+ * the files' dependencies, but nothing of what is done with models.
+ */
+package arcomat.pipeline.recheck;

@@ -1,0 +1,69 @@
+package arcomat.pipeline.simulate;
+
+import arcomat.model.Model;
+import arcomat.model.StreamTest;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.Nearest;
+import arcomat.symbols.Workspace;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * A test in a file, as {@code --input} names it.
+ *
+ * @param file as written
+ * @param test the name of a test in it
+ */
+record TestReference(String file, String test) {
+    static TestReference parse(String written) throws WrongUse {
+        int mark = written.lastIndexOf('#');
+        if (mark <= 0 || !written.substring(0, mark).endsWith(".mt")) {
+            throw new WrongUse("--input '" + written + "' is not of the form FILE.mt#test");
+        }
+        return new TestReference(written.substring(0, mark), written.substring(mark + 1));
+    }
+
+    /** The test of a model that was loaded with the file. */
+    StreamTest in(Model model, PathNames names) throws WrongUse {
+        Path wanted = PathNames.real(names.resolve(file));
+        List<StreamTest> suite =
+                model.tests().stream()
+                        .filter(t -> PathNames.real(placeOf(t, names)).equals(wanted))
+                        .toList();
+        List<String> tests = suite.stream().map(StreamTest::name).toList();
+        return suite.stream()
+                .filter(t -> t.name().equals(test))
+                .findFirst()
+                .orElseThrow(() -> new WrongUse(unknown(tests)));
+    }
+
+    /** What the suite of the file tests, by name. */
+    List<ComponentSymbol> components(Workspace models, PathNames names) {
+        Path wanted = PathNames.real(names.resolve(file));
+        return models.testSuites().stream()
+                .filter(s -> PathNames.real(names.resolve(s.unit().file().path())).equals(wanted))
+                .flatMap(suite -> suite.component().found().stream())
+                .toList();
+    }
+
+    private static Path placeOf(StreamTest test, PathNames names) {
+        return names.resolve(test.span().file().path());
+    }
+
+    private String unknown(List<String> tests) {
+        if (tests.isEmpty()) {
+            return "'" + file + "' holds no tests";
+        }
+        return "'"
+                + file
+                + "' has no test '"
+                + test
+                + "'"
+                + Nearest.hint(test, tests)
+                + "; it has "
+                + String.join(", ", tests);
+    }
+}

@@ -1,0 +1,22 @@
+package arcomat.pipeline.simulate;
+
+import arcomat.pipeline.check.CheckResult;
+import arcomat.simulate.StreamTestResult;
+
+import java.util.List;
+
+/**
+ * What came of running stream tests.
+ *
+ * @param check findings about the models; errors keep every test from running
+ * @param tests in the order of files and tests
+ */
+public record TestResult(CheckResult check, List<StreamTestResult> tests) {
+    public TestResult {
+        tests = List.copyOf(tests);
+    }
+
+    public boolean hasFailures() {
+        return tests.stream().anyMatch(t -> t.verdict() == StreamTestResult.Verdict.FAILED);
+    }
+}

@@ -1,0 +1,18 @@
+package arcomat.pipeline.step;
+
+/** Told what the pipeline is about to do, so that long work can be seen to go on. */
+public interface Progress {
+    Progress NONE = what -> {};
+
+    /**
+     * @param what the work that begins, such as {@code parsing 300 files}
+     */
+    void step(String what);
+
+    /** Work on a number of things: {@code parsing 1 file}; nothing is said about no things. */
+    default void step(String work, int number, String noun) {
+        if (number > 0) {
+            step(work + " " + number + " " + noun + (number == 1 ? "" : "s"));
+        }
+    }
+}

@@ -1,0 +1,52 @@
+package arcomat.pipeline.world;
+
+import arcomat.sim.load.Program;
+import arcomat.source.Diagnostic;
+import arcomat.world.Recording;
+import arcomat.world.World;
+
+import java.util.List;
+import java.util.Map;
+
+/** A world whose robots have their programs: it can run, as often as wanted. */
+public final class PreparedWorld {
+    private final List<Diagnostic> findings;
+    private final int files;
+    private final World world;
+    private final Map<String, Program> programs;
+
+    PreparedWorld(
+            List<Diagnostic> findings, int files, World world, Map<String, Program> programs) {
+        this.findings = List.copyOf(findings);
+        this.files = files;
+        this.world = world;
+        this.programs = programs;
+    }
+
+    /** About the world, and about the models of its robots. */
+    public List<Diagnostic> findings() {
+        return findings;
+    }
+
+    /** How many files were read. */
+    public int files() {
+        return files;
+    }
+
+    /** Whether the findings let it run. */
+    public boolean canRun() {
+        return findings.stream().noneMatch(Diagnostic::isError);
+    }
+
+    /**
+     * Runs it, to its goal or to its end.
+     *
+     * @param seed of everything that is drawn
+     */
+    public Recording run(long seed) {
+        if (!canRun()) {
+            throw new IllegalStateException("a world with errors");
+        }
+        return WorldRun.run(world, seed, programs);
+    }
+}

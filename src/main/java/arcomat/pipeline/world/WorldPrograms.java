@@ -1,0 +1,160 @@
+package arcomat.pipeline.world;
+
+import arcomat.generate.Choosing;
+import arcomat.generate.Generation;
+import arcomat.generate.Generator;
+import arcomat.generate.Request;
+import arcomat.generate.Target;
+import arcomat.model.Model;
+import arcomat.pipeline.brick.JarReader;
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.MainComponent;
+import arcomat.pipeline.generate.Implementations;
+import arcomat.pipeline.generate.RobotBuilder;
+import arcomat.pipeline.generate.Targets;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.sim.load.Program;
+import arcomat.source.Diagnostic;
+import arcomat.world.Kind;
+import arcomat.world.Robot;
+import arcomat.world.World;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeSet;
+
+/** Brings the programs of a world's robots: reads jars, or makes them of models. */
+final class WorldPrograms {
+    private static final String NO_PROGRAM = "ARC1125";
+    private static final String TARGET = "lejos";
+
+    private final Path folder;
+    private final PathNames names;
+    private final Progress progress;
+    private final Map<String, CheckedModels> checked = new LinkedHashMap<>();
+    private final Map<String, Model> lowered = new HashMap<>();
+    private final Map<Kind.Program, Program> programs = new HashMap<>();
+    private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
+
+    private WorldPrograms(Path folder, PathNames names, Progress progress) {
+        this.folder = folder;
+        this.names = names;
+        this.progress = progress;
+    }
+
+    /**
+     * What came of it.
+     *
+     * @param programs by the names of robots; those that cannot be had are missing
+     * @param findings about the world and about models
+     * @param files how many models were read
+     */
+    record Result(Map<String, Program> programs, List<Diagnostic> findings, int files) {}
+
+    /**
+     * @param file of the world, as the user wrote it; its paths start there
+     */
+    static Result of(World world, String file, PathNames names, Progress progress) throws WrongUse {
+        Path parent = Path.of(file).getParent();
+        Path folder = parent == null ? Path.of("") : parent;
+        return new WorldPrograms(folder, names, progress).load(world);
+    }
+
+    private Result load(World world) throws WrongUse {
+        Map<String, Program> byRobot = new LinkedHashMap<>();
+        for (Robot robot : world.robots()) {
+            Kind.Program wanted = robot.kind().program();
+            if (!programs.containsKey(wanted)) {
+                programs.put(wanted, program(wanted));
+            }
+            byRobot.put(robot.name(), programs.get(wanted));
+        }
+        int files = 0;
+        for (CheckedModels models : checked.values()) {
+            files += models.result().files();
+        }
+        return new Result(byRobot, List.copyOf(findings), files);
+    }
+
+    /** Null if there is a finding about it. */
+    private Program program(Kind.Program wanted) throws WrongUse {
+        String path =
+                beside(wanted.form() == Kind.Program.Form.JAR ? wanted.name() : wanted.folder());
+        try {
+            JarReader jar =
+                    wanted.form() == Kind.Program.Form.JAR
+                            ? JarReader.read(path, names)
+                            : made(wanted.name(), path);
+            if (jar == null) {
+                return null;
+            }
+            Program program = jar.program();
+            if (!program.classes().containsKey(program.mainClass())) {
+                throw new WrongUse(
+                        "'%s' is no robot's jar: it names the main class %s and does not contain it"
+                                .formatted(path, program.mainClass()));
+            }
+            return program;
+        } catch (WrongUse e) {
+            findings.add(Diagnostic.error(NO_PROGRAM, wanted.place(), e.getMessage()));
+            return null;
+        }
+    }
+
+    private String beside(String written) {
+        return folder.resolve(written).normalize().toString().replace('\\', '/');
+    }
+
+    /** The jar of a component, the same as {@code generate} writes; null if models are faulty. */
+    private JarReader made(String component, String root) throws WrongUse {
+        CheckedModels models = checked.get(root);
+        if (models == null) {
+            models =
+                    CheckedModels.checkToRun(
+                            List.of(root), workspace -> List.of(), names, progress);
+            checked.put(root, models);
+            findings.addAll(models.findings());
+            if (!models.hasErrors()) {
+                lowered.put(root, models.lower(progress));
+            }
+        }
+        if (models.hasErrors()) {
+            return null;
+        }
+        return generated(MainComponent.find(component, models, lowered.get(root)), models);
+    }
+
+    private JarReader generated(MainComponent main, CheckedModels models) throws WrongUse {
+        String name = main.component().qualifiedName();
+        if (!main.component().parameters().isEmpty()) {
+            throw new WrongUse(
+                    "'" + name + "' takes arguments, and a program has nobody to give it");
+        }
+        progress.step("making the program of " + name);
+        Target target = Targets.find(TARGET, names);
+        Implementations own = Implementations.find(target, models.loaded().roots(names), names);
+        Request request = Request.program(main.component(), Choosing.FIRST).with(own.texts());
+        Generation generation = Generator.generate(request, target);
+        findings.addAll(generation.findings());
+        if (generation.findings().stream().anyMatch(Diagnostic::isError)) {
+            return null;
+        }
+        RobotBuilder.Result built = RobotBuilder.build(generation, own);
+        findings.addAll(built.findings());
+        if (built.jars().isEmpty()) {
+            return null;
+        }
+        String path = built.robots().get(0).jar();
+        try {
+            return JarReader.of(path, built.jars().get(path));
+        } catch (IOException e) {
+            throw new AssertionError("an archive in memory", e);
+        }
+    }
+}

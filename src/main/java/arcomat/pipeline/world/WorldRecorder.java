@@ -1,0 +1,123 @@
+package arcomat.pipeline.world;
+
+import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.MotorOrder;
+import arcomat.sim.device.Observer;
+import arcomat.sim.device.Screen;
+import arcomat.world.Happening;
+import arcomat.world.Physics;
+import arcomat.world.Recording;
+import arcomat.world.Recording.Event;
+import arcomat.world.Recording.Frame;
+import arcomat.world.Recording.RobotFrame;
+import arcomat.world.Scene;
+import arcomat.world.Scene.RobotState;
+import arcomat.world.World;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Writes down what happens in a world. */
+final class WorldRecorder {
+    private static final long MICROSECONDS = 1000;
+
+    private final World world;
+    private final long seed;
+    private final List<Frame> frames = new ArrayList<>();
+    private final List<Event> events = new ArrayList<>();
+    private final Map<String, String> failures = new TreeMap<>();
+    private final String[] displays;
+
+    WorldRecorder(World world, long seed) {
+        this.world = world;
+        this.seed = seed;
+        displays = new String[world.robots().size()];
+        Arrays.fill(displays, "");
+    }
+
+    /** Hears what a robot sends. */
+    Observer of(String robot) {
+        return new Sending() {
+            @Override
+            public void packetSent(long time, byte[] packet, int length) {
+                String bytes = HexFormat.of().formatHex(packet, 0, length);
+                events.add(new Event.Sent((int) (time / MICROSECONDS), robot, bytes));
+            }
+        };
+    }
+
+    void failed(String robot, String reason) {
+        failures.put(robot, reason);
+    }
+
+    Recording recording() {
+        return new Recording(world, seed, frames, events, failures);
+    }
+
+    /**
+     * Takes a scene.
+     *
+     * @param readings of the sensors of each robot
+     * @param bricks null before they are switched on
+     */
+    void record(Scene scene, int[][] readings, SimulatedBrick[] bricks) {
+        int time = (int) (scene.tick() * Physics.STEP);
+        for (Happening happening : scene.happenings()) {
+            events.add(new Event.Happened(time, happening));
+        }
+        if (time % Recording.PERIOD != 0) {
+            return;
+        }
+        List<RobotFrame> robots = new ArrayList<>();
+        for (int i = 0; i < bricks.length; i++) {
+            look(i, time, bricks[i]);
+            robots.add(frame(scene.robots().get(i), readings[i], displays[i]));
+        }
+        frames.add(new Frame(time, robots, scene.drinkers()));
+    }
+
+    private void look(int index, int time, SimulatedBrick brick) {
+        String shown = brick == null ? "" : brick.screen().get(0);
+        if (!shown.equals(displays[index])) {
+            displays[index] = shown;
+            events.add(new Event.Showed(time, world.robots().get(index).name(), shown));
+        }
+    }
+
+    private static RobotFrame frame(RobotState state, int[] readings, String display) {
+        return new RobotFrame(
+                state.pose(),
+                state.left(),
+                state.right(),
+                Arrays.stream(readings).boxed().toList(),
+                state.cup(),
+                display,
+                state.stock(),
+                state.brewing() > 0);
+    }
+
+    /** Everything but sending is seen in the frames. */
+    private abstract static class Sending implements Observer {
+        @Override
+        public void sensorRead(long time, int socket, int value) {}
+
+        @Override
+        public void motorOrdered(long time, int motor, MotorOrder order, int value) {}
+
+        @Override
+        public void screenChanged(long time, Screen screen) {}
+
+        @Override
+        public void tonePlayed(long time, int hertz, int milliseconds) {}
+
+        @Override
+        public void packetReceived(long time, byte[] packet, int length) {}
+
+        @Override
+        public void slept(long from, long until) {}
+    }
+}

@@ -1,0 +1,128 @@
+package arcomat.pipeline.world;
+
+import arcomat.sim.Laboratory;
+import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.MotorName;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.device.Stimulus;
+import arcomat.sim.load.Program;
+import arcomat.world.Device;
+import arcomat.world.Physics;
+import arcomat.world.Recording;
+import arcomat.world.Scene;
+import arcomat.world.Senses;
+import arcomat.world.World;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A world and the bricks of its robots in lock step: each step of the world takes the speeds of the
+ * shafts as they are, moves everything, and shows the sensors what they see next. A run depends on
+ * the world, its programs and the seed, and on nothing else.
+ */
+final class WorldRun {
+    private static final MotorName[] MOTORS = MotorName.values();
+    private static final SensorName[] SOCKETS = SensorName.values();
+    private static final long SECOND = 1000;
+
+    /** How often to look whether a goal is reached, in milliseconds. */
+    private static final long WATCH = 100;
+
+    private final World world;
+    private final Physics physics;
+    private final Senses senses;
+    private final Laboratory laboratory;
+    private final SimulatedBrick[] bricks;
+    private final List<List<Device.Sensor>> sensors = new ArrayList<>();
+    private final double[][] shafts;
+    private final int[][] readings;
+    private final WorldRecorder recorder;
+    private Scene scene;
+
+    private WorldRun(World world, long seed, Laboratory laboratory) {
+        this.world = world;
+        this.laboratory = laboratory;
+        int count = world.robots().size();
+        physics = new Physics(world, seed);
+        senses = new Senses(world, seed);
+        bricks = new SimulatedBrick[count];
+        shafts = new double[count][MOTORS.length];
+        readings = new int[count][];
+        recorder = new WorldRecorder(world, seed);
+        world.robots().forEach(robot -> sensors.add(robot.kind().sensors()));
+        for (int i = 0; i < count; i++) {
+            readings[i] = new int[sensors.get(i).size()];
+        }
+    }
+
+    /**
+     * Runs a world to its goal, or to its end.
+     *
+     * @param programs by the names of robots
+     */
+    static Recording run(World world, long seed, Map<String, Program> programs) {
+        try (Laboratory laboratory = new Laboratory()) {
+            return new WorldRun(world, seed, laboratory).run(programs);
+        }
+    }
+
+    private Recording run(Map<String, Program> programs) {
+        scene = physics.start();
+        laboratory.surround(Physics.STEP, this::step);
+        for (int i = 0; i < bricks.length; i++) {
+            laboratory.runUntil(physics.switchedOn(i));
+            String name = world.robots().get(i).name();
+            bricks[i] = laboratory.place(name, programs.get(name));
+            bricks[i].observe(recorder.of(name));
+            expose(i);
+        }
+        long end = world.seconds() * SECOND;
+        long watch = world.goal() > 0 ? WATCH : SECOND;
+        while (laboratory.time() < end && !isOver()) {
+            laboratory.runUntil(Math.min(end, laboratory.time() + watch));
+        }
+        for (SimulatedBrick brick : bricks) {
+            brick.outcome().failure().ifPresent(reason -> recorder.failed(brick.name(), reason));
+        }
+        return recorder.recording();
+    }
+
+    private boolean isOver() {
+        boolean done = world.goal() > 0 && scene.delivered() >= world.goal();
+        boolean running = false;
+        for (SimulatedBrick brick : bricks) {
+            done |= brick.outcome().failure().isPresent();
+            running |= brick.isRunning();
+        }
+        return done || !running;
+    }
+
+    /** A step of the world; the first one only shows the sensors what there is. */
+    private void step() {
+        if (laboratory.time() > 0) {
+            for (int i = 0; i < bricks.length; i++) {
+                for (int m = 0; bricks[i] != null && m < MOTORS.length; m++) {
+                    shafts[i][m] = bricks[i].motor(MOTORS[m]).speed();
+                }
+            }
+            scene = physics.step(scene, shafts);
+        }
+        for (int i = 0; i < bricks.length; i++) {
+            expose(i);
+        }
+        recorder.record(scene, readings, bricks);
+    }
+
+    private void expose(int index) {
+        List<Device.Sensor> own = sensors.get(index);
+        for (int s = 0; s < own.size(); s++) {
+            readings[index][s] = senses.read(scene, index, own.get(s));
+            if (bricks[index] != null) {
+                SensorName socket = SOCKETS[own.get(s).socket() - 1];
+                bricks[index].expose(socket, Stimulus.value(readings[index][s]));
+            }
+        }
+    }
+}

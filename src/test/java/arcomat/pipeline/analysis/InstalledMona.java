@@ -1,0 +1,49 @@
+package arcomat.pipeline.analysis;
+
+import arcomat.analysis.Promise;
+import arcomat.analysis.Verdict;
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
+
+import java.nio.file.Path;
+import java.util.Optional;
+
+/** The program MONA of the machine that the tests run on, if it has one. */
+public final class InstalledMona {
+    private static final PathNames NAMES = new PathNames(Path.of("").toAbsolutePath());
+    private static final AnalysisLimits LIMITS =
+            new AnalysisLimits(Optional.of(30), Optional.empty());
+
+    private InstalledMona() {}
+
+    public static boolean isThere() {
+        try {
+            MonaProgram.find("mona", NAMES);
+            return true;
+        } catch (WrongUse absent) {
+            return false;
+        }
+    }
+
+    /** What the program says about a refinement. */
+    public static Verdict verdict(Promise left, Promise right) {
+        try {
+            return MonaStep.verdict(
+                    left,
+                    right,
+                    new RefinesRequest(
+                            "",
+                            "",
+                            Optional.empty(),
+                            Optional.empty(),
+                            Optional.of("mona"),
+                            Optional.empty(),
+                            Optional.empty(),
+                            Optional.empty(),
+                            LIMITS),
+                    NAMES);
+        } catch (WrongUse e) {
+            throw new AssertionError(e);
+        }
+    }
+}

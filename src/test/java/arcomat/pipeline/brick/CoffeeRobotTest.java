@@ -1,0 +1,160 @@
+package arcomat.pipeline.brick;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.generate.Robot;
+import arcomat.pipeline.step.Progress;
+import arcomat.report.BrickTraceText;
+import arcomat.report.Style;
+import arcomat.sim.Laboratory;
+import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.Observer;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.device.Stimulus;
+
+import com.sun.management.OperatingSystemMXBean;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.lang.management.ManagementFactory;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.jar.JarEntry;
+import java.util.jar.JarInputStream;
+
+/**
+ * The robots of the case study on simulated bricks: what they do over the scripts that come with
+ * them, and what they cost. {@code -PrefreshGolden} writes the expected runs anew; read them.
+ */
+class CoffeeRobotTest {
+    private static final int JAVA_6 = 50;
+    private static final String FETCHER = "coffee.fetcher.Fetcher";
+
+    @TempDir private Path folder;
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "coffee.fetcher.Fetcher",
+                "coffee.dispenser.Dispenser",
+                "coffee.preparer.Preparer"
+            })
+    void doesWhatItsScriptAsksFor(String name) throws Exception {
+        String simple = name.substring(name.lastIndexOf('.') + 1).toLowerCase();
+        Path jar = Files.write(folder.resolve("robot.jar"), CoffeeRobot.of(name).jar());
+        BrickRunRequest request =
+                new BrickRunRequest(
+                        jar.toString(),
+                        Optional.of("models/coffee/scripts/" + simple + ".script"),
+                        OptionalInt.empty());
+        BrickRunResult.Run run =
+                new Pipeline(Path.of(""), Progress.NONE).runBrick(request).run().orElseThrow();
+        assertThat(run.failure()).isEmpty();
+        String actual = BrickTraceText.render(run.trace(), Style.PLAIN) + run.ending() + "\n";
+        Path expected = Path.of("src/test/resources/robots", simple + ".txt");
+        if (Boolean.getBoolean("golden.refresh")) {
+            Files.writeString(expected, actual);
+        }
+        assertThat(actual).isEqualTo(Files.readString(expected));
+    }
+
+    @Test
+    void theFetcherIsSmall() {
+        Robot fetcher = CoffeeRobot.of(FETCHER).built().robots().get(0);
+        assertThat(fetcher.report().classes()).isLessThanOrEqualTo(60);
+        assertThat(fetcher.report().bytes()).isLessThanOrEqualTo(40_000);
+    }
+
+    @Test
+    void aJarHoldsClassesOfJava6AndItsManifestAndNothingElse() throws IOException {
+        CoffeeRobot robot = CoffeeRobot.of(FETCHER);
+        List<String> others = new ArrayList<>();
+        try (JarInputStream jar = new JarInputStream(new ByteArrayInputStream(robot.jar()))) {
+            assertThat(jar.getManifest().getMainAttributes())
+                    .hasSize(2)
+                    .containsValue("coffee.fetcher.logic.FetcherProgram");
+            for (JarEntry entry = jar.getNextJarEntry(); entry != null; ) {
+                if (entry.getName().endsWith(".class")) {
+                    assertThat(jar.readAllBytes()[7]).as(entry.getName()).isEqualTo((byte) JAVA_6);
+                } else {
+                    others.add(entry.getName());
+                }
+                entry = jar.getNextJarEntry();
+            }
+        }
+        assertThat(others).isEmpty();
+    }
+
+    @Test
+    void theSameModelGivesTheSameBytes() {
+        CoffeeRobot robot = CoffeeRobot.of(FETCHER);
+        assertThat(robot.builtAgain().jars().get("Fetcher.jar")).isEqualTo(robot.jar());
+    }
+
+    /** What the program's own thread allocates, once everything has been loaded and said. */
+    @Test
+    void aCycleAllocatesNothing() {
+        Allocations allocations = new Allocations();
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick brick = lively(laboratory);
+            brick.observe(allocations);
+            laboratory.runToEnd(60_000);
+        }
+        assertThat(allocations.cycles).isGreaterThan(500);
+        assertThat(allocations.later - allocations.earlier).isZero();
+    }
+
+    private static final class Allocations extends ForwardingObserver {
+        private static final int WARM = 100;
+        private final com.sun.management.ThreadMXBean threads =
+                (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        private int cycles;
+        private long earlier;
+        private long later;
+
+        Allocations() {
+            super(Observer.NONE);
+        }
+
+        @Override
+        public void slept(long from, long until) {
+            later = threads.getCurrentThreadAllocatedBytes();
+            if (cycles++ == WARM) {
+                earlier = later;
+            }
+        }
+    }
+
+    /** Ten minutes of the robot's time, by the processor's clock: the machine may be busy. */
+    @Test
+    void aMinuteTakesAFifthOfASecond() {
+        OperatingSystemMXBean system =
+                (OperatingSystemMXBean) ManagementFactory.getOperatingSystemMXBean();
+        try (Laboratory laboratory = new Laboratory()) {
+            lively(laboratory);
+            long before = system.getProcessCpuTime();
+            laboratory.runToEnd(600_000);
+            assertThat(system.getProcessCpuTime() - before).isLessThan(2_000_000_000L);
+            assertThat(laboratory.time()).isEqualTo(600_000);
+        }
+    }
+
+    private static SimulatedBrick lively(Laboratory laboratory) {
+        SimulatedBrick brick = laboratory.place("fetcher", CoffeeRobot.of(FETCHER).program());
+        brick.expose(SensorName.S1, Stimulus.value(100));
+        brick.expose(SensorName.S2, Stimulus.value(20));
+        brick.expose(SensorName.S3, Stimulus.value(20));
+        brick.expose(SensorName.S4, Stimulus.value(0));
+        return brick;
+    }
+}
