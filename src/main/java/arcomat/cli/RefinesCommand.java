@@ -2,6 +2,7 @@ package arcomat.cli;
 
 import arcomat.analysis.Answered;
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.analysis.AnalysisResult;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.report.VerdictPage;
 
