@@ -24,10 +24,6 @@ public enum Lettering {
         return name().toLowerCase(Locale.ROOT);
     }
 
-    public double size() {
-        return size;
-    }
-
     /** From line to line. */
     public double lineHeight() {
         return Math.ceil(size * LEADING);

@@ -45,11 +45,6 @@ public final class Language {
         return line.isEmpty() ? new String[0] : line.split("\\s+");
     }
 
-    /** Whether the table has the entry, for this kind of type or for all. */
-    public boolean knows(String key, Type type) {
-        return patterns.containsKey(key + "." + kind(type)) || patterns.containsKey(key);
-    }
-
     /**
      * Fills in an entry of the expression table.
      *

@@ -55,11 +55,6 @@ public final class Scope {
         return found;
     }
 
-    /** A new scope inside this one: names of this one are taken there. */
-    public Scope inner() {
-        return new Scope(new HashSet<>(taken), ignoreCase);
-    }
-
     private String key(String name) {
         return ignoreCase ? name.toLowerCase(Locale.ROOT) : name;
     }

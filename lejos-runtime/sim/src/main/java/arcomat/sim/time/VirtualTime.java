@@ -143,11 +143,6 @@ public final class VirtualTime {
         schedule(timetable, first);
     }
 
-    public void stop(Timetable timetable) {
-        timetable.due = NEVER;
-        remove(timetable);
-    }
-
     private void leaveIfEnded(Strand strand) {
         if (!strand.isEnded()) {
             return;
