@@ -125,11 +125,10 @@ public final class StreamTestPage {
                         : "; the model allows " + String.join(" or ", cell.allowed());
         return "%s: expected is %s, sent is %s%s"
                 .formatted(
-                        cell.port(), messages(cell.expected()), messages(cell.actual()), allowed);
-    }
-
-    private static String messages(List<Value> values) {
-        return values.isEmpty() ? "--" : TraceTable.text(values);
+                        cell.port(),
+                        StreamTestText.messages(cell.expected()),
+                        StreamTestText.messages(cell.actual()),
+                        allowed);
     }
 
     /** The event in which a port sends the message of a cell; the last one if it never does. */

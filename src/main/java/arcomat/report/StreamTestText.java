@@ -1,6 +1,7 @@
 package arcomat.report;
 
 import arcomat.model.Component;
+import arcomat.model.Value;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTestResult.Cell;
 import arcomat.simulate.StreamTestResult.Verdict;
@@ -71,8 +72,8 @@ public final class StreamTestText {
                         timed ? "slice" : "message",
                         cell.slice(),
                         cell.port(),
-                        messages(cell.actual().stream().map(Object::toString).toList(), ", "),
-                        messages(cell.expected().stream().map(Object::toString).toList(), ", "));
+                        messages(cell.actual()),
+                        messages(cell.expected()));
     }
 
     private static String failure(StreamTestResult result, Style style) {
@@ -98,10 +99,10 @@ public final class StreamTestText {
                 List<String> cells = new ArrayList<>();
                 cells.add(String.valueOf(cell.slice()));
                 cells.add(Printable.escape(cell.port()));
-                cells.add(messages(cell.expected().stream().map(Object::toString).toList(), ", "));
-                cells.add(messages(cell.actual().stream().map(Object::toString).toList(), ", "));
+                cells.add(messages(cell.expected()));
+                cells.add(messages(cell.actual()));
                 cells.add(cell.differs() ? "<--" : "");
-                cells.add(cell.differs() ? messages(cell.allowed(), " or ") : "");
+                cells.add(cell.differs() ? allowed(cell) : "");
                 table.add(cells);
             }
         }
@@ -109,8 +110,14 @@ public final class StreamTestText {
     }
 
     /** {@code --} is silence, as in models. */
-    private static String messages(List<String> messages, String separator) {
-        return messages.isEmpty() ? "--" : Printable.escape(String.join(separator, messages));
+    static String messages(List<Value> messages) {
+        return messages.isEmpty() ? "--" : Printable.escape(TraceTable.text(messages));
+    }
+
+    private static String allowed(Cell cell) {
+        return cell.allowed().isEmpty()
+                ? "--"
+                : Printable.escape(String.join(" or ", cell.allowed()));
     }
 
     /** One line: {@code 12 passed, 1 failed}. */
