@@ -56,7 +56,7 @@ public final class Succession {
             return Change.of(List.of(forward(List.of(), verdict)), List.of());
         }
         Set<List<Value>> arguments = new LinkedHashSet<>();
-        if (hasDefaults(old)) {
+        if (old.hasDefaults()) {
             arguments.add(List.of());
         }
         arguments.addAll(given);
@@ -136,10 +136,6 @@ public final class Succession {
 
     private String fresh(List<Value> arguments) {
         return Promise.title(fresh, arguments);
-    }
-
-    private static boolean hasDefaults(Component component) {
-        return component.parameters().stream().allMatch(each -> each.initial().isPresent());
     }
 
     /** Who instantiates the old one can instantiate the new one with the same words. */

@@ -114,6 +114,11 @@ public record Component(
         return qualifiedName() + (several ? "#" + automaton.name() : "");
     }
 
+    /** Whether an instance may leave out all arguments. */
+    public boolean hasDefaults() {
+        return parameters.stream().allMatch(parameter -> parameter.initial().isPresent());
+    }
+
     public boolean isComposite() {
         return body instanceof Composite;
     }

@@ -2,7 +2,6 @@ package arcomat.pipeline.analysis;
 
 import arcomat.model.Component;
 import arcomat.model.Model;
-import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Arguments;
@@ -24,7 +23,7 @@ public final class InstanceArguments {
     public static InstanceArguments in(Model model) {
         InstanceArguments all = new InstanceArguments();
         model.components().stream()
-                .filter(component -> component.isComposite() && hasDefaults(component))
+                .filter(component -> component.isComposite() && component.hasDefaults())
                 .forEach(all::collect);
         return all;
     }
@@ -32,12 +31,6 @@ public final class InstanceArguments {
     /** Each list of arguments once, in the order of the instances. */
     public Set<List<Value>> of(Component component) {
         return instances.getOrDefault(component.qualifiedName(), Set.of());
-    }
-
-    static boolean hasDefaults(Component component) {
-        return component.parameters().stream()
-                .map(Parameter::initial)
-                .allMatch(initial -> initial.isPresent());
     }
 
     private void collect(Component whole) {

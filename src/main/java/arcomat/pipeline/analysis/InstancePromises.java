@@ -4,21 +4,15 @@ import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Unexamined;
 import arcomat.model.Component;
 import arcomat.model.Model;
-import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
-import arcomat.rt.ModelError;
 import arcomat.semantics.Arguments;
-import arcomat.semantics.Network;
 import arcomat.source.Span;
 import arcomat.symbols.ComponentSymbol;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 
 /**
@@ -31,7 +25,7 @@ public final class InstancePromises {
 
     private final Model model;
     private final CheckedModels checked;
-    private final Map<String, Set<List<Value>>> instances = new LinkedHashMap<>();
+    private final InstanceArguments instances;
 
     /**
      * @param checked the models that were lowered to the model
@@ -39,9 +33,7 @@ public final class InstancePromises {
     public InstancePromises(Model model, CheckedModels checked) {
         this.model = model;
         this.checked = checked;
-        model.components().stream()
-                .filter(component -> component.isComposite() && hasDefaults(component))
-                .forEach(this::collect);
+        this.instances = InstanceArguments.in(model);
     }
 
     /** Of the components in files that the user named. */
@@ -103,28 +95,8 @@ public final class InstancePromises {
     }
 
     private Set<List<Value>> arguments(Component component) {
-        return hasDefaults(component)
+        return component.hasDefaults()
                 ? Set.of(Arguments.complete(component, List.of()))
-                : instances.getOrDefault(component.qualifiedName(), Set.of());
-    }
-
-    private static boolean hasDefaults(Component component) {
-        return component.parameters().stream()
-                .map(Parameter::initial)
-                .allMatch(initial -> initial.isPresent());
-    }
-
-    private void collect(Component whole) {
-        try {
-            Network network = Network.of(whole, Arguments.complete(whole, List.of()));
-            for (Network.Instance instance : network.instances()) {
-                instances
-                        .computeIfAbsent(
-                                instance.component().qualifiedName(), name -> new LinkedHashSet<>())
-                        .add(instance.arguments());
-            }
-        } catch (ModelError argumentsGoWrong) {
-            // Said when the whole is run; its parts are examined without it.
-        }
+                : instances.of(component);
     }
 }
