@@ -17,8 +17,6 @@ import arcomat.sim.trace.Recorder;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -38,7 +36,7 @@ public final class BrickRunStep {
         JarReader jar = JarReader.read(request.jar(), names);
         Script script = new Script(List.of());
         if (request.script().isPresent()) {
-            SourceFile file = scriptFile(request.script().get(), names);
+            SourceFile file = FileReader.required("script", request.script().get(), names);
             ParsedScript parsed = ScriptParser.parse(file.text());
             if (parsed.script().isEmpty()) {
                 return new BrickRunResult(findings(file, parsed.errors()), Optional.empty());
@@ -95,16 +93,6 @@ public final class BrickRunStep {
         }
         Step last = steps.get(steps.size() - 1);
         return last.action() instanceof Action.End ? last.time() : last.time() + USUAL;
-    }
-
-    private static SourceFile scriptFile(String written, PathNames names) throws WrongUse {
-        Path path = names.resolve(written);
-        if (!Files.isRegularFile(path)) {
-            throw new WrongUse("there is no script '" + written + "'");
-        }
-        FileReader.Read read = FileReader.read(path, written);
-        return read.file()
-                .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
     }
 
     private static List<Diagnostic> findings(SourceFile file, List<ScriptError> errors) {

@@ -1,5 +1,7 @@
 package arcomat.pipeline.file;
 
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
@@ -34,6 +36,24 @@ public final class FileReader {
         static Read failed(Diagnostic finding) {
             return new Read(Optional.empty(), Optional.of(finding));
         }
+    }
+
+    /**
+     * Reads a file that a command cannot do without.
+     *
+     * @param kind what it is to hold, in words
+     * @param written the file as the user wrote it
+     * @throws WrongUse where there is none, or it cannot be read
+     */
+    public static SourceFile required(String kind, String written, PathNames names)
+            throws WrongUse {
+        Path path = names.resolve(written);
+        if (!Files.isRegularFile(path)) {
+            throw new WrongUse("there is no " + kind + " '" + written + "'");
+        }
+        Read read = read(path, written);
+        return read.file()
+                .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
     }
 
     /**

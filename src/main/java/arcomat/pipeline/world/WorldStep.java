@@ -10,15 +10,12 @@ import arcomat.pipeline.step.WrongUse;
 import arcomat.report.WorldJson;
 import arcomat.report.WorldPage;
 import arcomat.source.Diagnostic;
-import arcomat.source.SourceFile;
 import arcomat.world.ParsedWorld;
 import arcomat.world.Recording;
 import arcomat.world.World;
 import arcomat.world.WorldParser;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -37,7 +34,7 @@ public final class WorldStep {
      */
     public static PreparedWorld prepare(String written, PathNames names, Progress progress)
             throws WrongUse {
-        ParsedWorld parsed = WorldParser.parse(read(written, names));
+        ParsedWorld parsed = WorldParser.parse(FileReader.required("world", written, names));
         if (parsed.world().isEmpty()) {
             return new PreparedWorld(parsed.findings(), 1, null, Map.of());
         }
@@ -46,16 +43,6 @@ public final class WorldStep {
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
         findings.addAll(programs.findings());
         return new PreparedWorld(findings, 1 + programs.files(), world, programs.programs());
-    }
-
-    private static SourceFile read(String written, PathNames names) throws WrongUse {
-        Path path = names.resolve(written);
-        if (!Files.isRegularFile(path)) {
-            throw new WrongUse("there is no world '" + written + "'");
-        }
-        FileReader.Read read = FileReader.read(path, written);
-        return read.file()
-                .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
     }
 
     /**
