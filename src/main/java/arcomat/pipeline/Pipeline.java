@@ -38,7 +38,6 @@ import arcomat.pipeline.diagram.DiagramRequest;
 import arcomat.pipeline.diagram.DiagramResult;
 import arcomat.pipeline.diagram.DiagramStep;
 import arcomat.pipeline.file.AtomicFile;
-import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.file.ReportPage;
 import arcomat.pipeline.format.FormatResult;
 import arcomat.pipeline.format.FormatStep;
@@ -71,8 +70,7 @@ import arcomat.report.page.PageText;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
 
-import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 
@@ -96,13 +94,7 @@ public final class Pipeline {
      * @throws WrongUse where it cannot be written
      */
     public void writeFile(String file, String text) throws WrongUse {
-        Path place = names.resolve(file);
-        try {
-            Files.createDirectories(place.toAbsolutePath().getParent());
-            AtomicFile.write(place, text);
-        } catch (IOException e) {
-            throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
-        }
+        AtomicFile.write(file, text.getBytes(StandardCharsets.UTF_8), names);
     }
 
     /**

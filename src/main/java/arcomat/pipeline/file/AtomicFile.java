@@ -1,5 +1,8 @@
 package arcomat.pipeline.file;
 
+import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.step.WrongUse;
+
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AtomicMoveNotSupportedException;
@@ -14,6 +17,22 @@ import java.util.UUID;
 /** Replaces what is in a file at once: whoever looks sees the old or the new. */
 public final class AtomicFile {
     private AtomicFile() {}
+
+    /**
+     * Writes a file that a user asks for; folders on the way are made.
+     *
+     * @param written the file as the user wrote it
+     * @throws WrongUse where it cannot be written
+     */
+    public static void write(String written, byte[] content, PathNames names) throws WrongUse {
+        Path file = names.resolve(written);
+        try {
+            Files.createDirectories(file.toAbsolutePath().getParent());
+            write(file, content);
+        } catch (IOException e) {
+            throw new WrongUse("cannot write to '" + written + "': " + Failures.reason(e));
+        }
+    }
 
     /** Writes a text in UTF-8, as {@link #write(Path, byte[])} does. */
     public static void write(Path file, String text) throws IOException {

@@ -2,12 +2,9 @@ package arcomat.pipeline.picture;
 
 import arcomat.diagram.Graph;
 import arcomat.pipeline.file.AtomicFile;
-import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Optional;
@@ -30,15 +27,9 @@ public final class DiagramFile {
      * @throws WrongUse where its name says no format, or it cannot be written
      */
     public static void write(String file, Graph graph, PathNames names) throws WrongUse {
-        Path path = names.resolve(file).toAbsolutePath().normalize();
-        String folder = path.getParent().toString();
-        byte[] content = format(file).content(graph, new SourceLinks(names, folder)::of);
-        try {
-            Files.createDirectories(path.getParent());
-            AtomicFile.write(path, content);
-        } catch (IOException e) {
-            throw new WrongUse("cannot write to '" + file + "': " + Failures.reason(e));
-        }
+        Path folder = names.resolve(file).toAbsolutePath().normalize().getParent();
+        byte[] content = format(file).content(graph, new SourceLinks(names, folder.toString())::of);
+        AtomicFile.write(file, content, names);
     }
 
     private static PictureFormat format(String file) throws WrongUse {
