@@ -31,22 +31,4 @@ public record Unit(
     public String packageText() {
         return packageName.map(QualifiedName::text).orElse("");
     }
-
-    /** The documentation comment that ends right before a node, white space aside. */
-    public Optional<Comment> documentationOf(Node node) {
-        Comment last = null;
-        for (Comment comment : comments) {
-            if (comment.span().end() > node.span().start()) {
-                break;
-            }
-            last = comment;
-        }
-        return Optional.ofNullable(last)
-                .filter(Comment::isDocumentation)
-                .filter(c -> isBlank(c.span().end(), node.span().start()));
-    }
-
-    private boolean isBlank(int start, int end) {
-        return file().text().substring(start, end).isBlank();
-    }
 }
