@@ -32,7 +32,13 @@ public final class RunErrors {
         return transition.assignments().stream()
                         .anyMatch(a -> isCalculated(a.value(), a.variable().type()))
                 || transition.sends().stream().anyMatch(RunErrors::isCalculated)
+                || transition.matches().stream().anyMatch(match -> divides(match.pattern()))
                 || transition.guard().map(RunErrors::divides).orElse(false);
+    }
+
+    private static boolean divides(Automaton.Pattern pattern) {
+        return pattern instanceof Automaton.OneOf oneOf
+                && oneOf.values().stream().anyMatch(RunErrors::divides);
     }
 
     private static boolean isCalculated(Automaton.Send send) {
