@@ -58,11 +58,6 @@ public record Promise(
                 : Optional.of(new Promise(component, arguments, named));
     }
 
-    /** All automata on a component, those that ask something of a decomposed one too. */
-    public static List<Automaton> automataOf(Component component) {
-        return component.automata();
-    }
-
     /** The same with another completion. */
     public Promise with(Automaton.Completion completion) {
         List<Automaton> changed = automata.stream().map(a -> a.with(completion)).toList();

@@ -24,12 +24,11 @@ final class Json {
         DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
         DefaultPrettyPrinter printer =
                 new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
-        return escapeHalfPairs(
-                compact(
-                        json -> {
-                            json.setPrettyPrinter(printer);
-                            body.write(json);
-                        }));
+        return compact(
+                json -> {
+                    json.setPrettyPrinter(printer);
+                    body.write(json);
+                });
     }
 
     /** With no more blanks and line breaks than the body writes. */
@@ -40,7 +39,7 @@ final class Json {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return out.append('\n').toString();
+        return escapeHalfPairs(out.append('\n').toString());
     }
 
     /** A field with a list of texts. */

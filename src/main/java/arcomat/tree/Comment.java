@@ -3,8 +3,4 @@ package arcomat.tree;
 import arcomat.source.Span;
 
 /** A comment with its delimiters. */
-public record Comment(Span span, String text) implements Node {
-    public boolean isDocumentation() {
-        return text.startsWith("/**") && text.length() > 4;
-    }
-}
+public record Comment(Span span, String text) implements Node {}

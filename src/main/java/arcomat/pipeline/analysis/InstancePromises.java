@@ -41,7 +41,7 @@ public final class InstancePromises {
         List<Promise> promises = new ArrayList<>();
         for (Component component : withAutomata()) {
             for (List<Value> arguments : arguments(component)) {
-                promises.add(new Promise(component, arguments, Promise.automataOf(component)));
+                promises.add(new Promise(component, arguments, component.automata()));
             }
         }
         return promises;
@@ -86,7 +86,7 @@ public final class InstancePromises {
     private List<Component> withAutomata() {
         return model.components().stream()
                 .filter(component -> isNamed(component.span()) && !component.platform())
-                .filter(component -> !Promise.automataOf(component).isEmpty())
+                .filter(component -> !component.automata().isEmpty())
                 .toList();
     }
 

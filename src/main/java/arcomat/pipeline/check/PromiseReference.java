@@ -47,7 +47,7 @@ public record PromiseReference(String component, String automaton) {
 
     private static String named(Component component) {
         List<String> names =
-                Promise.automataOf(component).stream()
+                component.automata().stream()
                         .map(a -> a.name())
                         .filter(n -> !n.isEmpty())
                         .toList();

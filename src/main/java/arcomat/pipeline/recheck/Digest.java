@@ -1,8 +1,7 @@
 package arcomat.pipeline.recheck;
 
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
+import arcomat.report.Sha256;
+
 import java.util.HexFormat;
 
 /** Short texts that differ where long ones do. */
@@ -10,13 +9,6 @@ final class Digest {
     private Digest() {}
 
     static String of(String text) {
-        try {
-            byte[] digest =
-                    MessageDigest.getInstance("SHA-256")
-                            .digest(text.getBytes(StandardCharsets.UTF_8));
-            return HexFormat.of().formatHex(digest);
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
+        return HexFormat.of().formatHex(Sha256.of(text));
     }
 }
