@@ -4,8 +4,8 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.AnalyzeRequest;
 import arcomat.pipeline.analysis.AnalyzeResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.ExaminationJson;
-import arcomat.report.ExaminationText;
+import arcomat.report.verdict.ExaminationJson;
+import arcomat.report.verdict.ExaminationText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

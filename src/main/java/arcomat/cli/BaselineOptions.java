@@ -3,8 +3,8 @@ package arcomat.cli;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.Baseline.Comparison;
-import arcomat.report.CheckReport;
+import arcomat.report.finding.Baseline.Comparison;
+import arcomat.report.finding.CheckReport;
 import arcomat.source.Diagnostic;
 
 import picocli.CommandLine.Option;

@@ -3,8 +3,8 @@ package arcomat.cli;
 import arcomat.brick.BrickReport;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.BrickReportText;
-import arcomat.report.FindingsText;
+import arcomat.report.brick.BrickReportText;
+import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -4,7 +4,7 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.recheck.Recheck;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.CheckReport;
+import arcomat.report.finding.CheckReport;
 import arcomat.source.Diagnostic;
 
 import picocli.CommandLine;

@@ -1,12 +1,12 @@
 package arcomat.cli;
 
 import arcomat.pipeline.check.CheckResult;
-import arcomat.report.CheckReport;
-import arcomat.report.FileCases;
-import arcomat.report.FindingsJson;
-import arcomat.report.FindingsText;
-import arcomat.report.JunitXml;
-import arcomat.report.Style;
+import arcomat.report.finding.CheckReport;
+import arcomat.report.finding.FileCases;
+import arcomat.report.finding.FindingsJson;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.finding.JunitXml;
+import arcomat.report.text.Style;
 
 import java.util.Optional;
 

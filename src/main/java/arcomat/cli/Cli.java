@@ -1,8 +1,8 @@
 package arcomat.cli;
 
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.Printable;
-import arcomat.report.Style;
+import arcomat.report.text.Printable;
+import arcomat.report.text.Style;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;

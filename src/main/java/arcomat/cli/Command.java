@@ -4,7 +4,7 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.FindingsText;
+import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine.Option;
 

@@ -4,8 +4,8 @@ import arcomat.analysis.Answered;
 import arcomat.model.Automaton.Completion;
 import arcomat.pipeline.analysis.RefinesRequest;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.VerdictJson;
-import arcomat.report.VerdictText;
+import arcomat.report.verdict.VerdictJson;
+import arcomat.report.verdict.VerdictText;
 
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;

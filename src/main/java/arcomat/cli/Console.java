@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.report.Style;
+import arcomat.report.text.Style;
 
 import java.io.BufferedReader;
 import java.io.InputStreamReader;

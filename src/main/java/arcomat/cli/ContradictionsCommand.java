@@ -5,9 +5,9 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.ContradictionsRequest;
 import arcomat.pipeline.analysis.ContradictionsResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.ConsistencyJson;
-import arcomat.report.ConsistencyPage;
-import arcomat.report.ConsistencyText;
+import arcomat.report.verdict.ConsistencyJson;
+import arcomat.report.verdict.ConsistencyPage;
+import arcomat.report.verdict.ConsistencyText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;

@@ -6,7 +6,7 @@ import arcomat.pipeline.diagram.DiagramRequest;
 import arcomat.pipeline.diagram.DiagramResult;
 import arcomat.pipeline.picture.PictureFormat;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.FindingsText;
+import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -4,8 +4,8 @@ import arcomat.analysis.Difference;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.DiffResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.DifferenceJson;
-import arcomat.report.DifferenceText;
+import arcomat.report.verdict.DifferenceJson;
+import arcomat.report.verdict.DifferenceText;
 
 import picocli.CommandLine;
 

@@ -4,8 +4,8 @@ import arcomat.analysis.Evolution;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.EvolutionResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.EvolutionJson;
-import arcomat.report.EvolutionText;
+import arcomat.report.verdict.EvolutionJson;
+import arcomat.report.verdict.EvolutionText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -3,7 +3,7 @@ package arcomat.cli;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.check.Explanations;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.ExplanationText;
+import arcomat.report.finding.ExplanationText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Parameters;

@@ -2,7 +2,7 @@ package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.format.FormatResult;
-import arcomat.report.FindingsText;
+import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

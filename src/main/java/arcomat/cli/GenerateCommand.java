@@ -5,8 +5,8 @@ import arcomat.pipeline.generate.GenerationRequest;
 import arcomat.pipeline.generate.GenerationResult;
 import arcomat.pipeline.generate.Robot;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.BrickReportText;
-import arcomat.report.FindingsText;
+import arcomat.report.brick.BrickReportText;
+import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

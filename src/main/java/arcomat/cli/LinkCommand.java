@@ -4,9 +4,9 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.brick.LinkRequest;
 import arcomat.pipeline.brick.LinkResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.BrickReportText;
-import arcomat.report.FindingsText;
-import arcomat.report.Printable;
+import arcomat.report.brick.BrickReportText;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.text.Printable;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -1,10 +1,10 @@
 package arcomat.cli;
 
 import arcomat.pipeline.check.Explanations;
-import arcomat.report.GitHubCommands;
-import arcomat.report.Reported;
-import arcomat.report.Sarif;
-import arcomat.report.SourceRoot;
+import arcomat.report.finding.GitHubCommands;
+import arcomat.report.finding.Reported;
+import arcomat.report.finding.Sarif;
+import arcomat.report.finding.SourceRoot;
 
 import java.util.List;
 

@@ -4,7 +4,7 @@ import arcomat.analysis.Answered;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.MonaResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.MonaReport;
+import arcomat.report.verdict.MonaReport;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -4,8 +4,8 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.monitor.MonitorRequest;
 import arcomat.pipeline.monitor.MonitorResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.FindingsText;
-import arcomat.report.MonitorJson;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.run.MonitorJson;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

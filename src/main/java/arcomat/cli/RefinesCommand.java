@@ -4,7 +4,7 @@ import arcomat.analysis.Answered;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.AnalysisResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.VerdictPage;
+import arcomat.report.verdict.VerdictPage;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;

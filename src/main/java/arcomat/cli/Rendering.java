@@ -1,6 +1,6 @@
 package arcomat.cli;
 
-import arcomat.report.Style;
+import arcomat.report.text.Style;
 
 /** A result of a command that can be written in every format. */
 interface Rendering {

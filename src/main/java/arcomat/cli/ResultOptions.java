@@ -2,7 +2,7 @@ package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.Style;
+import arcomat.report.text.Style;
 
 import picocli.CommandLine.Option;
 

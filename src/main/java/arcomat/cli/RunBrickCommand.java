@@ -4,12 +4,12 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.brick.BrickRunRequest;
 import arcomat.pipeline.brick.BrickRunResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.BrickPage;
-import arcomat.report.BrickTraceCsv;
-import arcomat.report.BrickTraceJson;
-import arcomat.report.BrickTraceText;
-import arcomat.report.FindingsText;
-import arcomat.report.Printable;
+import arcomat.report.brick.BrickPage;
+import arcomat.report.brick.BrickTraceCsv;
+import arcomat.report.brick.BrickTraceJson;
+import arcomat.report.brick.BrickTraceText;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.text.Printable;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;

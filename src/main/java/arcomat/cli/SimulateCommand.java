@@ -5,12 +5,12 @@ import arcomat.pipeline.simulate.Dialogue;
 import arcomat.pipeline.simulate.SimulationRequest;
 import arcomat.pipeline.simulate.SimulationResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.Printable;
-import arcomat.report.TraceCsv;
-import arcomat.report.TraceJson;
-import arcomat.report.TracePage;
-import arcomat.report.TraceTable;
-import arcomat.report.WatchedText;
+import arcomat.report.run.TraceCsv;
+import arcomat.report.run.TraceJson;
+import arcomat.report.run.TracePage;
+import arcomat.report.run.TraceTable;
+import arcomat.report.run.WatchedText;
+import arcomat.report.text.Printable;
 import arcomat.simulate.Watched;
 
 import picocli.CommandLine;

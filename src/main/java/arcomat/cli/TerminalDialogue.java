@@ -2,7 +2,7 @@ package arcomat.cli;
 
 import arcomat.model.Letter;
 import arcomat.pipeline.simulate.Dialogue;
-import arcomat.report.Printable;
+import arcomat.report.text.Printable;
 import arcomat.simulate.Question;
 
 import java.io.IOException;

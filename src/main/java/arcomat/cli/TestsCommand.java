@@ -5,8 +5,8 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.TransitionTestsRequest;
 import arcomat.pipeline.analysis.TransitionTestsResult;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.TransitionTestsJson;
-import arcomat.report.TransitionTestsText;
+import arcomat.report.verdict.TransitionTestsJson;
+import arcomat.report.verdict.TransitionTestsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;

@@ -3,8 +3,8 @@ package arcomat.cli;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.pipeline.world.PreparedWorld;
-import arcomat.report.FindingsText;
-import arcomat.report.WorldText;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.world.WorldText;
 import arcomat.world.Recording;
 
 import picocli.CommandLine;

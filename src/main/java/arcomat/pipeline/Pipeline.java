@@ -64,7 +64,7 @@ import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.pipeline.world.WorldStep;
-import arcomat.report.Baseline;
+import arcomat.report.finding.Baseline;
 import arcomat.report.page.Page;
 import arcomat.report.page.PageText;
 import arcomat.source.Diagnostic;

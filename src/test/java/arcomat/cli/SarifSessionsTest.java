@@ -2,7 +2,7 @@ package arcomat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.report.SarifSchema;
+import arcomat.report.finding.SarifSchema;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;

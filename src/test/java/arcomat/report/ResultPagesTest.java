@@ -13,6 +13,9 @@ import arcomat.report.page.Story;
 import arcomat.report.page.Timeline.Flaw;
 import arcomat.report.page.Tone;
 import arcomat.report.page.Track;
+import arcomat.report.run.StreamTestPage;
+import arcomat.report.run.TracePage;
+import arcomat.report.verdict.VerdictPage;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTests;
 

@@ -10,7 +10,7 @@ import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.CertificateText;
+import arcomat.report.verdict.CertificateText;
 
 import java.io.IOException;
 import java.nio.file.Files;

@@ -5,9 +5,9 @@ import static java.util.stream.Collectors.toSet;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.Baseline;
-import arcomat.report.Baseline.Entry;
-import arcomat.report.BaselineText;
+import arcomat.report.finding.Baseline;
+import arcomat.report.finding.Baseline.Entry;
+import arcomat.report.finding.BaselineText;
 import arcomat.source.Diagnostic;
 
 import java.io.IOException;

@@ -47,10 +47,7 @@ public record PromiseReference(String component, String automaton) {
 
     private static String named(Component component) {
         List<String> names =
-                component.automata().stream()
-                        .map(a -> a.name())
-                        .filter(n -> !n.isEmpty())
-                        .toList();
+                component.automata().stream().map(a -> a.name()).filter(n -> !n.isEmpty()).toList();
         return names.isEmpty()
                 ? "none of its automata has a name"
                 : "there are " + names.stream().collect(Collectors.joining(", "));

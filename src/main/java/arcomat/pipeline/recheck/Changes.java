@@ -1,7 +1,7 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.CheckState.File;
-import arcomat.report.CheckState.Names;
+import arcomat.report.finding.CheckState.File;
+import arcomat.report.finding.CheckState.Names;
 
 import java.util.ArrayList;
 import java.util.Collection;

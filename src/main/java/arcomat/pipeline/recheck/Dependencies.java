@@ -1,6 +1,6 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.CheckState;
+import arcomat.report.finding.CheckState;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.Sha256;
+import arcomat.report.text.Sha256;
 
 import java.util.HexFormat;
 

@@ -1,6 +1,6 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.CheckState;
+import arcomat.report.finding.CheckState;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -1,9 +1,9 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.pipeline.step.PathNames;
-import arcomat.report.CheckState;
-import arcomat.report.CheckStateJson;
-import arcomat.report.CheckStateReader;
+import arcomat.report.finding.CheckState;
+import arcomat.report.finding.CheckStateJson;
+import arcomat.report.finding.CheckStateReader;
 import arcomat.source.SourceFile;
 
 import java.io.IOException;

@@ -2,8 +2,8 @@ package arcomat.pipeline.recheck;
 
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoadedModels;
-import arcomat.report.CheckState;
-import arcomat.report.CheckState.File;
+import arcomat.report.finding.CheckState;
+import arcomat.report.finding.CheckState.File;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;

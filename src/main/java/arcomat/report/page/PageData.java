@@ -1,6 +1,6 @@
 package arcomat.report.page;
 
-import arcomat.report.Printable;
+import arcomat.report.text.Printable;
 import arcomat.source.Span;
 
 import com.fasterxml.jackson.core.JsonFactory;

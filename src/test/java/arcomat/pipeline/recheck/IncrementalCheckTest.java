@@ -7,10 +7,10 @@ import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.file.ModelLanguages;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.CheckReport;
-import arcomat.report.FindingsJson;
-import arcomat.report.FindingsText;
-import arcomat.report.Style;
+import arcomat.report.finding.CheckReport;
+import arcomat.report.finding.FindingsJson;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.text.Style;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Cli;
 import arcomat.cli.Console;
-import arcomat.report.Style;
+import arcomat.report.text.Style;
 
 import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;

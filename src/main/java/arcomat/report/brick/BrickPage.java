@@ -1,0 +1,79 @@
+package arcomat.report.brick;
+
+import arcomat.report.finding.FindingsText;
+import arcomat.report.page.Page;
+import arcomat.report.page.Remark;
+import arcomat.report.page.Story;
+import arcomat.report.page.Timeline;
+import arcomat.report.page.Timeline.Flaw;
+import arcomat.report.page.Tone;
+import arcomat.report.page.Track;
+import arcomat.report.page.Track.Kind;
+import arcomat.sim.device.MotorName;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.trace.Trace;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** A program's run on a simulated brick as a page: cycle by cycle, in the brick's time. */
+public final class BrickPage {
+    private static final String OTHER = "what else happens";
+
+    private BrickPage() {}
+
+    /**
+     * @param jar the program
+     * @param ending how it ended, in words
+     * @param failure what nothing in the program caught
+     * @param screen what the display shows at the end
+     */
+    public static Page of(
+            String jar, Trace trace, String ending, Optional<String> failure, List<String> screen) {
+        BrickRows all = BrickRows.of(trace);
+        int length = all.rows().size();
+        List<Remark> remarks = new ArrayList<>();
+        List<Flaw> flaws = new ArrayList<>();
+        if (failure.isPresent()) {
+            remarks.add(Remark.of(Tone.BAD, failure.get()).at(length - 1));
+            flaws.add(new Flaw(length - 1, "", failure.get()));
+        }
+        screen.forEach(row -> remarks.add(Remark.of(Tone.NEUTRAL, "display: " + row)));
+        Timeline timeline =
+                new Timeline(
+                        "cycle",
+                        length,
+                        all.rows().stream().map(BrickRows.Row::time).toList(),
+                        tracks(all),
+                        flaws);
+        Tone tone = failure.isPresent() ? Tone.BAD : Tone.NEUTRAL;
+        return new Page(
+                "run-brick",
+                jar,
+                tone,
+                ending + " after " + FindingsText.count(length, "cycle"),
+                List.of(new Story("", tone, "", remarks, timeline, List.of())));
+    }
+
+    private static List<Track> tracks(BrickRows all) {
+        List<Track> tracks = new ArrayList<>();
+        for (SensorName sensor : all.sensors()) {
+            Track.Builder track = new Track.Builder("sensors", sensor.name(), Kind.VARIABLE);
+            for (BrickRows.Row row : all.rows()) {
+                Integer value = row.read().get(sensor);
+                track.addUnlessEmpty(value == null ? "" : value.toString());
+            }
+            tracks.add(track.build());
+        }
+        for (MotorName motor : all.motors()) {
+            Track.Builder track = new Track.Builder("motors", motor.name(), Kind.VARIABLE);
+            all.rows().forEach(row -> track.addUnlessEmpty(BrickRows.text(row.told().get(motor))));
+            tracks.add(track.build());
+        }
+        Track.Builder other = new Track.Builder("brick", OTHER, Kind.PORT);
+        all.rows().forEach(row -> other.addUnlessEmpty(String.join("; ", row.other())));
+        tracks.add(other.build());
+        return tracks;
+    }
+}

@@ -1,0 +1,116 @@
+package arcomat.report.brick;
+
+import arcomat.sim.device.MotorName;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.trace.Cycle;
+import arcomat.sim.trace.Event;
+import arcomat.sim.trace.Trace;
+
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * What a program did with its brick, cycle by cycle: what it last read and told its motors, and
+ * what else happened. Sockets that nothing uses have no column.
+ *
+ * @param sensors those that were read
+ * @param motors those that were told something
+ */
+record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows) {
+    private static final long MILLISECOND = 1000;
+
+    /**
+     * A cycle.
+     *
+     * @param time its begin in milliseconds since switching on
+     * @param read the last value of each sensor so far
+     * @param told the last order of each motor so far
+     * @param other what happened besides, in words
+     */
+    record Row(
+            long time,
+            Map<SensorName, Integer> read,
+            Map<MotorName, Event.MotorOrdered> told,
+            List<String> other) {
+
+        /** Whether somebody who reads row after row learns something new. */
+        boolean differsFrom(Row before) {
+            return !other.isEmpty() || !read.equals(before.read) || !told.equals(before.told);
+        }
+    }
+
+    static BrickRows of(Trace trace) {
+        Map<SensorName, Integer> read = new EnumMap<>(SensorName.class);
+        Map<MotorName, Event.MotorOrdered> told = new EnumMap<>(MotorName.class);
+        List<Row> rows = new ArrayList<>();
+        for (Cycle cycle : trace.cycles()) {
+            read.putAll(cycle.read());
+            cycle.orders().forEach(order -> told.put(order.motor(), order));
+            rows.add(
+                    new Row(
+                            cycle.start() / MILLISECOND,
+                            Map.copyOf(read),
+                            Map.copyOf(told),
+                            cycle.events().stream()
+                                    .map(BrickRows::other)
+                                    .filter(text -> !text.isEmpty())
+                                    .toList()));
+        }
+        return new BrickRows(read.keySet(), told.keySet(), rows);
+    }
+
+    /** {@code 360}, {@code stop}, {@code to 90}: what a motor was told; empty before the first. */
+    static String text(Event.MotorOrdered order) {
+        if (order == null) {
+            return "";
+        }
+        return switch (order.order()) {
+            case TURN -> String.valueOf(order.value());
+            case TURN_TO -> "to " + order.value();
+            case POWER -> "power " + order.value();
+            case STOP -> "stop";
+            case FLOAT -> "float";
+        };
+    }
+
+    private static String other(Event event) {
+        if (event instanceof Event.ScreenChanged screen) {
+            return "screen: " + String.join(" | ", nonEmpty(screen.rows()));
+        } else if (event instanceof Event.TonePlayed tone) {
+            return "tone: " + tone.hertz() + " Hz, " + tone.milliseconds() + " ms";
+        } else if (event instanceof Event.PacketSent sent) {
+            return "sent: " + sent.bytes();
+        } else if (event instanceof Event.PacketReceived received) {
+            return "received: " + received.bytes();
+        }
+        return "";
+    }
+
+    private static List<String> nonEmpty(List<String> rows) {
+        return rows.stream().filter(row -> !row.isBlank()).toList();
+    }
+
+    /** Headings of columns. */
+    List<String> headings() {
+        List<String> headings = new ArrayList<>(List.of("ms"));
+        sensors.forEach(sensor -> headings.add(sensor.name()));
+        motors.forEach(motor -> headings.add(motor.name()));
+        headings.add("");
+        return headings;
+    }
+
+    /** A row's cells, as many as there are headings. */
+    List<String> cells(Row row) {
+        List<String> cells = new ArrayList<>(List.of(String.valueOf(row.time())));
+        for (SensorName sensor : sensors) {
+            Integer value = row.read().get(sensor);
+            cells.add(value == null ? "" : value.toString());
+        }
+        motors.forEach(motor -> cells.add(text(row.told().get(motor))));
+        cells.add(String.join("; ", row.other()));
+        return cells;
+    }
+}

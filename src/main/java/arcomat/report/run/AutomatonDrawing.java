@@ -1,0 +1,74 @@
+package arcomat.report.run;
+
+import arcomat.analysis.Footprints.Footprint;
+import arcomat.diagram.AutomatonGraph;
+import arcomat.diagram.Layout;
+import arcomat.diagram.SvgText;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.report.page.Drawing;
+import arcomat.report.page.Track;
+import arcomat.report.page.Track.Kind;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Pictures of automata beside runs; each automaton is laid out once. */
+public final class AutomatonDrawing {
+    private final Map<Automaton, String> pictures = new IdentityHashMap<>();
+
+    /**
+     * @param tracks that are marked in it
+     */
+    public Drawing of(String title, Component component, Automaton automaton, List<String> tracks) {
+        String svg = pictures.computeIfAbsent(automaton, each -> picture(component, each));
+        return new Drawing(title, svg, tracks);
+    }
+
+    private static String picture(Component component, Automaton automaton) {
+        return SvgText.embedded(Layout.of(AutomatonGraph.of(component, automaton)));
+    }
+
+    /** A track that only drawings show: where an automaton goes. */
+    public static Track way(String name, List<Footprint> footprints) {
+        Track.Builder track = new Track.Builder("", name, Kind.PATH);
+        for (Footprint footprint : footprints) {
+            List<String> elements = new ArrayList<>();
+            footprint.states().forEach(each -> elements.add(state(each)));
+            footprint.transitions().forEach(each -> elements.add(transition(each)));
+            footprint.initials().forEach(each -> elements.add("initial " + each));
+            track.add("", elements);
+        }
+        return track.build();
+    }
+
+    static String state(int index) {
+        return "state " + index;
+    }
+
+    static String transition(int index) {
+        return "transition " + index;
+    }
+
+    /** A part of a part, by its path; empty for the whole. */
+    static Optional<Component> part(Component whole, String path) {
+        Component found = whole;
+        for (String name : path.isEmpty() ? List.<String>of() : Arrays.asList(path.split("\\."))) {
+            Optional<Component.Part> part =
+                    found.body() instanceof Component.Composite composite
+                            ? composite.parts().stream()
+                                    .filter(each -> each.name().equals(name))
+                                    .findFirst()
+                            : Optional.empty();
+            if (part.isEmpty()) {
+                return Optional.empty();
+            }
+            found = part.get().component();
+        }
+        return Optional.of(found);
+    }
+}

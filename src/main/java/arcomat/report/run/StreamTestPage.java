@@ -1,0 +1,146 @@
+package arcomat.report.run;
+
+import arcomat.model.Component;
+import arcomat.model.StreamTest;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.report.page.Page;
+import arcomat.report.page.Remark;
+import arcomat.report.page.Story;
+import arcomat.report.page.Timeline;
+import arcomat.report.page.Timeline.Flaw;
+import arcomat.report.page.Tone;
+import arcomat.report.page.Track;
+import arcomat.report.page.Track.Kind;
+import arcomat.report.text.Style;
+import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.StreamTestResult.Cell;
+import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.simulate.StreamTests;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Stream tests as a page: what was expected beside what a run with first choices sends. */
+public final class StreamTestPage {
+    private static final String EXPECTED = " expected";
+
+    private final StreamTestResult result;
+    private final StreamTest test;
+    private final Trace run;
+    private final TraceTracks tracks;
+    private final AutomatonDrawing pictures;
+
+    private StreamTestPage(StreamTestResult result, AutomatonDrawing pictures) {
+        this.result = result;
+        this.pictures = pictures;
+        test = result.test();
+        run = StreamTests.firstRun(test);
+        tracks = new TraceTracks(run);
+    }
+
+    public static Page of(String title, List<StreamTestResult> results) {
+        AutomatonDrawing pictures = new AutomatonDrawing();
+        List<Story> stories =
+                results.stream().map(each -> new StreamTestPage(each, pictures).story()).toList();
+        boolean failed = results.stream().anyMatch(each -> each.verdict() == Verdict.FAILED);
+        String headline = StreamTestText.summary(results, Style.PLAIN);
+        return new Page("test", title, failed ? Tone.BAD : Tone.GOOD, headline, stories);
+    }
+
+    private Story story() {
+        Timeline timeline =
+                new Timeline(tracks.unit(), run.steps().size(), List.of(), tracks(), flaws());
+        return new Story(
+                test.suite() + "#" + test.name(),
+                switch (result.verdict()) {
+                    case PASSED -> Tone.GOOD;
+                    case VACUOUS -> Tone.OPEN;
+                    case FAILED -> Tone.BAD;
+                },
+                headline(),
+                remarks(),
+                timeline,
+                tracks.drawings(pictures));
+    }
+
+    private String headline() {
+        return switch (result.verdict()) {
+            case PASSED -> "passed";
+            case VACUOUS -> "passed, vacuous: " + StreamTestText.vacuous(result);
+            case FAILED -> "failed: " + StreamTestText.reason(result);
+        };
+    }
+
+    private List<Remark> remarks() {
+        return result.verdict() == Verdict.FAILED
+                ? List.of(Remark.of(Tone.BAD, "The test is here.").about(test.span().firstLine()))
+                : List.of();
+    }
+
+    private boolean isTimed() {
+        return test.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+    }
+
+    private List<Track> tracks() {
+        List<Track> all = tracks.inputs();
+        for (String port : tracks.outputs()) {
+            if (isTimed() && test.expected().containsKey(port)) {
+                all.add(expected(port));
+            }
+            all.add(tracks.output(port));
+        }
+        all.addAll(tracks.states());
+        return all;
+    }
+
+    private Track expected(String port) {
+        Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port + EXPECTED, Kind.PORT);
+        List<List<Value>> stream = test.expected().get(port);
+        for (int slice = 0; slice < run.steps().size(); slice++) {
+            track.addUnlessEmpty(slice < stream.size() ? TraceTable.text(stream.get(slice)) : "");
+        }
+        return track.build();
+    }
+
+    private List<Flaw> flaws() {
+        List<Flaw> flaws = new ArrayList<>();
+        int last = run.steps().size() - 1;
+        if (last < 0) {
+            return flaws;
+        }
+        for (Cell cell : result.cells()) {
+            if (cell.differs()) {
+                int at = Math.min(last, isTimed() ? cell.slice() : event(cell));
+                flaws.add(new Flaw(at, cell.port(), text(cell)));
+            }
+        }
+        result.failure().ifPresent(failure -> flaws.add(new Flaw(last, "", failure)));
+        return flaws;
+    }
+
+    private static String text(Cell cell) {
+        String allowed =
+                cell.allowed().isEmpty()
+                        ? ""
+                        : "; the model allows " + String.join(" or ", cell.allowed());
+        return "%s: expected is %s, sent is %s%s"
+                .formatted(
+                        cell.port(),
+                        StreamTestText.messages(cell.expected()),
+                        StreamTestText.messages(cell.actual()),
+                        allowed);
+    }
+
+    /** The event in which a port sends the message of a cell; the last one if it never does. */
+    private int event(Cell cell) {
+        int sent = 0;
+        for (Trace.Step step : run.steps()) {
+            sent += step.outputs().messages(cell.port()).size();
+            if (sent > cell.slice()) {
+                return step.number();
+            }
+        }
+        return run.steps().size() - 1;
+    }
+}

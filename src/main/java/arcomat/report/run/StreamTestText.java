@@ -1,0 +1,135 @@
+package arcomat.report.run;
+
+import arcomat.model.Component;
+import arcomat.model.Value;
+import arcomat.report.text.Printable;
+import arcomat.report.text.Style;
+import arcomat.report.text.TextTable;
+import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.StreamTestResult.Cell;
+import arcomat.simulate.StreamTestResult.Verdict;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * Results of stream tests: a line per test, and below a failing one its streams side by side up to
+ * a little behind the first difference.
+ */
+public final class StreamTestText {
+    private static final int SLICES_BEHIND = 2;
+    private static final String INDENT = "    ";
+
+    private StreamTestText() {}
+
+    public static String render(List<StreamTestResult> results, Style style) {
+        StringBuilder out = new StringBuilder();
+        String suite = "";
+        for (StreamTestResult result : results) {
+            String file = result.test().span().file().path();
+            if (!file.equals(suite)) {
+                suite = file;
+                out.append(style.strong(Printable.escape(file))).append('\n');
+            }
+            out.append(render(result, style));
+        }
+        return out.toString();
+    }
+
+    private static String render(StreamTestResult result, Style style) {
+        String name = " " + Printable.escape(result.test().name());
+        return switch (result.verdict()) {
+            case PASSED -> "  " + style.good("passed") + name + "\n";
+            case VACUOUS ->
+                    "  " + style.warning("passed, vacuous") + name + ": " + vacuous(result) + "\n";
+            case FAILED -> "  " + style.error("FAILED") + name + failure(result, style) + "\n";
+        };
+    }
+
+    /** From when on a test passes only because anything would. */
+    static String vacuous(StreamTestResult result) {
+        String from =
+                result.vacuousFrom().stream()
+                        .mapToObj(slice -> "from slice " + slice + " ")
+                        .collect(Collectors.joining());
+        return from + "the model promises nothing (chaos)";
+    }
+
+    /** In a sentence why a test fails. */
+    static String reason(StreamTestResult result) {
+        if (result.failure().isPresent()) {
+            return result.failure().get();
+        }
+        return result.cells().stream()
+                .filter(Cell::differs)
+                .findFirst()
+                .map(cell -> difference(cell, result.test().component().profile()))
+                .orElse("nothing that the model allows is what the test expects");
+    }
+
+    private static String difference(Cell cell, Component.Profile profile) {
+        boolean timed = profile == Component.Profile.TIME_SYNCHRONOUS;
+        return "in %s %d '%s' is %s, expected is %s"
+                .formatted(
+                        timed ? "slice" : "message",
+                        cell.slice(),
+                        cell.port(),
+                        messages(cell.actual()),
+                        messages(cell.expected()));
+    }
+
+    private static String failure(StreamTestResult result, Style style) {
+        StringBuilder out = new StringBuilder(" (line ");
+        out.append(result.test().span().startPosition().line()).append(")\n");
+        result.failure()
+                .ifPresent(f -> out.append(INDENT).append(Printable.escape(f)).append('\n'));
+        String table = sideBySide(result, style);
+        table.lines().forEach(line -> out.append(INDENT).append(line).append('\n'));
+        return out.toString();
+    }
+
+    /** Expected, actual and allowed streams in a table, up to a little behind the difference. */
+    static String sideBySide(StreamTestResult result, Style style) {
+        int last =
+                result.firstDifference().isPresent()
+                        ? result.firstDifference().getAsInt() + SLICES_BEHIND
+                        : Integer.MAX_VALUE;
+        TextTable table =
+                new TextTable(List.of("slice", "port", "expected", "actual", "", "allowed"));
+        for (Cell cell : result.cells()) {
+            if (cell.slice() <= last) {
+                List<String> cells = new ArrayList<>();
+                cells.add(String.valueOf(cell.slice()));
+                cells.add(Printable.escape(cell.port()));
+                cells.add(messages(cell.expected()));
+                cells.add(messages(cell.actual()));
+                cells.add(cell.differs() ? "<--" : "");
+                cells.add(cell.differs() ? allowed(cell) : "");
+                table.add(cells);
+            }
+        }
+        return table.render(style);
+    }
+
+    /** {@code --} is silence, as in models. */
+    static String messages(List<Value> messages) {
+        return messages.isEmpty() ? "--" : Printable.escape(TraceTable.text(messages));
+    }
+
+    private static String allowed(Cell cell) {
+        return cell.allowed().isEmpty()
+                ? "--"
+                : Printable.escape(String.join(" or ", cell.allowed()));
+    }
+
+    /** One line: {@code 12 passed, 1 failed}. */
+    public static String summary(List<StreamTestResult> results, Style style) {
+        long failed = results.stream().filter(r -> r.verdict() == Verdict.FAILED).count();
+        long vacuous = results.stream().filter(r -> r.verdict() == Verdict.VACUOUS).count();
+        String text = (results.size() - failed) + " passed";
+        text += vacuous > 0 ? " (" + vacuous + " vacuous)" : "";
+        text += ", " + failed + " failed";
+        return failed > 0 ? style.error(text) : style.good(text);
+    }
+}

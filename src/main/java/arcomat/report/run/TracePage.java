@@ -1,0 +1,85 @@
+package arcomat.report.run;
+
+import arcomat.model.Trace;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.page.Page;
+import arcomat.report.page.Remark;
+import arcomat.report.page.Story;
+import arcomat.report.page.Timeline;
+import arcomat.report.page.Timeline.Flaw;
+import arcomat.report.page.Tone;
+import arcomat.simulate.Violation;
+import arcomat.simulate.Watched;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** A run of a model as a page: what came in, what was to be seen, where each automaton was. */
+public final class TracePage {
+    private TracePage() {}
+
+    public static Page of(Trace trace, List<Watched> watched) {
+        TraceTracks tracks = new TraceTracks(trace);
+        List<Remark> remarks = new ArrayList<>();
+        List<Flaw> flaws = new ArrayList<>();
+        for (Watched each : watched) {
+            remarks.add(remark(each, tracks.unit()));
+            each.violation().ifPresent(v -> flaws.add(new Flaw(v.slice(), "", v.message())));
+        }
+        int length = trace.steps().size();
+        if (trace.failure().isPresent() && length > 0) {
+            flaws.add(new Flaw(length - 1, "", "stopped: " + trace.failure().get()));
+        }
+        Timeline timeline = new Timeline(tracks.unit(), length, List.of(), tracks.all(), flaws);
+        Story story =
+                new Story(
+                        "",
+                        Tone.NEUTRAL,
+                        "",
+                        remarks,
+                        timeline,
+                        tracks.drawings(new AutomatonDrawing()));
+        return new Page(
+                "simulate",
+                trace.component().qualifiedName(),
+                tone(trace, watched),
+                headline(trace, watched, tracks.unit()),
+                List.of(story));
+    }
+
+    private static Tone tone(Trace trace, List<Watched> watched) {
+        if (trace.failure().isPresent()
+                || watched.stream().anyMatch(each -> each.violation().isPresent())) {
+            return Tone.BAD;
+        }
+        return watched.isEmpty() ? Tone.NEUTRAL : Tone.GOOD;
+    }
+
+    private static String headline(Trace trace, List<Watched> watched, String unit) {
+        String length = FindingsText.count(trace.steps().size(), unit);
+        if (trace.failure().isPresent()) {
+            return "stopped after " + length + ": " + trace.failure().get();
+        }
+        long violated = watched.stream().filter(each -> each.violation().isPresent()).count();
+        if (violated > 0) {
+            return length + "; " + FindingsText.count(violated, "requirement") + " violated";
+        }
+        return watched.isEmpty() ? length : length + "; all that was watched is kept";
+    }
+
+    private static Remark remark(Watched watched, String unit) {
+        Optional<Violation> violation = watched.violation();
+        if (violation.isPresent()) {
+            return Remark.of(Tone.BAD, "violated: " + violation.get().message())
+                    .about(violation.get().requirement().span())
+                    .at(violation.get().slice());
+        }
+        if (watched.nothingFrom().isPresent()) {
+            int from = watched.nothingFrom().getAsInt();
+            String text = "%s is kept, but promises nothing from %s %d on";
+            return Remark.of(Tone.OPEN, text.formatted(watched.requirement(), unit, from)).at(from);
+        }
+        return Remark.of(Tone.GOOD, watched.requirement() + " is kept");
+    }
+}

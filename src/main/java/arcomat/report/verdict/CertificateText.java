@@ -1,0 +1,78 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.engine.Certificate;
+import arcomat.analysis.engine.Certificate.Entry;
+import arcomat.report.text.OneLine;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Certificates as a file. Below a line {@code certificate} of its own stands for each pair the
+ * configuration of the left side, and below it, indented, each configuration of the right side.
+ */
+public final class CertificateText {
+    private static final String FIRST = "arcomat certificates 1";
+    private static final String BEGINNING = "certificate";
+    private static final String INDENT = "    ";
+
+    private CertificateText() {}
+
+    /**
+     * @param left for the reader
+     * @param right for the reader
+     */
+    public static String render(String left, String right, List<Certificate> certificates) {
+        StringBuilder out = new StringBuilder(FIRST + "\n");
+        out.append("# ")
+                .append(OneLine.of(left))
+                .append(" refines ")
+                .append(OneLine.of(right))
+                .append('\n');
+        for (Certificate certificate : certificates) {
+            out.append(BEGINNING).append('\n');
+            for (Entry entry : certificate.entries()) {
+                out.append("  ").append(OneLine.of(entry.left())).append('\n');
+                entry.right().forEach(r -> out.append(INDENT).append(OneLine.of(r)).append('\n'));
+            }
+        }
+        return out.toString();
+    }
+
+    /** Empty for a text that is no file of certificates. */
+    public static Optional<List<Certificate>> parse(String text) {
+        List<String> lines = List.of(text.split("\n"));
+        if (!lines.get(0).equals(FIRST)) {
+            return Optional.empty();
+        }
+        List<List<Entry>> certificates = new ArrayList<>();
+        for (String line : lines.subList(1, lines.size())) {
+            if (line.equals(BEGINNING)) {
+                certificates.add(new ArrayList<>());
+            } else if (!line.startsWith("#") && !add(line, certificates)) {
+                return Optional.empty();
+            }
+        }
+        return Optional.of(certificates.stream().map(Certificate::new).toList());
+    }
+
+    private static boolean add(String line, List<List<Entry>> certificates) {
+        if (certificates.isEmpty() || !line.startsWith("  ")) {
+            return false;
+        }
+        List<Entry> entries = certificates.get(certificates.size() - 1);
+        if (!line.startsWith(INDENT)) {
+            entries.add(new Entry(OneLine.read(line.substring(2)), List.of()));
+            return true;
+        }
+        if (entries.isEmpty()) {
+            return false;
+        }
+        Entry last = entries.remove(entries.size() - 1);
+        List<String> right = new ArrayList<>(last.right());
+        right.add(OneLine.read(line.substring(INDENT.length())));
+        entries.add(new Entry(last.left(), right));
+        return true;
+    }
+}

@@ -1,0 +1,180 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Consistency;
+import arcomat.analysis.Contradiction;
+import arcomat.analysis.Footprints;
+import arcomat.analysis.Moment;
+import arcomat.analysis.Promise;
+import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.game.Turn;
+import arcomat.model.Automaton;
+import arcomat.model.Letter;
+import arcomat.report.page.Drawing;
+import arcomat.report.page.Page;
+import arcomat.report.page.Remark;
+import arcomat.report.page.Story;
+import arcomat.report.page.Timeline;
+import arcomat.report.page.Timeline.Flaw;
+import arcomat.report.page.Tone;
+import arcomat.report.page.Track;
+import arcomat.report.page.Track.Kind;
+import arcomat.report.run.AutomatonDrawing;
+import arcomat.report.run.TraceTracks;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Contradictions as a page: inputs, what may be answered, and the requirements beside them. */
+public final class ConsistencyPage {
+    private static final String ANSWERS = "may be answered";
+    private static final String GOES = " goes";
+
+    private final Promise asked;
+    private final Contradiction contradiction;
+    private final AutomatonDrawing pictures;
+    private final List<Contradiction.Step> steps;
+
+    private ConsistencyPage(Promise asked, Contradiction contradiction, AutomatonDrawing pictures) {
+        this.asked = asked;
+        this.pictures = pictures;
+        this.contradiction = contradiction;
+        steps = contradiction.steps();
+    }
+
+    /**
+     * @param asked the requirements
+     * @param controller the text of one that keeps them all, where there is one
+     */
+    public static Page of(Promise asked, Consistency found, Optional<String> controller) {
+        AutomatonDrawing pictures = new AutomatonDrawing();
+        List<Story> stories = new ArrayList<>();
+        found.contradictions()
+                .forEach(each -> stories.add(new ConsistencyPage(asked, each, pictures).story()));
+        if (stories.isEmpty()) {
+            stories.add(harmony(asked, found, controller, pictures));
+        }
+        return new Page(
+                "contradictions",
+                asked.title(),
+                VerdictPage.tone(found.answer()),
+                ConsistencyText.headline(asked.title(), found),
+                stories);
+    }
+
+    /** The requirements themselves, and what keeps them. */
+    private static Story harmony(
+            Promise asked,
+            Consistency found,
+            Optional<String> controller,
+            AutomatonDrawing pictures) {
+        List<Remark> remarks = new ArrayList<>();
+        found.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
+        controller.ifPresent(
+                any ->
+                        remarks.add(
+                                Remark.of(
+                                        Tone.GOOD,
+                                        "A controller keeps them all; --out writes it.")));
+        List<Drawing> drawings =
+                asked.automata().stream()
+                        .map(
+                                each ->
+                                        pictures.of(
+                                                ConsistencyText.name(each),
+                                                asked.component(),
+                                                each,
+                                                List.of()))
+                        .toList();
+        Tone tone = VerdictPage.tone(found.answer());
+        return new Story("", tone, "", remarks, Timeline.none("step"), drawings);
+    }
+
+    private Story story() {
+        List<Letter> inputs = steps.stream().map(Contradiction.Step::input).toList();
+        List<Track> tracks = new ArrayList<>(TraceTracks.inputs(inputs));
+        tracks.add(answers());
+        List<Drawing> drawings = new ArrayList<>();
+        for (Automaton automaton : contradiction.requirements()) {
+            String name = ConsistencyText.name(automaton);
+            tracks.add(way(automaton, name + GOES));
+            drawings.add(pictures.of(name, asked.component(), automaton, List.of(name + GOES)));
+        }
+        Timeline timeline = new Timeline("step", steps.size(), List.of(), tracks, flaws());
+        String names = String.join(", ", ConsistencyText.names(contradiction));
+        return new Story(
+                names,
+                Tone.BAD,
+                ConsistencyText.summary(contradiction).replaceFirst(":$", ""),
+                remarks(),
+                timeline,
+                drawings);
+    }
+
+    private Track answers() {
+        Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, ANSWERS, Kind.STATE);
+        for (Contradiction.Step step : steps) {
+            track.add(
+                    step.answers().isEmpty()
+                            ? "none complies"
+                            : step.answers().stream()
+                                    .map(this::text)
+                                    .collect(Collectors.joining("  or  ")));
+        }
+        return track.build();
+    }
+
+    private String text(Turn.Answer answer) {
+        List<String> sent = VerdictText.outputs(answer.outputs());
+        String text = sent.isEmpty() ? "nothing" : String.join(", ", sent);
+        return isStraight() ? text : text + " (then step " + answer.next() + ")";
+    }
+
+    /** Whether each step is followed by the next one, whatever is answered. */
+    private boolean isStraight() {
+        for (int i = 0; i < steps.size(); i++) {
+            int next = i + 1;
+            if (steps.get(i).answers().stream().anyMatch(answer -> answer.next() != next)) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Track way(Automaton automaton, String name) {
+        List<Moment> moments =
+                steps.stream()
+                        .map(step -> new Moment(step.input(), sent(step), "", List.of()))
+                        .toList();
+        return isStraight()
+                ? AutomatonDrawing.way(name, Footprints.anywhere(asked, automaton, moments))
+                : AutomatonDrawing.way(name, List.of());
+    }
+
+    /** What is surely sent; where there are several answers, that is left open. */
+    private static Map<String, arcomat.semantics.Sent> sent(Contradiction.Step step) {
+        return step.answers().size() == 1 ? step.answers().get(0).outputs() : Map.of();
+    }
+
+    private List<Flaw> flaws() {
+        List<Flaw> flaws = new ArrayList<>();
+        for (int i = 0; i < steps.size(); i++) {
+            if (steps.get(i).answers().isEmpty()) {
+                flaws.add(new Flaw(i, ANSWERS, "whatever is answered breaks a requirement"));
+            }
+        }
+        return flaws;
+    }
+
+    private List<Remark> remarks() {
+        List<Remark> remarks = new ArrayList<>();
+        for (int i = 0; i < steps.size(); i++) {
+            for (Sentence demand : steps.get(i).demands()) {
+                remarks.add(VerdictPage.remark(Tone.BAD, demand).at(i));
+            }
+        }
+        return remarks;
+    }
+}

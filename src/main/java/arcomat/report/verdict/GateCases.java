@@ -1,0 +1,52 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Change;
+import arcomat.analysis.Gate;
+import arcomat.report.finding.Case;
+import arcomat.report.finding.Case.Outcome;
+import arcomat.report.text.Style;
+
+import java.util.List;
+
+/** What became of components as cases, one each. */
+public final class GateCases {
+    private static final String GROUP = "gate";
+
+    private GateCases() {}
+
+    public static List<Case> of(Gate gate) {
+        return gate.entries().stream().map(GateCases::of).toList();
+    }
+
+    private static Case of(Gate.Entry entry) {
+        Outcome outcome =
+                switch (entry.answer()) {
+                    case HOLDS -> Outcome.PASSED;
+                    case FAILS -> Outcome.FAILED;
+                    case UNKNOWN -> Outcome.UNDECIDED;
+                };
+        return new Case(
+                GROUP,
+                entry.name(),
+                entry.fresh().or(entry::old),
+                outcome,
+                outcome == Outcome.PASSED ? "" : message(entry),
+                details(entry));
+    }
+
+    private static String message(Gate.Entry entry) {
+        String reason = entry.change().reason();
+        return GateText.word(entry.change().relation()) + (reason.isEmpty() ? "" : ": " + reason);
+    }
+
+    private static String details(Gate.Entry entry) {
+        StringBuilder details = new StringBuilder(GateText.line(entry, Style.PLAIN));
+        for (Change.Witness each : entry.change().witnesses()) {
+            details.append('\n')
+                    .append(
+                            VerdictText.render(
+                                    each.left(), each.right(), each.verdict(), Style.PLAIN));
+        }
+        return details.toString();
+    }
+}

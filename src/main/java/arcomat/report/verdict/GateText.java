@@ -1,0 +1,143 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Change;
+import arcomat.analysis.Change.Relation;
+import arcomat.analysis.Gate;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.text.Printable;
+import arcomat.report.text.Style;
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * What became of components: a line for each that changed, then the stories of those that do not
+ * keep their promises, other findings, and a summary.
+ */
+public final class GateText {
+    private static final int WIDEST = "incomparable".length();
+
+    private GateText() {}
+
+    public static String render(Gate gate, List<Diagnostic> findings, Style style) {
+        StringBuilder out = new StringBuilder();
+        for (Gate.Entry entry : gate.entries()) {
+            if (entry.change().relation() != Relation.UNCHANGED) {
+                out.append(line(entry, style));
+            }
+        }
+        for (Gate.Entry entry : gate.entries()) {
+            if (entry.change().relation().isDoubtful()) {
+                story(entry, findings, style, out);
+            }
+        }
+        for (Diagnostic finding : findings) {
+            if (gate.entries().stream().noneMatch(entry -> isAbout(finding, entry))) {
+                section(FindingsText.render(finding, style), out);
+            }
+        }
+        return out.append(out.isEmpty() ? "" : "\n").append(summary(gate, style)).toString();
+    }
+
+    /** {@code refines p.Lift}, with what it has more. */
+    static String line(Gate.Entry entry, Style style) {
+        String word = word(entry.change().relation());
+        String reason =
+                entry.cause().map(part -> "; by its part " + part).orElse("")
+                        + entry.excuse().map(why -> "; it is meant: " + why).orElse("");
+        return VerdictText.paint(word, entry.answer(), style)
+                + " ".repeat(WIDEST - word.length() + 2)
+                + Printable.escape(entry.name() + reason)
+                + "\n"
+                + (entry.change().relation() == Relation.REFINES ? more(entry.change()) : "");
+    }
+
+    /** What a component that promises more has more. */
+    private static String more(Change change) {
+        StringBuilder out = new StringBuilder();
+        for (Change.Witness witness : change.witnesses()) {
+            boolean behaviour = !witness.verdict().trace().isEmpty();
+            witness.verdict().explanation().stream()
+                    .limit(1)
+                    .forEach(
+                            sentence ->
+                                    out.append(" ".repeat(WIDEST + 2))
+                                            .append(behaviour ? "no longer: " : "")
+                                            .append(Printable.escape(sentence.text()))
+                                            .append('\n'));
+        }
+        return out.toString();
+    }
+
+    static String word(Relation relation) {
+        return relation.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The finding, if there is one, then what shows it; that of a part is told there. */
+    private static void story(
+            Gate.Entry entry, List<Diagnostic> findings, Style style, StringBuilder out) {
+        StringBuilder story = new StringBuilder();
+        findings.stream()
+                .filter(finding -> isAbout(finding, entry))
+                .forEach(finding -> story.append(FindingsText.render(plain(finding), style)));
+        if (entry.cause().isEmpty()) {
+            entry.change().witnesses().stream()
+                    .limit(1)
+                    .forEach(
+                            each ->
+                                    story.append(story.isEmpty() ? "" : "\n")
+                                            .append(
+                                                    VerdictText.render(
+                                                            each.left(),
+                                                            each.right(),
+                                                            each.verdict(),
+                                                            style)));
+        }
+        section(story.toString(), out);
+    }
+
+    private static void section(String text, StringBuilder out) {
+        if (!text.isEmpty()) {
+            out.append(out.isEmpty() ? "" : "\n").append(text);
+        }
+    }
+
+    private static Diagnostic plain(Diagnostic finding) {
+        return new Diagnostic(
+                finding.code(),
+                finding.severity(),
+                finding.span(),
+                finding.message(),
+                List.of(),
+                finding.fix());
+    }
+
+    /** Findings about entries stand at their names. */
+    private static boolean isAbout(Diagnostic finding, Gate.Entry entry) {
+        Optional<Span> place = entry.fresh().or(entry::old);
+        return entry.answer() != Answer.HOLDS && place.equals(Optional.of(finding.span()));
+    }
+
+    /** How many became what. */
+    public static String summary(Gate gate, Style style) {
+        List<String> counts = new ArrayList<>();
+        for (Relation relation : Relation.values()) {
+            long number =
+                    gate.entries().stream()
+                            .filter(each -> each.change().relation() == relation)
+                            .count();
+            if (number > 0) {
+                counts.add(number + " " + word(relation));
+            }
+        }
+        String text = counts.isEmpty() ? "no components" : String.join(", ", counts);
+        long meant = gate.entries().stream().filter(each -> each.excuse().isPresent()).count();
+        String reasons = meant == 0 ? "" : " (" + meant + " with a reason)";
+        return VerdictText.paint(text, gate.answer(), style) + reasons + "\n";
+    }
+}

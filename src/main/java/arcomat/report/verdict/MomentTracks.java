@@ -1,0 +1,98 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Answered;
+import arcomat.analysis.Footprints;
+import arcomat.analysis.Moment;
+import arcomat.analysis.Promise;
+import arcomat.model.Automaton;
+import arcomat.report.page.Drawing;
+import arcomat.report.page.Track;
+import arcomat.report.page.Track.Kind;
+import arcomat.report.run.AutomatonDrawing;
+import arcomat.report.run.TraceTracks;
+import arcomat.semantics.Sent;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** A counterexample as tracks: ports, and where both sides are; with the automata of both. */
+final class MomentTracks {
+    static final String LEFT = "left is";
+    static final String RIGHT = "right is";
+
+    private static final String BOTH = "both sides";
+    private static final String WAY = " goes";
+
+    private final Answered answered;
+    private final AutomatonDrawing pictures;
+    private final List<Moment> trace;
+    private final List<Track> tracks = new ArrayList<>();
+    private final List<Drawing> drawings = new ArrayList<>();
+
+    MomentTracks(Answered answered, AutomatonDrawing pictures) {
+        this.answered = answered;
+        this.pictures = pictures;
+        trace = answered.verdict().trace();
+        if (!trace.isEmpty()) {
+            tracks.addAll(TraceTracks.inputs(trace.stream().map(Moment::input).toList()));
+            outputs();
+            states();
+        }
+        for (int side = 0; side < answered.sides().size(); side++) {
+            automata(answered.sides().get(side), side == 0);
+        }
+    }
+
+    List<Track> tracks() {
+        return tracks;
+    }
+
+    /** Of both sides, also where there is nothing to step through: what is compared can be seen. */
+    List<Drawing> drawings() {
+        return drawings;
+    }
+
+    private void outputs() {
+        Set<String> ports = new LinkedHashSet<>();
+        trace.forEach(moment -> ports.addAll(moment.outputs().keySet()));
+        for (String port : ports) {
+            Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port, Kind.PORT);
+            for (Moment moment : trace) {
+                track.addUnlessEmpty(moment.error() ? "error" : text(moment.outputs().get(port)));
+            }
+            tracks.add(track.build());
+        }
+    }
+
+    private static String text(Sent sent) {
+        return sent == null || sent.equals(Sent.SILENCE) ? "" : sent.toString();
+    }
+
+    private void states() {
+        Track.Builder left = new Track.Builder(BOTH, LEFT, Kind.STATE);
+        Track.Builder right = new Track.Builder(BOTH, RIGHT, Kind.STATE);
+        for (int i = 0; i < trace.size(); i++) {
+            Moment moment = trace.get(i);
+            left.addUnlessEmpty(moment.left());
+            boolean last = i == trace.size() - 1;
+            String possible = String.join("  or  ", moment.right());
+            right.addUnlessEmpty(possible.isEmpty() && last ? "not possible" : possible);
+        }
+        tracks.add(left.build());
+        tracks.add(right.build());
+    }
+
+    private void automata(Promise side, boolean isLeft) {
+        for (Automaton automaton : side.automata()) {
+            String sideName = isLeft ? "left" : "right";
+            String title = side.component().title(automaton);
+            String name = sideName + ": " + title + WAY;
+            tracks.add(AutomatonDrawing.way(name, Footprints.of(side, automaton, trace, isLeft)));
+            drawings.add(
+                    pictures.of(
+                            sideName + ": " + title, side.component(), automaton, List.of(name)));
+        }
+    }
+}

@@ -1,0 +1,81 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Answered;
+import arcomat.analysis.Moment;
+import arcomat.analysis.Verdict;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.Verdict.Sentence;
+import arcomat.report.finding.Reported;
+import arcomat.report.finding.Reported.Standing;
+import arcomat.report.finding.Reported.Step;
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Promises that are broken as errors, and those that nobody could decide on as warnings. */
+public final class VerdictFindings {
+    /** A component does not keep what it says it keeps. */
+    public static final String BROKEN = "ARC0404";
+
+    /** It is not known whether a component keeps it. */
+    public static final String UNDECIDED = "ARC0405";
+
+    private VerdictFindings() {}
+
+    public static List<Reported> of(List<Answered> answers) {
+        return answers.stream()
+                .filter(each -> each.verdict().answer() != Answer.HOLDS)
+                .map(VerdictFindings::of)
+                .toList();
+    }
+
+    private static Reported of(Answered each) {
+        Verdict verdict = each.verdict();
+        Span place = each.place().firstLine();
+        String headline = VerdictText.headline(each.left(), each.right(), verdict);
+        if (verdict.answer() == Answer.UNKNOWN) {
+            return Reported.of(Diagnostic.warning(UNDECIDED, place, headline), Standing.NEW);
+        }
+        String message =
+                verdict.explanation().stream()
+                        .filter(sentence -> sentence.place().isEmpty())
+                        .map(sentence -> "\n" + sentence.text())
+                        .collect(Collectors.joining("", headline, ""));
+        Diagnostic finding = Diagnostic.error(BROKEN, place, message);
+        for (Sentence sentence : verdict.explanation()) {
+            if (sentence.place().isPresent()) {
+                finding = finding.withRelated(sentence.place().get(), sentence.text());
+            }
+        }
+        return new Reported(finding, Standing.NEW, "", steps(each, place));
+    }
+
+    /** The run that is forbidden. It has no places of its own: it happens in the component. */
+    private static List<Step> steps(Answered each, Span place) {
+        List<Step> steps = new ArrayList<>();
+        for (Moment moment : each.verdict().trace()) {
+            steps.add(new Step("step " + steps.size() + ": " + text(each, moment), place));
+        }
+        return steps;
+    }
+
+    private static String text(Answered each, Moment moment) {
+        String inputs = String.join(", ", VerdictText.inputs(moment.input()));
+        String outputs = String.join(", ", VerdictText.outputs(moment.outputs()));
+        String right =
+                moment.right().isEmpty()
+                        ? " does not allow that"
+                        : " is in " + String.join(" or ", moment.right());
+        return "in %s, out %s; %s is in %s; %s%s"
+                .formatted(
+                        inputs.isEmpty() ? "--" : inputs,
+                        moment.error() ? "error" : outputs.isEmpty() ? "--" : outputs,
+                        each.left(),
+                        moment.left(),
+                        each.right(),
+                        right);
+    }
+}

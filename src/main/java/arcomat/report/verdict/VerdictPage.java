@@ -1,0 +1,99 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Answered;
+import arcomat.analysis.Moment;
+import arcomat.analysis.Verdict;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.Verdict.Sentence;
+import arcomat.report.page.Page;
+import arcomat.report.page.Remark;
+import arcomat.report.page.Story;
+import arcomat.report.page.Timeline;
+import arcomat.report.page.Timeline.Flaw;
+import arcomat.report.page.Tone;
+import arcomat.report.run.AutomatonDrawing;
+import arcomat.report.text.Style;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+
+/** Verdicts as a page: each counterexample as a run, beside the models of both sides. */
+public final class VerdictPage {
+    private VerdictPage() {}
+
+    /** Of one question. */
+    public static Page of(String command, Answered answered) {
+        Verdict verdict = answered.verdict();
+        return new Page(
+                command,
+                answered.left() + " and " + answered.right(),
+                tone(verdict.answer()),
+                sentence(answered),
+                List.of(story("", "", answered, new AutomatonDrawing())));
+    }
+
+    /** Of many questions. */
+    public static Page of(String command, String title, List<Answered> answers) {
+        List<Story> stories = new ArrayList<>();
+        AutomatonDrawing pictures = new AutomatonDrawing();
+        Answer worst = Answer.HOLDS;
+        for (Answered each : answers) {
+            stories.add(story(VerdictCases.name(each), sentence(each), each, pictures));
+            worst = worst.and(each.verdict().answer());
+        }
+        List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
+        String headline = ObligationsText.summary(verdicts, Style.PLAIN);
+        return new Page(command, title, tone(worst), headline, stories);
+    }
+
+    private static String sentence(Answered each) {
+        String answer = VerdictText.answer(each.verdict().answer(), Style.PLAIN);
+        return answer + ": " + VerdictText.headline(each.left(), each.right(), each.verdict());
+    }
+
+    static Tone tone(Answer answer) {
+        return switch (answer) {
+            case HOLDS -> Tone.GOOD;
+            case FAILS -> Tone.BAD;
+            case UNKNOWN -> Tone.OPEN;
+        };
+    }
+
+    private static Story story(
+            String title, String headline, Answered answered, AutomatonDrawing pictures) {
+        Verdict verdict = answered.verdict();
+        MomentTracks tracks = new MomentTracks(answered, pictures);
+        List<Moment> trace = verdict.trace();
+        List<Flaw> flaws = new ArrayList<>();
+        if (verdict.answer() == Answer.FAILS && !trace.isEmpty()) {
+            String text =
+                    verdict.explanation().isEmpty()
+                            ? "not possible on the right"
+                            : verdict.explanation().get(0).text();
+            flaws.add(new Flaw(trace.size() - 1, MomentTracks.RIGHT, text));
+        }
+        Timeline timeline = new Timeline("step", trace.size(), List.of(), tracks.tracks(), flaws);
+        return new Story(
+                title,
+                tone(verdict.answer()),
+                headline,
+                remarks(verdict),
+                timeline,
+                tracks.drawings());
+    }
+
+    private static List<Remark> remarks(Verdict verdict) {
+        List<Remark> remarks = new ArrayList<>();
+        verdict.explanation().forEach(each -> remarks.add(remark(Tone.BAD, each)));
+        verdict.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
+        if (!verdict.explored().isNothing()) {
+            remarks.add(Remark.of(Tone.NEUTRAL, VerdictText.explored(verdict)));
+        }
+        return remarks;
+    }
+
+    static Remark remark(Tone tone, Sentence sentence) {
+        return new Remark(tone, sentence.text(), sentence.place(), OptionalInt.empty());
+    }
+}

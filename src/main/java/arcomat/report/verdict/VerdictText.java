@@ -1,0 +1,164 @@
+package arcomat.report.verdict;
+
+import arcomat.analysis.Moment;
+import arcomat.analysis.Verdict;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.Verdict.Sentence;
+import arcomat.model.Letter;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.run.TraceTable;
+import arcomat.report.text.Printable;
+import arcomat.report.text.Snippet;
+import arcomat.report.text.Style;
+import arcomat.report.text.TextTable;
+import arcomat.semantics.Sent;
+import arcomat.source.Severity;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * A verdict as a story: what went in and what came out, step by step, with the states on both
+ * sides; then why that fails, with the places in the models.
+ */
+public final class VerdictText {
+    private static final int MOST_SENTENCES = 8;
+    private static final int MOST_STATES = 4;
+
+    private VerdictText() {}
+
+    /**
+     * @param left what is to keep a promise
+     * @param right what promises
+     */
+    public static String render(String left, String right, Verdict verdict, Style style) {
+        StringBuilder out = new StringBuilder();
+        out.append(answer(verdict.answer(), style))
+                .append(": ")
+                .append(Printable.escape(headline(left, right, verdict)))
+                .append('\n');
+        if (!verdict.trace().isEmpty()) {
+            out.append('\n').append(story(left, right, verdict.trace(), style)).append('\n');
+        }
+        verdict.explanation().stream()
+                .limit(MOST_SENTENCES)
+                .forEach(sentence -> out.append(sentence(sentence, style)));
+        int more = verdict.explanation().size() - MOST_SENTENCES;
+        if (more > 0) {
+            out.append("and ").append(more).append(" more\n");
+        }
+        verdict.notes().forEach(n -> out.append("  ").append(Printable.escape(n)).append('\n'));
+        if (!verdict.explored().isNothing()) {
+            out.append(style.quiet(explored(verdict))).append('\n');
+        }
+        return out.toString();
+    }
+
+    static String word(Answer answer) {
+        return answer.name().toLowerCase(Locale.ROOT);
+    }
+
+    /** The answer as a word in its colour. */
+    static String answer(Answer answer, Style style) {
+        return paint(word(answer), answer, style);
+    }
+
+    /** A word in the colour of an answer. */
+    static String paint(String word, Answer answer, Style style) {
+        return switch (answer) {
+            case HOLDS -> style.good(word);
+            case FAILS -> style.error(word);
+            case UNKNOWN -> style.warning(word);
+        };
+    }
+
+    static String headline(String left, String right, Verdict verdict) {
+        return switch (verdict.answer()) {
+            case HOLDS -> left + " refines " + right;
+            case FAILS -> left + " does not refine " + right + " (" + verdict.reason() + ")";
+            case UNKNOWN -> verdict.reason();
+        };
+    }
+
+    private static String story(String left, String right, List<Moment> trace, Style style) {
+        TextTable table = new TextTable(List.of("step", "input", "output", "left is", "right is"));
+        for (int i = 0; i < trace.size(); i++) {
+            Moment moment = trace.get(i);
+            table.addColumns(
+                    List.of(
+                            List.of(String.valueOf(i)),
+                            inputs(moment.input()),
+                            moment.error() ? List.of("error") : outputs(moment.outputs()),
+                            List.of(moment.left()),
+                            states(moment.right(), i == trace.size() - 1)));
+        }
+        return "left:  %s\nright: %s\n\n".formatted(Printable.escape(left), Printable.escape(right))
+                + table.render(style);
+    }
+
+    /** Port by port. */
+    static List<String> inputs(Letter letter) {
+        List<String> inputs = new ArrayList<>();
+        letter.messages()
+                .forEach((port, values) -> inputs.add(port + " = " + TraceTable.text(values)));
+        return inputs;
+    }
+
+    /** Port by port, those that are silent left out; a star where it is left open. */
+    static List<String> outputs(Map<String, Sent> sent) {
+        List<String> outputs = new ArrayList<>();
+        sent.forEach(
+                (port, messages) -> {
+                    if (!messages.equals(Sent.SILENCE)) {
+                        outputs.add(
+                                port
+                                        + " = "
+                                        + (messages instanceof Sent.Messages ? messages : "*"));
+                    }
+                });
+        return outputs;
+    }
+
+    private static List<String> states(List<String> states, boolean last) {
+        if (states.isEmpty()) {
+            return List.of(last ? "not possible" : "");
+        }
+        if (states.size() <= MOST_STATES) {
+            return states;
+        }
+        List<String> shown = new ArrayList<>(states.subList(0, MOST_STATES));
+        shown.add("or " + (states.size() - MOST_STATES) + " more");
+        return shown;
+    }
+
+    static String sentence(Sentence sentence, Style style) {
+        StringBuilder out = new StringBuilder(Printable.escape(sentence.text())).append('\n');
+        sentence.place()
+                .ifPresent(
+                        span ->
+                                out.append("  ")
+                                        .append(FindingsText.place(span))
+                                        .append('\n')
+                                        .append(Snippet.render(span, Severity.WARNING, style)));
+        return out.toString();
+    }
+
+    static String explored(Verdict verdict) {
+        return "explored %s of %s and %s configurations%s"
+                .formatted(
+                        FindingsText.count(verdict.explored().pairs(), "pair"),
+                        FindingsText.digits(verdict.explored().left()),
+                        FindingsText.digits(verdict.explored().right()),
+                        verdict.simulation()
+                                .map(
+                                        s ->
+                                                s
+                                                        ? "; there is a simulation"
+                                                        : verdict.answer() == Answer.HOLDS
+                                                                ? "; there is no simulation"
+                                                                : "")
+                                .orElse(""));
+    }
+}

@@ -1,0 +1,76 @@
+package arcomat.report.world;
+
+import arcomat.report.text.Printable;
+import arcomat.report.text.Style;
+import arcomat.report.text.TextTable;
+import arcomat.world.Happening;
+import arcomat.world.Recording;
+import arcomat.world.Recording.Event;
+
+import java.util.List;
+import java.util.Locale;
+
+/** A run of a world for people: what happened, and how it ended. */
+public final class WorldText {
+    private static final double SECOND = 1000;
+
+    private WorldText() {}
+
+    /** A table of what happened, but for messages between robots. */
+    public static String events(Recording recording, Style style) {
+        TextTable table = new TextTable(List.of("s", "who", "what"));
+        for (Event event : recording.events()) {
+            if (event instanceof Event.Showed showed) {
+                table.add(row(event, showed.robot(), showed.text()));
+            } else if (event instanceof Event.Happened happened) {
+                table.add(row(event, happened.happening().who(), told(happened.happening())));
+            }
+        }
+        return table.render(style);
+    }
+
+    private static List<String> row(Event event, String who, String what) {
+        return List.of(seconds(event.time()), who, Printable.escape(what));
+    }
+
+    private static String told(Happening happening) {
+        String whom = happening.whom();
+        return switch (happening.what()) {
+            case COLLISION -> "runs into " + whom;
+            case CUP_GIVEN -> "gets a cup from " + whom;
+            case CUP_LOST -> "drops a cup on the floor";
+            case COFFEE_POURED -> "gets coffee from " + whom;
+            case COFFEE_SPILT -> "pours coffee on the floor";
+            case COFFEE_TAKEN -> "brings coffee to " + whom;
+        };
+    }
+
+    private static String seconds(int milliseconds) {
+        return String.format(Locale.ROOT, "%.1f", milliseconds / SECOND);
+    }
+
+    /** One line: how long it took and what came of it. */
+    public static String summary(Recording recording) {
+        StringBuilder text = new StringBuilder(seconds(recording.duration())).append(" s");
+        long collisions = recording.count(Happening.What.COLLISION);
+        text.append(collisions == 0 ? ", no collision" : ", " + number(collisions, "collision"));
+        int goal = recording.world().goal();
+        if (goal > 0) {
+            text.append(", ").append(recording.delivered()).append(" of ");
+            text.append(number(goal, "cup")).append(" delivered");
+        }
+        recording
+                .failures()
+                .forEach(
+                        (robot, reason) ->
+                                text.append("\nthe program of ")
+                                        .append(robot)
+                                        .append(" failed: ")
+                                        .append(Printable.escape(reason)));
+        return text.toString();
+    }
+
+    private static String number(long number, String what) {
+        return number + " " + what + (number == 1 ? "" : "s");
+    }
+}

@@ -1,0 +1,80 @@
+package arcomat.report.text;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.source.Severity;
+import arcomat.source.SourceFile;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+
+import org.junit.jupiter.api.Test;
+
+class SnippetTest {
+    /** The text from the first to the last bracket, brackets left out, is underlined. */
+    private static String underlined(String marked) {
+        int start = marked.indexOf('⟦');
+        int end = marked.indexOf('⟧') - 1;
+        SourceFile file = new SourceFile("a.arc", marked.replaceAll("[⟦⟧]", ""));
+        return Snippet.render(file.span(start, end), Severity.ERROR, Style.PLAIN);
+    }
+
+    @Test
+    void underlinesTheRange() {
+        assertThat(underlined("one\nconnect ⟦a.b⟧ -> c;\n"))
+                .isEqualTo("    2 | connect a.b -> c;\n      |         ^^^\n");
+    }
+
+    @Test
+    void marksAnEmptyRangeAndTheEndOfTheFile() {
+        assertThat(underlined("port ⟦⟧;")).isEqualTo("    1 | port ;\n      |      ^\n");
+        assertThat(underlined("port\n⟦⟧")).isEqualTo("    2 |\n      | ^\n");
+    }
+
+    @Test
+    void expandsTabs() {
+        assertThat(underlined("\tport\t⟦in⟧ x"))
+                .isEqualTo("    1 |     port    in x\n      |             ^^\n");
+    }
+
+    @Test
+    void countsWideAndCombiningCharactersAsTerminalsDo() {
+        assertThat(underlined("// 漢字 ⟦x⟧")).isEqualTo("    1 | // 漢字 x\n      |         ^\n");
+        assertThat(underlined("// e\u0301 ⟦x⟧"))
+                .isEqualTo("    1 | // e\u0301 x\n      |      ^\n");
+        assertThat(underlined("// 🤖 ⟦x⟧")).isEqualTo("    1 | // 🤖 x\n      |       ^\n");
+    }
+
+    @Test
+    void escapesWhatWouldActOnTheTerminal() {
+        assertThat(underlined("\"\u001b[2J\" ⟦x⟧"))
+                .isEqualTo("    1 | \"\\u001b[2J\" x\n      |             ^\n");
+        assertThat(underlined("\u202e ⟦x⟧")).isEqualTo("    1 | \\u202e x\n      |        ^\n");
+    }
+
+    @Test
+    void showsFirstAndLastLineOfALongRange() {
+        assertThat(underlined("a ⟦{\n  b\n  c\n}⟧ d"))
+                .isEqualTo("    1 | a {\n      |   ^\n      | ...\n    4 | } d\n      | ^\n");
+        assertThat(underlined("a ⟦{\n⟧  b")).isEqualTo("    1 | a {\n      |   ^\n");
+    }
+
+    @Test
+    void showsTheSurroundingsInAVeryLongLine() {
+        String snippet = underlined("a".repeat(5000) + "⟦error⟧" + "b".repeat(5000));
+        String[] lines = snippet.split("\n");
+        assertThat(lines[0]).hasSizeLessThan(120).contains("aerrorb").endsWith("...");
+        assertThat(lines[1].indexOf('^')).isEqualTo(lines[0].indexOf("error"));
+        assertThat(lines[1]).endsWith("^^^^^");
+    }
+
+    @Property(seed = "1")
+    void neverFailsAndHasNoControlCharacters(
+            @ForAll String text, @ForAll int first, @ForAll int second) {
+        int start = Math.floorMod(first, text.length() + 1);
+        int end = start + Math.floorMod(second, text.length() + 1 - start);
+        SourceFile file = new SourceFile("a.arc", text);
+        String snippet = Snippet.render(file.span(start, end), Severity.ERROR, Style.PLAIN);
+        assertThat(snippet.replace("\n", "").chars().noneMatch(Character::isISOControl)).isTrue();
+    }
+}

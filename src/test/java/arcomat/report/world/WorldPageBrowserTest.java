@@ -1,0 +1,94 @@
+package arcomat.report.world;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.page.BrowserTest;
+
+import org.junit.jupiter.api.function.Executable;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+
+/** The page that plays a world again, in a browser: play, pause, speed, follow, step. */
+class WorldPageBrowserTest extends BrowserTest {
+    private static final String WORLD = "models/coffee/world/meeting.world";
+
+    @Override
+    protected Map<String, Executable> tests() {
+        return Map.of("the meeting is played again", this::play);
+    }
+
+    private void play() throws WrongUse {
+        Pipeline pipeline = new Pipeline(Path.of(""), Progress.NONE);
+        pipeline.writeReplay(pipeline.prepareWorld(WORLD).run(1), "the meeting", folder.toString());
+        String page = folder.resolve("index.html").toUri().toString();
+        browser.open(page, ".floor .robot");
+        stepsAndJumps();
+        plays();
+        follows();
+        browser.open(page + "?again#7", ".floor .robot");
+        assertThat(browser.text("#clock")).startsWith("7.0 s");
+        browser.wear("dark");
+        browser.picture("world-dark");
+    }
+
+    private void stepsAndJumps() {
+        assertThat(browser.text("#clock")).startsWith("0.0 s of 22.0 s");
+        browser.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT);
+        assertThat(browser.text("#clock")).startsWith("0.2 s");
+        browser.pressWithShift(Keys.ARROW_RIGHT);
+        assertThat(browser.text("#events .current")).contains("loaded waiting");
+        assertThat(displays()).containsExactly("driving", "waiting");
+        browser.press(Keys.END);
+        assertThat(browser.text("#clock")).startsWith("22.0 s");
+        WebElement backing =
+                browser.findAll("#events button").stream()
+                        .filter(event -> event.getText().contains("empty backing"))
+                        .findFirst()
+                        .orElseThrow();
+        backing.click();
+        assertThat(displays()).containsExactly("backing", "waiting");
+        assertThat(browser.findAll(".floor .ray")).hasSize(2);
+        browser.picture("world");
+    }
+
+    private List<String> displays() {
+        return browser.findAll(".card .display").stream().map(WebElement::getText).toList();
+    }
+
+    private void plays() {
+        browser.run("document.activeElement.blur()");
+        browser.press(Keys.HOME, "+", "+", "+", "+", Keys.SPACE);
+        assertThat(browser.text("#play")).isEqualTo("Pause");
+        browser.await(() -> seconds() > 2);
+        browser.press(Keys.SPACE);
+        assertThat(browser.text("#play")).isEqualTo("Play");
+        double stopped = seconds();
+        browser.run(
+                "return new Promise((done) => requestAnimationFrame(() =>"
+                        + " requestAnimationFrame(done)))");
+        assertThat(seconds()).isEqualTo(stopped);
+        assertThat(browser.find("#speed").getDomProperty("value")).isEqualTo("16");
+    }
+
+    private double seconds() {
+        return Double.parseDouble(browser.text("#clock").split(" ")[0]);
+    }
+
+    /** The floor around the robot, instead of all of it. */
+    private void follows() {
+        String all = browser.find(".floor").getDomAttribute("viewBox");
+        WebElement follow = browser.find(".card button");
+        follow.click();
+        assertThat(browser.find(".floor").getDomAttribute("viewBox")).isNotEqualTo(all);
+        assertThat(follow.getDomAttribute("aria-pressed")).isEqualTo("true");
+        follow.click();
+        assertThat(browser.find(".floor").getDomAttribute("viewBox")).isEqualTo(all);
+    }
+}
