@@ -31,8 +31,12 @@ public final class Refinement {
                         () ->
                                 all(
                                         right.comparedApart().stream()
-                                                .map(e -> compare(left, e, budget))
+                                                .map(e -> noted(left, e, budget))
                                                 .toList()));
+    }
+
+    private static Verdict noted(Promise left, Promise right, Budget budget) {
+        return Latency.noted(left, right, compare(left, right, budget), budget);
     }
 
     /** The verdict where there is nothing to explore. */

@@ -5,6 +5,7 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * The answer to a question about models.
@@ -15,7 +16,8 @@ import java.util.Optional;
  * @param trace a shortest run that the right side forbids, the initial outputs first; only of a
  *     failure
  * @param explanation why it fails, in sentences, each with the place that it is about
- * @param notes what a reader of "holds" should know: that it holds because nothing is promised, say
+ * @param notes what else a reader should know: that it holds because nothing is promised, or fails
+ *     only because outputs come late, say
  */
 public record Verdict(
         Answer answer,
@@ -81,6 +83,12 @@ public record Verdict(
                 explanation,
                 List.of(),
                 explored);
+    }
+
+    /** With one more note. */
+    Verdict with(String note) {
+        List<String> more = Stream.concat(notes.stream(), Stream.of(note)).toList();
+        return new Verdict(answer, reason, simulation, trace, explanation, more, explored);
     }
 
     static Verdict fails(String reason, List<Sentence> explanation) {

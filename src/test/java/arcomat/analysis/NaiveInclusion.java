@@ -25,8 +25,12 @@ final class NaiveInclusion {
     private final List<Map<String, Value>> outputs;
 
     NaiveInclusion(Promise left, Promise right) {
+        this(left, NaiveMachine.of(right));
+    }
+
+    NaiveInclusion(Promise left, NaiveMachine right) {
         this.left = new NumberedMachine(NaiveMachine.of(left));
-        this.right = new NumberedMachine(NaiveMachine.of(right));
+        this.right = new NumberedMachine(right);
         this.inputs = letters(left.component().inputs());
         this.outputs = new ArrayList<>(letters(right.component().outputs()));
         this.outputs.add(NaiveMachine.ERROR);

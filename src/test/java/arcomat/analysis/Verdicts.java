@@ -23,10 +23,13 @@ final class Verdicts {
         if (verdict.answer() == Answer.FAILS && expected.contains("{")) {
             return answer + " " + trace(verdict.trace());
         }
+        String notes = String.join("; ", verdict.notes());
         String more =
-                verdict.answer() == Answer.HOLDS
-                        ? String.join("; ", verdict.notes())
-                        : verdict.reason();
+                switch (verdict.answer()) {
+                    case HOLDS -> notes;
+                    case FAILS -> verdict.reason() + ", " + (notes.isEmpty() ? "not late" : notes);
+                    case UNKNOWN -> verdict.reason();
+                };
         String wanted = expected.substring(Math.min(expected.length(), answer.length() + 1));
         return answer + " " + (more.contains(wanted) ? wanted : more);
     }

@@ -18,8 +18,9 @@ import java.util.stream.Stream;
 /**
  * Verdicts as data: {@code src/test/resources/analysis/refinement}. Below {@code == ask A B} a line
  * names the completions of both sides, {@code -} for those of the models, and what is to be
- * answered: {@code holds}, with a part of a note behind a colon if one is expected, {@code fails},
- * with the reason or the whole trace, or {@code unknown}.
+ * answered: {@code holds}, with a part of a note if one is expected, {@code fails}, with the whole
+ * trace, or a part of the reason and the note, {@code not late} where there is none, or {@code
+ * unknown}.
  */
 class VerdictsTest {
     static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");

@@ -14,6 +14,7 @@ import arcomat.source.Span;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Promises that are broken as errors, and those that nobody could decide on as warnings. */
 public final class VerdictFindings {
@@ -39,10 +40,13 @@ public final class VerdictFindings {
         if (verdict.answer() == Answer.UNKNOWN) {
             return Reported.of(Diagnostic.warning(UNDECIDED, place, headline), Standing.NEW);
         }
-        String message =
+        Stream<String> placeless =
                 verdict.explanation().stream()
                         .filter(sentence -> sentence.place().isEmpty())
-                        .map(sentence -> "\n" + sentence.text())
+                        .map(Sentence::text);
+        String message =
+                Stream.concat(placeless, verdict.notes().stream())
+                        .map(text -> "\n" + text)
                         .collect(Collectors.joining("", headline, ""));
         Diagnostic finding = Diagnostic.error(BROKEN, place, message);
         for (Sentence sentence : verdict.explanation()) {

@@ -1,0 +1,86 @@
+package arcomat.analysis;
+
+import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.engine.Comparison;
+import arcomat.analysis.engine.Inclusion;
+import arcomat.analysis.engine.LateSide;
+import arcomat.analysis.engine.Side;
+import arcomat.model.Component;
+import arcomat.semantics.Network;
+
+import java.util.Optional;
+
+/**
+ * Whether a refinement fails only because the left side answers later than the right one asks for.
+ * Each delayed part of a composition takes a slice; a requirement that was written without thinking
+ * of that asks for the right answers at the wrong time.
+ */
+final class Latency {
+    /** Longer pipelines hold too many letters on the way. */
+    private static final int MOST_SLICES = 8;
+
+    /** A remark must not take longer than the answer that it is about. */
+    private static final long MOST_PAIRS = 20_000;
+
+    private Latency() {}
+
+    /**
+     * The verdict, with a note if the failure is only one of latency. A wrong initial output is
+     * not; events have no slices. Asked of compositions only: an automaton that is late was written
+     * so.
+     */
+    static Verdict noted(Promise left, Promise right, Verdict verdict, Budget budget) {
+        boolean late =
+                verdict.answer() == Answer.FAILS
+                        && verdict.trace().size() > 1
+                        && left.isComposition()
+                        && left.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+        return late
+                ? slices(left, right, budget.atMost(MOST_PAIRS))
+                        .map(slices -> verdict.with(note(left, right, slices)))
+                        .orElse(verdict)
+                : verdict;
+    }
+
+    private static String note(Promise left, Promise right, int slices) {
+        return ("only late: %s sends what %s asks for %d slice%s later"
+                        + " (nothing is compared before the first of it)")
+                .formatted(left.title(), right.title(), slices, slices == 1 ? "" : "s");
+    }
+
+    /**
+     * The fewest slices after which all is in order; empty where that is never, or not known. No
+     * part takes more than one.
+     */
+    private static Optional<Integer> slices(Promise left, Promise right, Budget budget) {
+        int parts = Network.of(left.component(), left.arguments()).instances().size();
+        for (int slices = 1; slices <= Math.min(parts, MOST_SLICES); slices++) {
+            int late = slices;
+            Answer answer =
+                    Budget.within(
+                            () -> refines(left, right, late, budget), unknown -> Answer.UNKNOWN);
+            if (answer != Answer.FAILS) {
+                return answer == Answer.HOLDS ? Optional.of(slices) : Optional.empty();
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static Answer refines(Promise left, Promise right, int slices, Budget budget) {
+        Sides sides = Sides.of(left, right, budget);
+        Inclusion.Result result = compare(sides, slices, budget);
+        if (result.failure().isPresent()) {
+            return Answer.FAILS;
+        }
+        boolean complete = result.stopped().or(sides.left()::leftOut).isEmpty();
+        return complete ? Answer.HOLDS : Answer.UNKNOWN;
+    }
+
+    /** With the right side so many slices late. */
+    static Inclusion.Result compare(Sides sides, int slices, Budget budget) {
+        Side late =
+                new LateSide(
+                        sides.right(), slices, sides.observed().size(), sides.outputs(), budget);
+        return new Comparison(sides.left(), late, sides.observed(), sides.outputs(), budget).run();
+    }
+}
