@@ -19,8 +19,11 @@ final class Latency {
     /** Longer pipelines hold too many letters on the way. */
     private static final int MOST_SLICES = 8;
 
-    /** A remark must not take longer than the answer that it is about. */
+    /** A remark should not take much longer than the answer that it is about. */
     private static final long MOST_PAIRS = 20_000;
+
+    /** Steps that are computed for a remark: a second of work, whatever the machine's clock says. */
+    private static final long PATIENCE = 500_000;
 
     private Latency() {}
 
@@ -36,10 +39,19 @@ final class Latency {
                         && left.isComposition()
                         && left.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         return late
-                ? slices(left, right, budget.atMost(MOST_PAIRS))
+                ? slices(left, right, patient(budget))
                         .map(slices -> verdict.with(note(left, right, slices)))
                         .orElse(verdict)
                 : verdict;
+    }
+
+    private static Budget patient(Budget budget) {
+        long[] asked = {0};
+        return new Budget(
+                        () -> ++asked[0] > PATIENCE || budget.isSpent(),
+                        budget.memoryIsFull(),
+                        budget.states())
+                .atMost(MOST_PAIRS);
     }
 
     private static String note(Promise left, Promise right, int slices) {

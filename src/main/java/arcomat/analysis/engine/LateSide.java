@@ -25,6 +25,9 @@ import java.util.stream.IntStream;
  * read yet. Only for the right side of a comparison.
  */
 public final class LateSide implements Side {
+    /** With more, there would be too many rows of letters that are held. */
+    private static final int MOST_LETTERS = 1_000;
+
     private final Side side;
     private final int slices;
     private final Focus focus;
@@ -75,15 +78,18 @@ public final class LateSide implements Side {
             int configuration = met.get(i);
             Focus own = side.focus(configuration);
             all = all.and(own.attention());
-            Alphabet alphabet =
-                    new Alphabet(side.profile(), side.inputs(), List.of(own), List.of(positions));
-            for (int letter = 0; letter < alphabet.size(); letter++) {
-                long kind = alphabet.kind(0, letter);
-                IntStream.of(side.steps(configuration, kind, alphabet.letter(letter)).next())
-                        .forEach(met::number);
+            for (Value[] letter : letters(own.attention())) {
+                budget.insist();
+                long kind = own.kind(letter, positions);
+                IntStream.of(side.steps(configuration, kind, letter).next()).forEach(met::number);
             }
         }
+        letters(all); // to be told that there are too many
         return all;
+    }
+
+    private List<Value[]> letters(Attention attention) {
+        return Letters.atMost(MOST_LETTERS, side.inputs(), attention.looks());
     }
 
     @Override
