@@ -22,7 +22,9 @@ final class Latency {
     /** A remark should not take much longer than the answer that it is about. */
     private static final long MOST_PAIRS = 20_000;
 
-    /** Steps that are computed for a remark: a second of work, whatever the machine's clock says. */
+    /**
+     * Steps that are computed for a remark: a second of work, whatever the machine's clock says.
+     */
     private static final long PATIENCE = 500_000;
 
     private Latency() {}

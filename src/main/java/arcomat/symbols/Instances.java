@@ -7,6 +7,7 @@ import arcomat.tree.Name;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -45,7 +46,8 @@ final class Instances {
     /** What a component itself instantiates. */
     static List<InstanceSymbol> declaredIn(ComponentSymbol owner) {
         List<InstanceSymbol> instances = new ArrayList<>();
-        Map<Component, ComponentSymbol> inner = new HashMap<>();
+        // By identity: to hash a node is to walk all that is in it, at each level once more.
+        Map<Component, ComponentSymbol> inner = new IdentityHashMap<>();
         owner.innerComponents().forEach(c -> inner.put(c.node(), c));
         for (Element element : owner.node().elements()) {
             if (element instanceof Element.Subcomponent subcomponent) {
