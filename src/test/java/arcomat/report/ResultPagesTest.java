@@ -8,6 +8,7 @@ import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.analysis.AnalysisResult;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.report.page.Drawing;
 import arcomat.report.page.Page;
 import arcomat.report.page.Story;
 import arcomat.report.page.Timeline.Flaw;
@@ -108,6 +109,34 @@ class ResultPagesTest {
                                 "open",
                                 "open: expected is false, sent is --; the model allows --"));
         assertThat(story.headline()).startsWith("failed: in slice 1");
+    }
+
+    @Test
+    void aPartMayBeCalledState() throws Exception {
+        write("Door.arc", DOOR);
+        write(
+                "House.arc",
+                """
+                component House {
+                  timing instant;
+                  port in Boolean button, out Boolean open;
+                  component Door state;
+                  connect button -> state.button;
+                  connect state.open -> open;
+                }
+                """);
+        write(
+                "HouseTest.mt",
+                """
+                testsuite HouseTest for House {
+                  test opens { input { button: <true>; } expect { open: <true>; } }
+                }
+                """);
+        Trace trace = StreamTests.firstRun(tests().get(0).test());
+        Story story = TracePage.of(trace, List.of()).stories().get(0);
+        assertThat(texts(track(story, "state"))).containsExactly("opened");
+        assertThat(texts(track(story, "state.left"))).containsExactly("2");
+        assertThat(story.drawings()).extracting(Drawing::title).containsExactly("state");
     }
 
     @Test

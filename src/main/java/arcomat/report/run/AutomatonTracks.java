@@ -18,6 +18,7 @@ final class AutomatonTracks {
     /** What the state of the sole automaton is called. */
     private static final String SOLE = "state";
 
+    private final boolean sole;
     private final String name;
     private final Optional<Component> component;
     private final Optional<Automaton> automaton;
@@ -32,7 +33,8 @@ final class AutomatonTracks {
      * @param activity one that the automaton did
      */
     AutomatonTracks(String named, Component whole, Trace.Activity activity) {
-        name = named.isEmpty() ? SOLE : named;
+        sole = named.isEmpty();
+        name = sole ? SOLE : named;
         component = AutomatonDrawing.part(whole, activity.instance());
         automaton =
                 component.stream()
@@ -67,7 +69,7 @@ final class AutomatonTracks {
     }
 
     private Track.Builder variable(String variable) {
-        String full = name.equals(SOLE) ? variable : name + "." + variable;
+        String full = sole ? variable : name + "." + variable;
         return variables.computeIfAbsent(
                 variable, any -> new Track.Builder(TraceTracks.STATES, full, Kind.VARIABLE));
     }
@@ -98,7 +100,7 @@ final class AutomatonTracks {
     /** What is not a part of something is called by its own name. */
     private Drawing drawing(
             AutomatonDrawing pictures, Component owner, Automaton drawn, List<String> followed) {
-        String title = name.equals(SOLE) ? owner.title(drawn) : name;
+        String title = sole ? owner.title(drawn) : name;
         return pictures.of(title, owner, drawn, followed);
     }
 }
