@@ -41,6 +41,13 @@ public record Budget(BooleanSupplier timeIsUp, BooleanSupplier memoryIsFull, lon
         return new Budget(timeIsUp, memoryIsFull, Math.min(states, fewer));
     }
 
+    /** The same until it has been asked so many times: a bound that is equal on every machine. */
+    public Budget patient(long times) {
+        long[] asked = {0};
+        return new Budget(
+                () -> ++asked[0] > times || timeIsUp.getAsBoolean(), memoryIsFull, states);
+    }
+
     /** Why to stop now, or null. */
     public String exhausted(long explored) {
         return explored > states ? "more than " + states + " states" : spent();

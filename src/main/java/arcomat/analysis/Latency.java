@@ -41,19 +41,10 @@ final class Latency {
                         && left.isComposition()
                         && left.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         return late
-                ? slices(left, right, patient(budget))
+                ? slices(left, right, budget.atMost(MOST_PAIRS).patient(PATIENCE))
                         .map(slices -> verdict.with(note(left, right, slices)))
                         .orElse(verdict)
                 : verdict;
-    }
-
-    private static Budget patient(Budget budget) {
-        long[] asked = {0};
-        return new Budget(
-                        () -> ++asked[0] > PATIENCE || budget.isSpent(),
-                        budget.memoryIsFull(),
-                        budget.states())
-                .atMost(MOST_PAIRS);
     }
 
     private static String note(Promise left, Promise right, int slices) {
@@ -68,11 +59,11 @@ final class Latency {
      */
     private static Optional<Integer> slices(Promise left, Promise right, Budget budget) {
         int parts = Network.of(left.component(), left.arguments()).instances().size();
+        Sides sides = Sides.of(left, right, budget);
         for (int slices = 1; slices <= Math.min(parts, MOST_SLICES); slices++) {
             int late = slices;
             Answer answer =
-                    Budget.within(
-                            () -> refines(left, right, late, budget), unknown -> Answer.UNKNOWN);
+                    Budget.within(() -> refines(sides, late, budget), unknown -> Answer.UNKNOWN);
             if (answer != Answer.FAILS) {
                 return answer == Answer.HOLDS ? Optional.of(slices) : Optional.empty();
             }
@@ -80,8 +71,7 @@ final class Latency {
         return Optional.empty();
     }
 
-    private static Answer refines(Promise left, Promise right, int slices, Budget budget) {
-        Sides sides = Sides.of(left, right, budget);
+    private static Answer refines(Sides sides, int slices, Budget budget) {
         Inclusion.Result result = compare(sides, slices, budget);
         if (result.failure().isPresent()) {
             return Answer.FAILS;

@@ -13,7 +13,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
-import java.util.function.BooleanSupplier;
 
 /** Puts to the solver what trying has left open, and shows what it found to those who watch. */
 final class Solving {
@@ -54,16 +53,11 @@ final class Solving {
                             subject.arguments(),
                             questions,
                             this::confirm,
-                            patience());
+                            budget.patient(PATIENCE)::isSpent);
         }
         Map<Integer, Situation> overflows = new TreeMap<>();
         found.forEach((question, situation) -> show(question, situation, overflows));
         return new Knowledge(explored, seen.questions(), outcomes, overflows);
-    }
-
-    private BooleanSupplier patience() {
-        long[] asked = {0};
-        return () -> ++asked[0] > PATIENCE || budget.isSpent();
     }
 
     private List<Question> open(Exploration explored) {
