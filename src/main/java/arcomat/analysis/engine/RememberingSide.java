@@ -70,9 +70,7 @@ abstract class RememberingSide<M> implements Side {
     public final Steps steps(int configuration, long kind, Value[] letter) {
         KnownSteps known = steps.get(configuration);
         Steps found = known.find(kind);
-        return found != null
-                ? found
-                : known.add(kind, compute(state(configuration), kind, letter));
+        return found != null ? found : known.add(kind, compute(state(configuration), kind, letter));
     }
 
     @Override

@@ -17,7 +17,7 @@ import java.nio.file.Path;
 import java.util.Map;
 
 /** Stand-ins for the program: whatever it does, there is a clear answer. */
-@DisabledOnOs(OS.WINDOWS)
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "the stand-ins for MONA are shell scripts")
 class MonaProgramTest {
     @TempDir private Path folder;
 
