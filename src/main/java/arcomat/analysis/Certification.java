@@ -22,7 +22,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
             return new Certification(known.get(), List.of());
         }
         List<Verdict> verdicts = new ArrayList<>();
-        for (Promise each : right.comparedApart()) {
+        for (Promise each : right.each()) {
             verdicts.add(Refinement.compare(left, each, budget, proof -> found.add(proof.get())));
         }
         Verdict verdict = Refinement.all(verdicts);
@@ -36,7 +36,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
      */
     public static Optional<String> problem(
             Promise left, Promise right, List<Certificate> certificates, Budget budget) {
-        List<Promise> promises = right.comparedApart();
+        List<Promise> promises = right.each();
         if (certificates.size() != promises.size()) {
             return Optional.of(
                     "it is about %d automata, and there are %d"

@@ -3,7 +3,6 @@ package arcomat.analysis;
 import arcomat.analysis.engine.Descriptions;
 import arcomat.model.Automaton;
 import arcomat.model.Trace;
-import arcomat.rt.ModelError;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
@@ -132,11 +131,7 @@ public final class Footprints {
     }
 
     private List<Reaction> reactions(Configuration before, Input input) {
-        try {
-            return before.isState() ? relation.reactions(before, input) : List.of();
-        } catch (ModelError wrong) {
-            return List.of();
-        }
+        return before.isState() ? relation.prospect(before, input).reactions() : List.of();
     }
 
     /** What a moment leaves open, the automaton may leave open, too. */

@@ -47,7 +47,7 @@ public record MonaRefinement(
                     Question.of(
                             new Question.Named(left.title(), left.behaviour()),
                             right.title(),
-                            right.comparedApart().stream()
+                            right.each().stream()
                                     .map(each -> new Question.Named(each.title(), each.behaviour()))
                                     .toList(),
                             budget);
@@ -92,7 +92,7 @@ public record MonaRefinement(
         if (shown.isEmpty()) {
             return unknown("MONA's counterexample is no run of the models: please report this");
         }
-        Promise forbidding = right.comparedApart().get(shown.get().right());
+        Promise forbidding = right.each().get(shown.get().right());
         List<Moment> trace = shown.get().moments();
         return Verdict.fails(
                 trace,

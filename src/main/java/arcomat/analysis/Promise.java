@@ -1,6 +1,5 @@
 package arcomat.analysis;
 
-import arcomat.analysis.engine.RunErrors;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -64,21 +63,16 @@ public record Promise(
         return new Promise(component, arguments, changed);
     }
 
-    /** Each automaton on its own: a conjunction is kept if each of them is. */
+    /**
+     * Each automaton on its own: a conjunction allows what each of them does, errors included, so
+     * it is kept if each of them is.
+     */
     public List<Promise> each() {
         return automata.size() < 2
                 ? List.of(this)
                 : automata.stream()
-                        .map(a -> new Promise(component, arguments, List.of(a)))
+                        .map(a -> new Promise(component, arguments, List.of(a), devices, mark))
                         .toList();
-    }
-
-    /**
-     * What another side is compared with, one after the other. An error of one automaton ends the
-     * run of all; where there may be one, the conjunction stays whole.
-     */
-    List<Promise> comparedApart() {
-        return automata.stream().anyMatch(RunErrors::arePossible) ? List.of(this) : each();
     }
 
     boolean isComposition() {

@@ -23,14 +23,14 @@ import java.util.function.Supplier;
 public final class Refinement {
     private Refinement() {}
 
-    /** A conjunction on the right is kept if each of its automata is, errors aside. */
+    /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
         return comparable(left, right)
                 .or(() -> PartByPart.check(left, right, budget))
                 .orElseGet(
                         () ->
                                 all(
-                                        right.comparedApart().stream()
+                                        right.each().stream()
                                                 .map(e -> noted(left, e, budget))
                                                 .toList()));
     }

@@ -56,18 +56,24 @@ public final class Behaviour {
     }
 
     /**
-     * Names of the outputs that an automaton decides about: a sole automaton of an atomic component
-     * all of them, any other those that it writes.
+     * Names of the outputs that an automaton decides about: those that it writes, and those that no
+     * automaton of the component writes, which belong to all of them. Where all take part, such a
+     * port is open only if each of them leaves it open, so one more automaton never allows more. A
+     * sole automaton on a decomposed component is a requirement about what it writes.
      */
     public static Set<String> owned(Component component, Automaton automaton) {
-        boolean sole =
-                component.body() instanceof Component.Atomic atomic
-                        && atomic.automata().size() == 1;
-        return sole ? names(component.outputs()) : written(automaton);
+        Set<String> owned = written(automaton);
+        boolean atomic = component.body() instanceof Component.Atomic;
+        if (atomic || component.automata().size() > 1) {
+            Set<String> unwritten = names(component.outputs());
+            component.automata().forEach(each -> unwritten.removeAll(written(each)));
+            owned.addAll(unwritten);
+        }
+        return owned;
     }
 
     private static Set<String> names(List<Port> ports) {
-        return ports.stream().map(Port::name).collect(Collectors.toSet());
+        return ports.stream().map(Port::name).collect(Collectors.toCollection(HashSet::new));
     }
 
     private static Set<String> written(Automaton automaton) {
@@ -142,98 +148,94 @@ public final class Behaviour {
     }
 
     /**
-     * All steps; none where the automata contradict each other.
+     * One way in which the run ends: every automaton ends it.
      *
-     * @param before one configuration per automaton
-     * @throws Fault where a right-hand side goes wrong
+     * @param errors one per automaton
      */
-    public List<JointReaction> reactions(List<Configuration> before, Input input) {
-        return reactions(before, input, () -> {});
-    }
+    public record JointError(List<RunError> errors) {
+        public JointError {
+            errors = List.copyOf(errors);
+        }
 
-    /**
-     * @param between called before each combination; may throw to give up, where there are many
-     */
-    public List<JointReaction> reactions(
-            List<Configuration> before, Input input, Runnable between) {
-        if (relations.size() == 1) {
-            return single(before.get(0), input);
+        public List<Trace.Cause> causes() {
+            return errors.stream().map(RunError::cause).toList();
         }
-        List<JointReaction> joint = List.of(new JointReaction(List.of(), anything()));
-        for (int i = 0; i < relations.size(); i++) {
-            List<Reaction> reactions = relations.get(i).reactions(before.get(i), input);
-            List<JointReaction> longer = new ArrayList<>();
-            for (JointReaction prefix : joint) {
-                for (Reaction reaction : reactions) {
-                    between.run();
-                    Optional<Output> output = prefix.output.meet(reaction.output());
-                    output.ifPresent(
-                            o ->
-                                    longer.add(
-                                            new JointReaction(
-                                                    plus(prefix.reactions, reaction), o)));
-                }
-            }
-            joint = longer;
+
+        /** What goes wrong, in words. */
+        public String message() {
+            return errors.stream().map(RunError::message).collect(Collectors.joining("; "));
         }
-        return joint;
     }
 
     /**
      * All that may happen in a step.
      *
-     * @param faults each ends the run, where it happens
+     * @param reactions ways to go on, in text order of the first automaton, then the second
+     * @param errors ways in which the run ends
      */
-    public record Prospect(List<JointReaction> reactions, List<Fault> faults) {
+    public record Prospect(List<JointReaction> reactions, List<JointError> errors) {
         public Prospect {
             reactions = List.copyOf(reactions);
-            faults = List.copyOf(faults);
+            errors = List.copyOf(errors);
+        }
+
+        /** Whether no output satisfies all automata, and not even an error would. */
+        public boolean isContradiction() {
+            return reactions.isEmpty() && errors.isEmpty();
         }
     }
 
+    /** All that may happen; nothing where the automata contradict each other. */
+    public Prospect prospect(List<Configuration> before, Input input) {
+        return prospect(before, input, () -> {});
+    }
+
     /**
-     * All steps, where some transitions may go wrong. Of a sole automaton, a transition that goes
-     * wrong spares those that may be taken instead; a guard that does, or one of several automata,
-     * spares none.
+     * All that may happen: what each of the automata allows. So a run may go on with an output that
+     * an alternative of each allows, and may end in an error only where each of them may.
      *
      * @param between called before each combination; may throw to give up, where there are many
      */
     public Prospect prospect(List<Configuration> before, Input input, Runnable between) {
-        try {
-            return relations.size() == 1
-                    ? prospect(relations.get(0), before.get(0), input)
-                    : new Prospect(reactions(before, input, between), List.of());
-        } catch (Fault fault) {
-            return new Prospect(List.of(), List.of(fault));
+        if (relations.size() == 1) {
+            return sole(relations.get(0).prospect(before.get(0), input));
         }
+        List<JointReaction> joint = List.of(new JointReaction(List.of(), anything()));
+        List<RunError> errors = new ArrayList<>();
+        for (int i = 0; i < relations.size(); i++) {
+            StepRelation.Prospect own = relations.get(i).prospect(before.get(i), input);
+            own.errors().stream().findFirst().ifPresent(errors::add);
+            joint = joined(joint, own.reactions(), between);
+        }
+        boolean all = !relations.isEmpty() && errors.size() == relations.size();
+        return new Prospect(joint, all ? List.of(new JointError(errors)) : List.of());
     }
 
-    private static Prospect prospect(StepRelation relation, Configuration before, Input input) {
-        List<JointReaction> reactions = new ArrayList<>();
-        List<Fault> faults = new ArrayList<>(0);
-        List<Trace.Taken> enabled = relation.enabled(before, input);
-        if (enabled.isEmpty()) {
-            reactions.add(joint(relation.complete(before)));
+    private static Prospect sole(StepRelation.Prospect own) {
+        List<JointReaction> reactions = new ArrayList<>(own.reactions().size());
+        for (Reaction each : own.reactions()) {
+            reactions.add(new JointReaction(List.of(each), each.output()));
         }
-        for (Trace.Taken taken : enabled) {
-            try {
-                reactions.add(joint(relation.take(taken, before, input)));
-            } catch (Fault fault) {
-                faults.add(fault);
+        List<JointError> errors = new ArrayList<>(own.errors().size());
+        for (RunError each : own.errors()) {
+            errors.add(new JointError(List.of(each)));
+        }
+        return new Prospect(reactions, errors);
+    }
+
+    private static List<JointReaction> joined(
+            List<JointReaction> prefixes, List<Reaction> reactions, Runnable between) {
+        List<JointReaction> longer = new ArrayList<>();
+        for (JointReaction prefix : prefixes) {
+            for (Reaction reaction : reactions) {
+                between.run();
+                prefix.output
+                        .meet(reaction.output())
+                        .map(both -> new JointReaction(plus(prefix.reactions, reaction), both))
+                        .ifPresent(longer::add);
             }
         }
-        return new Prospect(reactions, faults);
-    }
-
-    private static JointReaction joint(Reaction reaction) {
-        return new JointReaction(List.of(reaction), reaction.output());
-    }
-
-    private List<JointReaction> single(Configuration before, Input input) {
-        List<Reaction> reactions = relations.get(0).reactions(before, input);
-        return reactions.size() == 1
-                ? List.of(joint(reactions.get(0)))
-                : reactions.stream().map(Behaviour::joint).toList();
+        return longer;
     }
 
     private Output anything() {

@@ -24,6 +24,7 @@ public final class StepRelation {
     private final Component component;
     private final Automaton automaton;
     private static final List<Trace.Taken> NONE = List.of();
+    private static final List<RunError> NO_ERRORS = List.of();
 
     private final List<Ready> transitions = new ArrayList<>();
     private final List<List<Ready>> byState = new ArrayList<>();
@@ -159,6 +160,46 @@ public final class StepRelation {
                 : enabled.stream().map(taken -> take(taken, before, input)).toList();
     }
 
+    /**
+     * What may happen in a step of one automaton.
+     *
+     * @param reactions ways to go on, in text order
+     * @param errors ways in which the run ends, in text order
+     */
+    public record Prospect(List<Reaction> reactions, List<RunError> errors) {}
+
+    /**
+     * All that may happen. Each enabled transition is a possibility of its own: one that goes wrong
+     * forbids none of the others. So is one whose guard goes wrong.
+     */
+    public Prospect prospect(Configuration before, Input input) {
+        List<Reaction> reactions = new ArrayList<>(1);
+        List<RunError> errors = NO_ERRORS;
+        for (Ready ready : before.isState() ? byState.get(before.state()) : List.<Ready>of()) {
+            try {
+                if (isEnabled(ready, before, input)) {
+                    reactions.add(take(ready.cause, before, input));
+                }
+            } catch (Fault fault) {
+                errors = plus(errors, new RunError(ready.cause, fault.getMessage()));
+            }
+        }
+        if (reactions.isEmpty() && errors.isEmpty()) {
+            Reaction completion = complete(before);
+            if (completion.next() == Configuration.ERROR) {
+                errors = List.of(new RunError(completed, forbids(before)));
+            } else {
+                reactions.add(completion);
+            }
+        }
+        return new Prospect(reactions, errors);
+    }
+
+    private String forbids(Configuration before) {
+        return Fault.place(component, automaton, before.state())
+                + ": the automaton forbids this input";
+    }
+
     /** The transitions that may be taken, in text order. */
     public List<Trace.Taken> enabled(Configuration before, Input input) {
         if (!before.isState()) {
@@ -185,8 +226,8 @@ public final class StepRelation {
         return Optional.empty();
     }
 
-    private static List<Trace.Taken> plus(List<Trace.Taken> enabled, Trace.Taken next) {
-        List<Trace.Taken> longer = new ArrayList<>(enabled);
+    private static <T> List<T> plus(List<T> list, T next) {
+        List<T> longer = new ArrayList<>(list);
         longer.add(next);
         return longer;
     }

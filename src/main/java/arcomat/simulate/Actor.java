@@ -8,6 +8,7 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
@@ -96,11 +97,14 @@ final class Actor {
     }
 
     private JointReaction joint(Input input, int step) {
-        List<JointReaction> reactions = behaviour.reactions(configurations, input);
-        if (reactions.isEmpty()) {
+        Prospect prospect = behaviour.prospect(configurations, input);
+        if (prospect.isContradiction()) {
             throw contradiction("for this input");
         }
-        return pick(reactions, step, r -> Descriptions.of(relations, r));
+        if (prospect.reactions().isEmpty()) {
+            throw new ModelError(prospect.errors().get(0).message());
+        }
+        return pick(prospect.reactions(), step, r -> Descriptions.of(relations, r));
     }
 
     private <T> T pick(List<T> alternatives, int step, Descriptions.Wording<T> wording) {

@@ -7,8 +7,8 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
@@ -167,34 +167,21 @@ final class AllowedRuns {
     }
 
     private void react(Possibility before, int instance, List<Possibility> next) {
-        List<JointReaction> reactions;
-        try {
-            reactions =
-                    behaviours
-                            .get(instance)
-                            .reactions(
-                                    before.configurations.get(instance), input(before, instance));
-        } catch (Fault fault) {
-            lastProblem = fault.getMessage();
-            return;
-        }
-        if (reactions.isEmpty()) {
+        Prospect prospect =
+                behaviours
+                        .get(instance)
+                        .prospect(before.configurations.get(instance), input(before, instance));
+        prospect.errors().forEach(error -> lastProblem = error.message());
+        if (prospect.isContradiction()) {
             lastProblem = "its automata contradict each other";
         }
+        List<JointReaction> reactions = prospect.reactions();
         for (JointReaction reaction : reactions) {
-            if (isForbidden(reaction)) {
-                lastProblem = "the automaton forbids this input";
-                continue;
-            }
             Possibility after = reactions.size() == 1 ? before : before.copy();
             after.configurations.set(instance, reaction.next());
             send(after, instance, reaction.output().ports());
             next.add(after);
         }
-    }
-
-    private static boolean isForbidden(JointReaction reaction) {
-        return reaction.reactions().stream().anyMatch(r -> r.next() == Configuration.ERROR);
     }
 
     private Input input(Possibility possibility, int instance) {

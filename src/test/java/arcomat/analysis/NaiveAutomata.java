@@ -6,6 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
@@ -40,11 +41,13 @@ record NaiveAutomata(Behaviour behaviour) implements NaiveMachine {
         if (state.contains(Configuration.ERROR)) {
             return found;
         }
-        for (JointReaction reaction : behaviour.reactions(state, read(component(), input))) {
-            List<Configuration> next = reaction.next();
-            boolean error = next.contains(Configuration.ERROR);
-            if (output == ERROR ? error : !error && allows(reaction.output(), output)) {
-                found.add(next);
+        Prospect prospect = behaviour.prospect(state, read(component(), input));
+        if (output == ERROR && !prospect.errors().isEmpty()) {
+            found.add(List.of(Configuration.ERROR));
+        }
+        for (JointReaction reaction : prospect.reactions()) {
+            if (output != ERROR && allows(reaction.output(), output)) {
+                found.add(reaction.next());
             }
         }
         return found;

@@ -6,6 +6,7 @@ import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
@@ -122,7 +123,11 @@ final class NaiveComposition implements NaiveMachine {
         for (int part = 0; part < behaviours.size(); part++) {
             List<Way> longer = new ArrayList<>();
             for (Way way : ways) {
-                react(way, part, before.parts.get(part), longer);
+                if (way.isOver()) {
+                    longer.add(way);
+                } else {
+                    react(way, part, before.parts.get(part), longer);
+                }
             }
             ways = longer;
         }
@@ -134,7 +139,13 @@ final class NaiveComposition implements NaiveMachine {
                 network.instances().get(part).inputSignals().stream()
                         .map(signal -> signal < 0 ? null : way.visible[signal])
                         .toArray(Value[]::new);
-        for (JointReaction reaction : behaviours.get(part).reactions(before, Input.of(read))) {
+        Prospect prospect = behaviours.get(part).prospect(before, Input.of(read));
+        if (!prospect.errors().isEmpty()) {
+            Way copy = new Way(way);
+            copy.after.add(List.of(Configuration.ERROR));
+            found.add(copy);
+        }
+        for (JointReaction reaction : prospect.reactions()) {
             Way copy = new Way(way);
             copy.after.add(reaction.next());
             send(copy, part, reaction.output().ports(), found);
@@ -172,9 +183,8 @@ final class NaiveComposition implements NaiveMachine {
     private Set<Move> moves(List<Way> ways) {
         Set<Move> moves = new LinkedHashSet<>();
         for (Way way : ways) {
-            boolean error = way.after.stream().anyMatch(c -> c.contains(Configuration.ERROR));
             List<Value> registers = Arrays.asList(way.registers);
-            moves.add(error ? FAILURE : new Move(output(way), new State(way.after, registers)));
+            moves.add(way.isOver() ? FAILURE : new Move(output(way), new State(way.after, registers)));
         }
         return moves;
     }
@@ -205,6 +215,10 @@ final class NaiveComposition implements NaiveMachine {
             after = new ArrayList<>(other.after);
             visible = other.visible.clone();
             registers = other.registers.clone();
+        }
+
+        boolean isOver() {
+            return after.stream().anyMatch(c -> c.contains(Configuration.ERROR));
         }
     }
 }

@@ -39,7 +39,7 @@ public final class Replay {
         }
         if (canReplay(right)) {
             int last =
-                    right.comparedApart().stream()
+                    right.each().stream()
                             .mapToInt(each -> possible(each, trace))
                             .min()
                             .orElseThrow();
@@ -120,23 +120,14 @@ public final class Replay {
         Set<List<Configuration>> next = new LinkedHashSet<>();
         Input input = input(behaviour, moment.input());
         for (List<Configuration> each : before) {
-            Prospect prospect = behaviour.prospect(each, input, () -> {});
-            if (moment.error() && !prospect.faults().isEmpty()) {
+            Prospect prospect = behaviour.prospect(each, input);
+            if (moment.error() && !prospect.errors().isEmpty()) {
                 next.add(List.of(Configuration.ERROR));
             }
             for (JointReaction reaction : prospect.reactions()) {
-                List<Configuration> after = reaction.next();
-                boolean error = after.contains(Configuration.ERROR);
-                boolean allowed =
-                        moment.error()
-                                ? error
-                                : !error
-                                        && allows(
-                                                behaviour.component().outputs(),
-                                                reaction.output(),
-                                                moment);
-                if (allowed) {
-                    next.add(after);
+                if (!moment.error()
+                        && allows(behaviour.component().outputs(), reaction.output(), moment)) {
+                    next.add(reaction.next());
                 }
             }
         }

@@ -107,10 +107,10 @@ class StepRelationTest {
         Behaviour behaviour = Behaviour.of(both, List.of());
         List<Configuration> start =
                 behaviour.starts().get(0).starts().stream().map(Start::configuration).toList();
-        assertThat(behaviour.reactions(start, input(both, "i", "1")))
+        assertThat(behaviour.prospect(start, input(both, "i", "1")).reactions())
                 .extracting(reaction -> reaction.output().toString())
                 .containsExactly("Output[ports=[fwd, stop]]");
-        assertThat(behaviour.reactions(start, input(both, "i", "2")))
+        assertThat(behaviour.prospect(start, input(both, "i", "2")).reactions())
                 .extracting(reaction -> reaction.output().toString())
                 .containsExactly("Output[ports=[anything, stop]]", "Output[ports=[anything, fwd]]");
     }
@@ -132,8 +132,8 @@ class StepRelationTest {
         Behaviour behaviour = Behaviour.of(both, List.of());
         List<Configuration> start =
                 behaviour.starts().get(0).starts().stream().map(Start::configuration).toList();
-        assertThat(behaviour.reactions(start, input(both, "i", "1"))).isEmpty();
-        assertThat(behaviour.reactions(start, input(both, "i", "2"))).hasSize(1);
+        assertThat(behaviour.prospect(start, input(both, "i", "1")).reactions()).isEmpty();
+        assertThat(behaviour.prospect(start, input(both, "i", "2")).reactions()).hasSize(1);
     }
 
     @Test

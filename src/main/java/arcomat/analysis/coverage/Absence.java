@@ -140,17 +140,19 @@ final class Absence {
     }
 
     private List<Reaction> reactions(StepRelation relation, Configuration before, Input input) {
-        List<Reaction> reactions = new ArrayList<>();
-        try {
-            for (Trace.Taken taken : relation.enabled(before, input)) {
-                if (!new Goal(relation.automaton(), taken.index()).equals(missing)) {
-                    reactions.add(relation.take(taken, before, input));
-                }
-            }
-        } catch (Fault fault) {
-            return List.of();
-        }
-        return reactions.isEmpty() ? List.of(relation.complete(before)) : reactions;
+        StepRelation.Prospect all = relation.prospect(before, input);
+        List<Reaction> reactions =
+                all.reactions().stream().filter(each -> !isMissing(relation, each.cause())).toList();
+        boolean goesWrong =
+                all.errors().stream().anyMatch(each -> !isMissing(relation, each.cause()));
+        return reactions.isEmpty() && !goesWrong
+                ? List.of(relation.complete(before))
+                : reactions;
+    }
+
+    private boolean isMissing(StepRelation relation, Trace.Cause cause) {
+        return cause instanceof Trace.Taken taken
+                && new Goal(relation.automaton(), taken.index()).equals(missing);
     }
 
     private boolean allows(Output output, Letter sent) {

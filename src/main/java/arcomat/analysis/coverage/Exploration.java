@@ -14,8 +14,8 @@ import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
+import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
@@ -208,19 +208,18 @@ final class Exploration {
             return List.of(new Effect(List.of(), Letter.SILENCE, after));
         }
         List<Configuration> before = node.key.configurations;
-        List<JointReaction> reactions;
-        try {
-            reactions = behaviour.reactions(before, stimulus.input().get(), budget::insist);
-        } catch (Fault fault) {
+        Prospect prospect =
+                behaviour.prospect(before, stimulus.input().get(), budget::insist);
+        if (prospect.errors().isEmpty()) {
+            obstacles.reacted(before, stimulus.input().get());
+        } else {
             obstacles.wentWrong(before, stimulus.input().get());
-            return List.of();
         }
-        obstacles.reacted(before, stimulus.input().get());
         List<Effect> effects = new ArrayList<>();
-        for (JointReaction reaction : reactions) {
+        for (JointReaction reaction : prospect.reactions()) {
             List<Configuration> after = reaction.next();
             boolean lost = after.stream().allMatch(next -> next == Configuration.CHAOS);
-            if (!lost && !after.contains(Configuration.ERROR)) {
+            if (!lost) {
                 Node next = node(new Key(after, stimulus.latched()));
                 effects.add(new Effect(taken(reaction), letter(reaction.output()), next));
             }

@@ -7,6 +7,7 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointError;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
@@ -106,18 +107,15 @@ public final class AtomicSide implements Side {
         Prospect prospect = behaviour.prospect(before, Input.of(letter), budget::insist);
         for (JointReaction reaction : prospect.reactions()) {
             budget.insist();
-            List<Configuration> after = reaction.next();
-            List<Trace.Cause> causes = reaction.reactions().stream().map(Reaction::cause).toList();
-            boolean error = after.contains(Configuration.ERROR);
             collector.add(
-                    error ? Outputs.ERROR : outputs.number(project(reaction.output())),
-                    number(error ? List.of(Configuration.ERROR) : after),
-                    causes,
+                    outputs.number(project(reaction.output())),
+                    number(reaction.next()),
+                    reaction.reactions().stream().map(Reaction::cause).toList(),
                     reaction.output());
         }
-        if (!prospect.faults().isEmpty()) {
-            Output nothing = new Output(List.of());
-            collector.add(Outputs.ERROR, number(List.of(Configuration.ERROR)), List.of(), nothing);
+        for (JointError error : prospect.errors()) {
+            int end = number(List.of(Configuration.ERROR));
+            collector.add(Outputs.ERROR, end, error.causes(), new Output(List.of()));
         }
         return collector.steps();
     }

@@ -6,11 +6,11 @@ import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointError;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
@@ -103,7 +103,7 @@ final class EventParts {
         }
         Input input = Input.of(run.messages(part, event));
         Prospect prospect = behaviours.get(part).prospect(run.part(part), input, budget::insist);
-        prospect.faults().forEach(fault -> errors.add(error(run, part, fault)));
+        prospect.errors().forEach(error -> errors.add(error(run, part, error)));
         List<JointReaction> reactions = prospect.reactions();
         for (JointReaction reaction : reactions) {
             EventRun longer = run.longer();
@@ -119,11 +119,6 @@ final class EventParts {
 
     private void finish(
             EventRun run, int part, List<Sent> output, List<EventRun> next, List<Outcome> errors) {
-        if (run.part(part).contains(Configuration.ERROR)) {
-            String problem = "the automaton of %s forbids this event".formatted(path(part));
-            errors.add(Outcome.error(problem, run.causes()));
-            return;
-        }
         List<List<Sent>> settled = settled(part, output);
         for (List<Sent> sent : settled) {
             EventRun own = settled.size() == 1 ? run : run.twin();
@@ -131,10 +126,10 @@ final class EventParts {
         }
     }
 
-    private Outcome error(EventRun run, int part, Fault fault) {
+    private Outcome error(EventRun run, int part, JointError error) {
         List<Trace.Cause> causes = run.causes();
-        fault.taken().ifPresent(causes::add);
-        return Outcome.error(path(part) + ": " + fault.getMessage(), causes);
+        causes.addAll(error.causes());
+        return Outcome.error(path(part) + ": " + error.message(), causes);
     }
 
     private String path(int part) {

@@ -6,11 +6,11 @@ import arcomat.model.Value;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Behaviour;
+import arcomat.semantics.Behaviour.JointError;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
@@ -131,10 +131,10 @@ final class Parts {
                 behaviours
                         .get(part)
                         .prospect(before.parts().get(part), input(slice, part), budget::insist);
-        for (Fault fault : prospect.faults()) {
+        for (JointError error : prospect.errors()) {
             Slice copy = slice.copy();
             copy.after.add(List.of(Configuration.ERROR));
-            fault.taken().ifPresent(copy.causes::add);
+            copy.causes.addAll(error.causes());
             next.add(copy);
         }
         for (JointReaction reaction : prospect.reactions()) {
