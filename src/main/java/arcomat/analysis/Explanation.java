@@ -31,7 +31,7 @@ final class Explanation {
                                         left.title(),
                                         forbidden
                                                 .error()
-                                                .map(error -> "ends in an " + error)
+                                                .map(error -> "ends in an " + error + still(forbidden.sent()))
                                                 .orElse("sends " + words(forbidden.sent())),
                                         by(left, forbidden.left(), forbidden.causes())),
                         place(left, forbidden.causes())));
@@ -54,9 +54,14 @@ final class Explanation {
         return sentences;
     }
 
+    /** What earlier reactions show in the slice in which a run ends. */
+    private static String still(Map<String, Sent> sent) {
+        return sent.isEmpty() ? "" : " in a slice that still shows " + words(sent);
+    }
+
     private static String allowed(Allowed allowed, boolean errorForbidden) {
         if (allowed.error()) {
-            return "an error";
+            return "an error" + still(allowed.sent());
         }
         String words = words(allowed.sent());
         return switch (words) {

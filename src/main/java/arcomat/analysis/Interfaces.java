@@ -4,8 +4,10 @@ import arcomat.analysis.Verdict.Sentence;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
+import arcomat.semantics.Feedthrough;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,7 +16,7 @@ import java.util.stream.Collectors;
 
 /**
  * Whether two components can be compared at all: the left one has every port of the right one, of
- * the same type, and atomic components send with the same delay.
+ * the same type, and depends on inputs in the same slice only where the right one may.
  */
 final class Interfaces {
     private Interfaces() {}
@@ -23,8 +25,7 @@ final class Interfaces {
     static Optional<Verdict> compare(Promise left, Promise right) {
         List<Sentence> problems = new ArrayList<>();
         Component own = left.component();
-        Component other = right.component();
-        if (own.profile() != other.profile()) {
+        if (own.profile() != right.component().profile()) {
             problems.add(
                     new Sentence(
                             "one of them handles events, the other one works slice by slice",
@@ -39,25 +40,43 @@ final class Interfaces {
         if (!problems.isEmpty()) {
             return Optional.of(Verdict.fails("interface", problems));
         }
-        boolean atomic = !left.isComposition() && !right.isComposition();
-        for (Port port : other.outputs()) {
-            Port namesake = mine.get(port.name());
-            if (atomic && namesake.delay() != port.delay()) {
-                problems.add(
-                        new Sentence(
-                                "'%s' has delay %d in %s and delay %d in %s"
-                                        .formatted(
-                                                port.name(),
-                                                namesake.delay(),
-                                                left.title(),
-                                                port.delay(),
-                                                right.title()),
-                                Optional.of(namesake.span())));
-            }
-        }
+        feedthrough(left, right).forEach(problems::add);
         return problems.isEmpty()
                 ? Optional.empty()
                 : Optional.of(Verdict.fails("delay", problems));
+    }
+
+    /**
+     * An output may depend on an input in the same slice only where it may on the right side, too:
+     * else there is a feedback into which the right side fits, and the left one closes a circle.
+     */
+    private static List<Sentence> feedthrough(Promise left, Promise right) {
+        if (left.component().profile() == Component.Profile.EVENT_DRIVEN) {
+            return List.of();
+        }
+        Map<String, BitSet> mine = Feedthrough.of(left.component(), left.isComposition());
+        Map<String, BitSet> theirs = Feedthrough.of(right.component(), right.isComposition());
+        List<String> own = left.component().inputs().stream().map(Port::name).toList();
+        List<Sentence> problems = new ArrayList<>();
+        for (Port output : right.component().outputs()) {
+            List<Port> inputs = right.component().inputs();
+            for (int i = 0; i < inputs.size(); i++) {
+                int position = own.indexOf(inputs.get(i).name());
+                if (mine.get(output.name()).get(position) && !theirs.get(output.name()).get(i)) {
+                    problems.add(
+                            new Sentence(
+                                    ("'%s' of %s may depend on '%s' in the same slice, that of %s"
+                                                    + " does not: a feedback could become a circle")
+                                            .formatted(
+                                                    output.name(),
+                                                    left.title(),
+                                                    inputs.get(i).name(),
+                                                    right.title()),
+                                    left.component().port(output.name()).map(Port::span)));
+                }
+            }
+        }
+        return problems;
     }
 
     private static Optional<Sentence> problem(

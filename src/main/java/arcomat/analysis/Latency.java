@@ -1,10 +1,7 @@
 package arcomat.analysis;
 
 import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.engine.Comparison;
 import arcomat.analysis.engine.Inclusion;
-import arcomat.analysis.engine.LateSide;
-import arcomat.analysis.engine.Side;
 import arcomat.model.Component;
 import arcomat.semantics.Network;
 
@@ -82,9 +79,6 @@ final class Latency {
 
     /** With the right side so many slices late. */
     static Inclusion.Result compare(Sides sides, int slices, Budget budget) {
-        Side late =
-                new LateSide(
-                        sides.right(), slices, sides.observed().size(), sides.outputs(), budget);
-        return new Comparison(sides.left(), late, sides.observed(), sides.outputs(), budget).run();
+        return sides.late(slices, budget).comparison(budget).run();
     }
 }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /**
  * Whether one component keeps what another one promises: every trace of the first, restricted to
@@ -28,11 +29,7 @@ public final class Refinement {
         return comparable(left, right)
                 .or(() -> PartByPart.check(left, right, budget))
                 .orElseGet(
-                        () ->
-                                all(
-                                        right.each().stream()
-                                                .map(e -> noted(left, e, budget))
-                                                .toList()));
+                        () -> all(right.each().stream().map(e -> noted(left, e, budget)).toList()));
     }
 
     private static Verdict noted(Promise left, Promise right, Budget budget) {
@@ -104,7 +101,8 @@ public final class Refinement {
         Inclusion.Result result = comparison.run();
         Explored explored = sides.explored(result.pairs());
         if (result.failure().isPresent()) {
-            Verdict failure = failure(left, right, comparison, result.failure().get(), explored);
+            Verdict failure =
+                    failure(left, right, sides, comparison, result.failure().get(), explored);
             return unlessLeftOut(sides.right(), failure);
         }
         Optional<String> stopped = result.stopped().or(sides.left()::leftOut);
@@ -154,7 +152,7 @@ public final class Refinement {
         Explored explored = sides.explored(result.pairs());
         List<Verdict> found = new ArrayList<>();
         for (Inclusion.Failure each : comparison.failures()) {
-            Verdict failure = failure(left, right, comparison, each, explored);
+            Verdict failure = failure(left, right, sides, comparison, each, explored);
             found.add(unlessLeftOut(sides.right(), failure));
         }
         result.stopped()
@@ -166,12 +164,24 @@ public final class Refinement {
     private static Verdict failure(
             Promise left,
             Promise right,
+            Sides sides,
             Comparison comparison,
             Inclusion.Failure failure,
             Explored explored) {
         List<Moment> trace = comparison.moments(failure);
         List<Sentence> explanation =
                 Explanation.of(left, right, comparison.forbidden(failure), trace.size() - 1);
-        return Verdict.fails(trace, explanation, explored);
+        Verdict verdict = Verdict.fails(trace, explanation, explored);
+        return sides.shifted().isEmpty() ? verdict : verdict.with(shifted(sides.shifted()));
+    }
+
+    /** A step pairs an input with its reaction; not where the delays of both sides differ. */
+    private static String shifted(List<String> ports) {
+        return "the two send with different delays; %s each in the slice in which it is seen"
+                .formatted(
+                        ports.stream()
+                                        .map(port -> "'" + port + "'")
+                                        .collect(Collectors.joining(", "))
+                                + (ports.size() == 1 ? " stands" : " stand"));
     }
 }

@@ -5,14 +5,36 @@ import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Comparison;
 import arcomat.analysis.engine.CompositeSide;
 import arcomat.analysis.engine.HeldInputs;
+import arcomat.analysis.engine.LateSide;
 import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.ShownSide;
 import arcomat.analysis.engine.Side;
 import arcomat.model.Port;
 
 import java.util.List;
+import java.util.stream.Stream;
 
-/** Both sides of a comparison, ready to be explored. */
-record Sides(Side left, Side right, List<Port> observed, Outputs outputs) {
+/**
+ * Both sides of a comparison, ready to be explored. Where only one of them sends with delay, they
+ * are compared by what is seen.
+ */
+final class Sides {
+    private final Side plainLeft;
+    private final Side plainRight;
+    private final Side left;
+    private final Side right;
+    private final List<Port> observed;
+    private final Outputs outputs;
+
+    private Sides(Side plainLeft, Side plainRight, List<Port> observed, Outputs outputs) {
+        this.plainLeft = plainLeft;
+        this.plainRight = plainRight;
+        this.observed = observed;
+        this.outputs = outputs;
+        List<Boolean> total = observed.stream().map(Port::total).toList();
+        this.left = ShownSide.beside(plainLeft, plainRight, total, outputs);
+        this.right = ShownSide.beside(plainRight, plainLeft, total, outputs);
+    }
 
     static Sides of(Promise left, Promise right, Budget budget) {
         Outputs outputs = new Outputs();
@@ -31,6 +53,38 @@ record Sides(Side left, Side right, List<Port> observed, Outputs outputs) {
                 ? new CompositeSide(
                         promise.component(), promise.arguments(), observed, outputs, budget)
                 : new AtomicSide(promise.behaviour(), observed, outputs, budget);
+    }
+
+    /** The same with a right side that is so many slices late. */
+    Sides late(int slices, Budget budget) {
+        Side late = new LateSide(plainRight, slices, observed.size(), outputs, budget);
+        return new Sides(plainLeft, late, observed, outputs);
+    }
+
+    Side left() {
+        return left;
+    }
+
+    Side right() {
+        return right;
+    }
+
+    List<Port> observed() {
+        return observed;
+    }
+
+    Outputs outputs() {
+        return outputs;
+    }
+
+    /** Compared ports on which only one of the sides sends with delay, by name. */
+    List<String> shifted() {
+        return Stream.of(left, right)
+                .filter(ShownSide.class::isInstance)
+                .flatMap(side -> ((ShownSide) side).late().stream().boxed())
+                .sorted()
+                .map(port -> observed.get(port).name())
+                .toList();
     }
 
     Comparison comparison(Budget budget) {

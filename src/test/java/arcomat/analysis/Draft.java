@@ -40,6 +40,10 @@ record Draft(
      * @param delay of an output
      */
     record Socket(String name, boolean input, boolean total, int delay) {
+        Socket withDelay(int slices) {
+            return new Socket(name, input, total, slices);
+        }
+
         void add(ComponentBuilder builder) {
             if (input && total) {
                 builder.totalIn(TYPE, name);

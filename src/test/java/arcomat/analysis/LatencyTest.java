@@ -51,6 +51,7 @@ class LatencyTest {
             OptionalInt naive =
                     new NaiveInclusion(
                                     left,
+                                    question.right(),
                                     new NaiveLateMachine(NaiveMachine.of(question.right()), slices))
                             .shortestFailure(LENGTH);
             assertThat(result.stopped()).isEmpty();

@@ -184,7 +184,10 @@ final class NaiveComposition implements NaiveMachine {
         Set<Move> moves = new LinkedHashSet<>();
         for (Way way : ways) {
             List<Value> registers = Arrays.asList(way.registers);
-            moves.add(way.isOver() ? FAILURE : new Move(output(way), new State(way.after, registers)));
+            moves.add(
+                    way.isOver()
+                            ? FAILURE
+                            : new Move(output(way), new State(way.after, registers)));
         }
         return moves;
     }

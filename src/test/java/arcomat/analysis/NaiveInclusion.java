@@ -25,15 +25,50 @@ final class NaiveInclusion {
     private final List<Map<String, Value>> outputs;
 
     NaiveInclusion(Promise left, Promise right) {
-        this(left, NaiveMachine.of(right));
+        this(left, right, NaiveMachine.of(right));
     }
 
-    NaiveInclusion(Promise left, NaiveMachine right) {
-        this.left = new NumberedMachine(NaiveMachine.of(left));
-        this.right = new NumberedMachine(right);
+    /**
+     * @param machine the right side, or what it is made into
+     */
+    NaiveInclusion(Promise left, Promise right, NaiveMachine machine) {
+        List<Port> compared = right.component().outputs();
+        Set<String> late = NaiveShownMachine.late(left, right, compared);
+        Set<String> otherLate = NaiveShownMachine.late(right, left, compared);
+        Set<String> mixed = new HashSet<>(late);
+        mixed.addAll(otherLate);
+        NaiveMachine own = NaiveMachine.of(left);
+        this.left = new NumberedMachine(new NaiveShownMachine(own, late, mixed));
+        this.right = new NumberedMachine(new NaiveShownMachine(machine, otherLate, mixed));
         this.inputs = letters(left.component().inputs());
-        this.outputs = new ArrayList<>(letters(right.component().outputs()));
-        this.outputs.add(NaiveMachine.ERROR);
+        this.outputs = new ArrayList<>(letters(shown(compared, mixed)));
+        for (Map<String, Value> seen :
+                letters(
+                        shown(compared, mixed).stream()
+                                .filter(port -> mixed.contains(port.name()))
+                                .toList())) {
+            Map<String, Value> error = new LinkedHashMap<>(seen);
+            error.putAll(NaiveMachine.ERROR);
+            this.outputs.add(error);
+        }
+    }
+
+    /** Before the first slice, also a total port is silent to whoever looks. */
+    private static List<Port> shown(List<Port> ports, Set<String> mixed) {
+        return ports.stream()
+                .map(
+                        port ->
+                                mixed.contains(port.name())
+                                        ? new Port(
+                                                port.name(),
+                                                port.direction(),
+                                                port.type(),
+                                                false,
+                                                port.delay(),
+                                                port.latched(),
+                                                port.span())
+                                        : port)
+                .toList();
     }
 
     /** The number of inputs after which the left side may do what the right one forbids. */

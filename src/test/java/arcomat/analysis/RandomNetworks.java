@@ -264,8 +264,16 @@ final class RandomNetworks {
             }
         }
         Completion completion = errors ? Completion.ERROR : Completion.values()[random.nextInt(4)];
+        List<Socket> sockets = random.nextInt(5) == 0 ? plan.sockets() : alike(plan, whole);
         return Optional.of(
-                new Draft(plan.sockets(), completion, false, states.size(), openings, edges));
+                new Draft(sockets, completion, false, states.size(), openings, edges));
+    }
+
+    /** Sends with delay where the composition does. */
+    private static List<Socket> alike(Plan plan, NaiveComposition whole) {
+        return plan.sockets().stream()
+                .map(s -> s.input() || whole.isDelayed(s.name()) ? s : s.withDelay(0))
+                .toList();
     }
 
     private static int number(State state, Map<State, Integer> numbers, List<State> states) {

@@ -12,6 +12,7 @@ import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
+import arcomat.semantics.Network;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 
@@ -33,20 +34,45 @@ public final class Replay {
     public static void check(Promise left, Promise right, Verdict verdict) {
         List<Moment> trace = verdict.trace();
         if (canReplay(left)) {
-            assertThat(possible(left, trace))
+            assertThat(possible(left, trace, late(left, right)))
                     .as("%s can do it", left.title())
                     .isEqualTo(trace.size());
         }
         if (canReplay(right)) {
             int last =
                     right.each().stream()
-                            .mapToInt(each -> possible(each, trace))
+                            .mapToInt(each -> possible(each, trace, late(right, left)))
                             .min()
                             .orElseThrow();
             assertThat(last)
                     .as("%s forbids the last step only", right.title())
                     .isEqualTo(trace.size() - 1);
         }
+    }
+
+    /** Ports that only one side sends on with delay stand in the slice in which they are seen. */
+    private static Set<String> late(Promise side, Promise other) {
+        Set<String> late = new LinkedHashSet<>();
+        if (side.component().profile() == Component.Profile.EVENT_DRIVEN) {
+            return late;
+        }
+        side.component().outputs().stream()
+                .map(Port::name)
+                .filter(name -> delay(side, name) == 1 && delay(other, name) == 0)
+                .forEach(late::add);
+        return late;
+    }
+
+    private static int delay(Promise side, String port) {
+        if (!side.isComposition()) {
+            return side.component().port(port).map(Port::delay).orElse(-1);
+        }
+        Network network = Network.of(side.component(), side.arguments());
+        return network.outputs().stream()
+                .filter(each -> each.name().equals(port) && each.signal() >= 0)
+                .map(each -> network.delayed().contains(each.signal()) ? 1 : 0)
+                .findAny()
+                .orElse(-1);
     }
 
     private static boolean canReplay(Promise side) {
@@ -90,44 +116,65 @@ public final class Replay {
 
     /** How many moments a side can follow; an error is a moment without outputs. */
     static int possible(Promise side, List<Moment> trace) {
+        return possible(side, trace, Set.of());
+    }
+
+    /**
+     * Where an automaton may be.
+     *
+     * @param made what it has sent last
+     */
+    private record Place(List<Configuration> configurations, Output made) {}
+
+    private static int possible(Promise side, List<Moment> trace, Set<String> late) {
         if (side.isComposition()) {
             return simulated(side, trace);
         }
         Behaviour behaviour = side.behaviour();
         List<Port> outputs = behaviour.component().outputs();
-        Set<List<Configuration>> current = new LinkedHashSet<>();
+        Output silence = new Output(Collections.nCopies(outputs.size(), Sent.SILENCE));
+        Set<Place> current = new LinkedHashSet<>();
         for (JointStart start : behaviour.starts()) {
-            if (allows(outputs, start.output(), trace.get(0))) {
-                current.add(start.configurations());
+            if (allows(outputs, seen(outputs, start.output(), silence, late), trace.get(0))) {
+                current.add(new Place(start.configurations(), start.output()));
             }
         }
         int moments = 0;
         while (!current.isEmpty() && ++moments < trace.size()) {
-            current = after(behaviour, current, trace.get(moments));
+            current = after(behaviour, current, trace.get(moments), late);
         }
         return moments;
     }
 
-    private static Set<List<Configuration>> after(
-            Behaviour behaviour, Set<List<Configuration>> before, Moment moment) {
-        if (isUnseenEvent(behaviour.component(), moment.input())) {
-            Output silence =
-                    new Output(
-                            Collections.nCopies(
-                                    behaviour.component().outputs().size(), Sent.SILENCE));
-            return allows(behaviour.component().outputs(), silence, moment) ? before : Set.of();
+    /** On late ports what was sent before. */
+    private static Output seen(List<Port> ports, Output now, Output before, Set<String> late) {
+        List<Sent> seen = new ArrayList<>();
+        for (int i = 0; i < ports.size(); i++) {
+            seen.add((late.contains(ports.get(i).name()) ? before : now).ports().get(i));
         }
-        Set<List<Configuration>> next = new LinkedHashSet<>();
+        return new Output(seen);
+    }
+
+    private static Set<Place> after(
+            Behaviour behaviour, Set<Place> before, Moment moment, Set<String> late) {
+        List<Port> ports = behaviour.component().outputs();
+        Output silence = new Output(Collections.nCopies(ports.size(), Sent.SILENCE));
+        if (isUnseenEvent(behaviour.component(), moment.input())) {
+            return allows(ports, silence, moment) ? before : Set.of();
+        }
+        Set<Place> next = new LinkedHashSet<>();
         Input input = input(behaviour, moment.input());
-        for (List<Configuration> each : before) {
-            Prospect prospect = behaviour.prospect(each, input);
-            if (moment.error() && !prospect.errors().isEmpty()) {
-                next.add(List.of(Configuration.ERROR));
+        for (Place each : before) {
+            Prospect prospect = behaviour.prospect(each.configurations, input);
+            if (moment.error()
+                    && !prospect.errors().isEmpty()
+                    && allows(ports, seen(ports, silence, each.made, late), moment)) {
+                next.add(new Place(List.of(Configuration.ERROR), silence));
             }
             for (JointReaction reaction : prospect.reactions()) {
-                if (!moment.error()
-                        && allows(behaviour.component().outputs(), reaction.output(), moment)) {
-                    next.add(reaction.next());
+                Output seen = seen(ports, reaction.output(), each.made, late);
+                if (!moment.error() && allows(ports, seen, moment)) {
+                    next.add(new Place(reaction.next(), reaction.output()));
                 }
             }
         }

@@ -8,7 +8,6 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
@@ -142,12 +141,12 @@ final class Absence {
     private List<Reaction> reactions(StepRelation relation, Configuration before, Input input) {
         StepRelation.Prospect all = relation.prospect(before, input);
         List<Reaction> reactions =
-                all.reactions().stream().filter(each -> !isMissing(relation, each.cause())).toList();
+                all.reactions().stream()
+                        .filter(each -> !isMissing(relation, each.cause()))
+                        .toList();
         boolean goesWrong =
                 all.errors().stream().anyMatch(each -> !isMissing(relation, each.cause()));
-        return reactions.isEmpty() && !goesWrong
-                ? List.of(relation.complete(before))
-                : reactions;
+        return reactions.isEmpty() && !goesWrong ? List.of(relation.complete(before)) : reactions;
     }
 
     private boolean isMissing(StepRelation relation, Trace.Cause cause) {

@@ -208,8 +208,7 @@ final class Exploration {
             return List.of(new Effect(List.of(), Letter.SILENCE, after));
         }
         List<Configuration> before = node.key.configurations;
-        Prospect prospect =
-                behaviour.prospect(before, stimulus.input().get(), budget::insist);
+        Prospect prospect = behaviour.prospect(before, stimulus.input().get(), budget::insist);
         if (prospect.errors().isEmpty()) {
             obstacles.reacted(before, stimulus.input().get());
         } else {

@@ -24,6 +24,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /** An atomic component, or the requirements on a component: a conjunction of automata. */
 public final class AtomicSide implements Side {
@@ -64,6 +65,14 @@ public final class AtomicSide implements Side {
     @Override
     public List<Port> outputs() {
         return behaviour.component().outputs();
+    }
+
+    @Override
+    public int[] delays() {
+        boolean slices = profile() == Component.Profile.TIME_SYNCHRONOUS;
+        return IntStream.of(observed)
+                .map(i -> i < 0 || !slices ? -1 : outputs().get(i).delay())
+                .toArray();
     }
 
     @Override

@@ -156,27 +156,34 @@ public final class Comparison {
 
     private Moment moment(
             Value[] letter, Steps mine, int step, Split.Case sent, List<String> right) {
-        boolean error = sent.sample() == null;
         return new Moment(
                 letter == null ? Letter.SILENCE : Letter.of(pairing.left.inputs(), letter),
-                sent(mine.whole().get(step), sent.sample()),
-                error ? "error" : pairing.left.describe(mine.next()[step]),
+                sent(mine.whole().get(step), sent),
+                sent.error() ? "error" : pairing.left.describe(mine.next()[step]),
                 right,
-                error);
+                sent.error());
     }
 
-    /** On compared ports the sample; on others what the left side sends there. */
-    private Map<String, Sent> sent(Output whole, Output sample) {
-        Map<String, Sent> sent = new LinkedHashMap<>();
-        if (sample == null) {
-            return sent;
-        }
+    /**
+     * On compared ports, and on those that show the same message, the sample; on others what the
+     * left side sends there. Where the run ends, only what is still seen.
+     */
+    private Map<String, Sent> sent(Output whole, Split.Case sent) {
+        Map<String, String> twins = pairing.left.twins();
+        Map<String, Sent> shown = new LinkedHashMap<>();
         for (int i = 0; i < leftOutputs.size(); i++) {
             String name = leftOutputs.get(i).name();
-            int compared = observed.indexOf(name);
-            sent.put(name, compared >= 0 ? sample.ports().get(compared) : whole.ports().get(i));
+            int compared = observed.indexOf(observed.contains(name) ? name : twins.get(name));
+            if (compared >= 0) {
+                shown.put(name, sent.sample().ports().get(compared));
+            } else if (!sent.error()) {
+                shown.put(name, whole.ports().get(i));
+            }
         }
-        return sent;
+        if (sent.error()) {
+            shown.values().removeIf(Sent.SILENCE::equals);
+        }
+        return shown;
     }
 
     /** The last moment of a failure, from both sides. */
@@ -195,11 +202,11 @@ public final class Comparison {
                         allowed);
             }
         }
-        boolean error = failure.sent().sample() == null;
+        boolean error = failure.sent().error();
         int after = failure.steps().next()[failure.step()];
         return new Forbidden(
                 failure.steps().causes().get(failure.step()),
-                sent(failure.steps().whole().get(failure.step()), failure.sent().sample()),
+                sent(failure.steps().whole().get(failure.step()), failure.sent()),
                 error ? Optional.of(pairing.left.describe(after)) : Optional.empty(),
                 before,
                 allowed);
@@ -208,11 +215,14 @@ public final class Comparison {
     private void addAllowed(String configuration, Steps steps, List<Allowed> allowed) {
         for (int step = 0; step < steps.size(); step++) {
             Map<String, Sent> sent = new LinkedHashMap<>();
+            boolean error = !pairing.outputs.isLetter(steps.outputs()[step]);
             Output cube = pairing.outputs.cube(steps.outputs()[step]);
             for (int i = 0; cube != null && i < observed.size(); i++) {
-                sent.put(observed.get(i), cube.ports().get(i));
+                if (!error || !cube.ports().get(i).equals(Sent.SILENCE)) {
+                    sent.put(observed.get(i), cube.ports().get(i));
+                }
             }
-            allowed.add(new Allowed(configuration, steps.causes().get(step), sent, cube == null));
+            allowed.add(new Allowed(configuration, steps.causes().get(step), sent, error));
         }
     }
 }

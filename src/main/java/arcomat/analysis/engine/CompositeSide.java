@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * A composition of parts, unfolded as far as a search asks for it. Connections that are no ports of
@@ -87,6 +88,34 @@ public final class CompositeSide implements Side {
     @Override
     public List<Port> outputs() {
         return network.outputs().stream().map(CompositeSide::named).toList();
+    }
+
+    @Override
+    public int[] delays() {
+        Set<Integer> delayed = network.delayed();
+        boolean slices = profile() == Component.Profile.TIME_SYNCHRONOUS;
+        return IntStream.of(observed)
+                .map(i -> i < 0 ? Network.UNCONNECTED : network.outputs().get(i).signal())
+                .map(s -> !slices || s == Network.UNCONNECTED ? -1 : delayed.contains(s) ? 1 : 0)
+                .toArray();
+    }
+
+    @Override
+    public Map<String, String> twins() {
+        Map<Integer, String> compared = new HashMap<>();
+        for (int i : observed) {
+            if (i >= 0) {
+                Network.External port = network.outputs().get(i);
+                compared.putIfAbsent(port.signal(), port.name());
+            }
+        }
+        Map<String, String> twins = new HashMap<>();
+        for (Network.External port : network.outputs()) {
+            if (port.signal() != Network.UNCONNECTED && compared.containsKey(port.signal())) {
+                twins.put(port.name(), compared.get(port.signal()));
+            }
+        }
+        return twins;
     }
 
     @Override

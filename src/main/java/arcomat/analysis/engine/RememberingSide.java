@@ -7,6 +7,7 @@ import arcomat.model.Value;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -62,8 +63,13 @@ abstract class RememberingSide<M> implements Side {
     /** Steps of the other side, with what is remembered after them. */
     final Steps remembering(Steps own, M memory) {
         int[] next = IntStream.of(own.next()).map(inner -> number(inner, memory)).toArray();
+        return changed(own, own.outputs(), next);
+    }
+
+    /** Steps of the other side that send something else and lead elsewhere. */
+    static Steps changed(Steps own, int[] outputs, int[] next) {
         boolean[] used = new boolean[own.size()];
-        return new Steps(own.outputs(), next, own.causes(), own.whole(), used, List.of(own));
+        return new Steps(outputs, next, own.causes(), own.whole(), used, List.of(own));
     }
 
     @Override
@@ -89,7 +95,17 @@ abstract class RememberingSide<M> implements Side {
     }
 
     @Override
-    public final boolean isChaos(int configuration) {
+    public int[] delays() {
+        return side.delays();
+    }
+
+    @Override
+    public final Map<String, String> twins() {
+        return side.twins();
+    }
+
+    @Override
+    public boolean isChaos(int configuration) {
         return side.isChaos(state(configuration).inner);
     }
 

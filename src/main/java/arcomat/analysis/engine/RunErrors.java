@@ -16,7 +16,7 @@ public final class RunErrors {
     private RunErrors() {}
 
     /** Of a composition: where events queue up, there may be no room for one more. */
-    static boolean arePossible(Network network) {
+    public static boolean arePossible(Network network) {
         return network.component().profile() == Component.Profile.EVENT_DRIVEN
                 || network.instances().stream()
                         .flatMap(instance -> instance.component().automata().stream())

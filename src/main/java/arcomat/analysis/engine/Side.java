@@ -6,6 +6,7 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -22,6 +23,19 @@ public interface Side {
 
     /** All output ports, as {@link Steps#whole} lists them. */
     List<Port> outputs();
+
+    /**
+     * Per compared port the number of slices after which a reaction is seen there, 0 or 1; -1 where
+     * nothing is ever sent, and with events, which have no slices.
+     */
+    int[] delays();
+
+    /**
+     * Output ports that carry the very message of a compared one, by name: they are on one wire.
+     */
+    default Map<String, String> twins() {
+        return Map.of();
+    }
 
     /** The beginnings: what is sent before anything is read, and the configurations then. */
     Steps openings();

@@ -13,6 +13,7 @@ import java.util.Comparator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Divides what one step may send by what the steps of the other side allow: letters within one case
@@ -25,13 +26,15 @@ public final class Split {
      * @param sample one of its letters
      * @param messages how many the sample has
      * @param allowed positions of the steps that allow it
+     * @param error whether the run ends here; the sample is what earlier reactions still show
      */
-    public record Case(Output sample, int messages, int[] allowed) {}
+    public record Case(Output sample, int messages, int[] allowed, boolean error) {}
 
     private final List<Port> ports;
     private final Outputs outputs;
     private final boolean events;
     private final Budget budget;
+    private final Output silence;
 
     /**
      * @param ports the observed output ports
@@ -42,18 +45,18 @@ public final class Split {
         this.events = events;
         this.ports = ports;
         this.outputs = outputs;
+        this.silence = new Output(Collections.nCopies(ports.size(), Sent.SILENCE));
     }
 
     /** The cases, those with few messages first. */
     List<Case> cases(int sent, int[] others) {
-        if (sent == Outputs.ERROR) {
-            return List.of(new Case(null, 0, positions(others, null)));
-        }
-        Output cube = outputs.cube(sent);
+        boolean error = !outputs.isLetter(sent);
+        int[] alike = alike(others, error);
+        Output cube = shown(sent);
         List<List<Sent>> letters = List.of(List.of());
         for (int port = 0; port < ports.size(); port++) {
             List<List<Sent>> longer = new ArrayList<>();
-            for (Sent option : options(cube.ports().get(port), port, others)) {
+            for (Sent option : options(cube.ports().get(port), port, alike)) {
                 for (List<Sent> letter : letters) {
                     budget.insist();
                     List<Sent> copy = new ArrayList<>(letter);
@@ -67,7 +70,8 @@ public final class Split {
         for (List<Sent> letter : letters) {
             budget.insist();
             Output sample = new Output(letter);
-            cases.add(new Case(sample, messages(sample), positions(others, sample)));
+            int[] allowed = positions(others, sample, error);
+            cases.add(new Case(sample, messages(sample), allowed, error));
         }
         cases.sort(Comparator.comparingInt(Case::messages));
         return cases;
@@ -84,8 +88,7 @@ public final class Split {
         }
         List<Value> mentioned = new ArrayList<>();
         for (int other : others) {
-            if (outputs.isLetter(other)
-                    && outputs.cube(other).ports().get(port) instanceof Sent.Messages messages
+            if (shown(other).ports().get(port) instanceof Sent.Messages messages
                     && sent.allows(messages.values())) {
                 options.add(messages);
                 mentioned.addAll(messages.values());
@@ -113,20 +116,20 @@ public final class Split {
         return values.stream().distinct().sorted(arcomat.semantics.ValueOrder.NATURAL).toList();
     }
 
-    /** The end of the run is null here. */
-    private int[] positions(int[] others, Output sample) {
-        int[] found = new int[others.length];
-        int count = 0;
-        for (int i = 0; i < others.length; i++) {
-            boolean allowed =
-                    outputs.isLetter(others[i])
-                            ? sample != null && allows(outputs.cube(others[i]), sample)
-                            : sample == null;
-            if (allowed) {
-                found[count++] = i;
-            }
-        }
-        return java.util.Arrays.copyOf(found, count);
+    /** Those that end the run, or those that do not. */
+    private int[] alike(int[] others, boolean error) {
+        return IntStream.of(others).filter(each -> outputs.isLetter(each) != error).toArray();
+    }
+
+    private Output shown(int number) {
+        return number == Outputs.ERROR ? silence : outputs.cube(number);
+    }
+
+    private int[] positions(int[] others, Output sample, boolean error) {
+        return IntStream.range(0, others.length)
+                .filter(i -> outputs.isLetter(others[i]) != error)
+                .filter(i -> allows(shown(others[i]), sample))
+                .toArray();
     }
 
     private static boolean allows(Output cube, Output letter) {
