@@ -40,8 +40,13 @@ final class Verdicts {
                         moment ->
                                 letter(moment.input())
                                         + "/"
-                                        + (moment.error() ? "error" : sent(moment.outputs())))
+                                        + (moment.error() ? error(moment) : sent(moment.outputs())))
                 .collect(Collectors.joining(" "));
+    }
+
+    /** With what earlier reactions still show. */
+    private static String error(Moment moment) {
+        return (moment.outputs().isEmpty() ? "" : sent(moment.outputs())) + "error";
     }
 
     private static String letter(Letter letter) {

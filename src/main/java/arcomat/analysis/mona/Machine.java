@@ -40,7 +40,7 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
      *
      * @param inputs per input the codes with which the step is taken
      * @param error whether the run ends here, so that nothing is sent
-     * @param sent on the compared ports
+     * @param sent on the compared ports; where the run ends, what earlier reactions still show
      * @param whole on all ports
      */
     record Step(
@@ -122,11 +122,10 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
         }
 
         private Step step(Key key, List<Set<Integer>> kind) {
-            boolean letter = outputs.isLetter(key.output);
             return new Step(
                     kind,
-                    !letter,
-                    letter ? outputs.cube(key.output) : null,
+                    !outputs.isLetter(key.output),
+                    outputs.cube(key.output),
                     key.whole,
                     key.next,
                     key.causes);

@@ -130,9 +130,7 @@ final class MachineWriter {
             Track track = machine.inputs().get(i);
             conditions.add(track.bits().isIn(step.inputs().get(i), track.codes(), NOW));
         }
-        if (!step.error()) {
-            conditions.addAll(sent(step.sent(), NEXT, NOW));
-        }
+        conditions.addAll(step.error() ? stillSeen(step.sent()) : sent(step.sent(), NEXT, NOW));
         conditions.addAll(failing(NEXT, step.error()));
         conditions.addAll(reached(step, number, NEXT));
         conditions.removeIf(Condition::isTrue);
@@ -154,17 +152,40 @@ final class MachineWriter {
     private List<Condition> sent(Output output, String delayed, String instant) {
         List<Condition> conditions = new ArrayList<>();
         for (int i = 0; i < question.observed().size(); i++) {
-            Track track = question.observed().get(i);
-            String position = track.port().delay() == 1 ? delayed : instant;
-            Sent sent = output.ports().get(i);
-            if (position.isEmpty() || sent instanceof Sent.Anything) {
-                continue;
+            String position = question.delays().get(i) == 1 ? delayed : instant;
+            if (!position.isEmpty()) {
+                conditions.addAll(sent(i, output.ports().get(i), position));
             }
-            Cube code = track.bits().is(track.codeOf(sent), position);
-            conditions.add(
-                    sent instanceof Sent.AnyMessage ? Condition.not(code) : Condition.of(code));
         }
         return conditions;
+    }
+
+    private List<Condition> sent(int port, Sent sent, String position) {
+        if (sent instanceof Sent.Anything) {
+            return List.of();
+        }
+        Track track = question.observed().get(port);
+        Cube code = track.bits().is(track.codeOf(sent), position);
+        return List.of(sent instanceof Sent.AnyMessage ? Condition.not(code) : Condition.of(code));
+    }
+
+    /**
+     * What is seen in the slice in which a run ends: where one of both sides sends with delay, its
+     * earlier reaction, and nothing of the other's.
+     *
+     * @param output null for nothing
+     */
+    private List<Condition> stillSeen(Output output) {
+        return question.mixed().stream()
+                .boxed()
+                .flatMap(
+                        port ->
+                                sent(
+                                        port,
+                                        output == null ? Sent.SILENCE : output.ports().get(port),
+                                        NOW)
+                                        .stream())
+                .toList();
     }
 
     private List<Condition> failing(String position, boolean now) {

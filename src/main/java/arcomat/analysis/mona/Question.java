@@ -3,13 +3,17 @@ package arcomat.analysis.mona;
 import arcomat.analysis.Budget;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.ShownSide;
+import arcomat.analysis.engine.Side;
 import arcomat.model.Port;
 import arcomat.semantics.Behaviour;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -20,6 +24,9 @@ import java.util.stream.Stream;
  * @param inputs those of the left side
  * @param observed the output ports of the right side
  * @param rights one per automaton of the right side
+ * @param delays per observed port the slices after which a reaction is seen; where only one of both
+ *     sides sends with delay, its machine sends when it is seen, and both have none
+ * @param mixed the observed ports of which that is so
  */
 public record Question(
         String leftTitle,
@@ -29,7 +36,9 @@ public record Question(
         List<Track> inputs,
         List<Track> observed,
         Machine left,
-        List<Machine> rights) {
+        List<Machine> rights,
+        List<Integer> delays,
+        BitSet mixed) {
 
     /** A side with its name. */
     public record Named(String title, Behaviour behaviour) {}
@@ -41,13 +50,17 @@ public record Question(
      */
     public static Question of(Named left, String rightTitle, List<Named> rights, Budget budget) {
         List<Port> ports = rights.get(0).behaviour().component().outputs();
-        List<String> names = ports.stream().map(Port::name).toList();
         Map<String, Track> inputs = new LinkedHashMap<>();
         left.behaviour().component().inputs().forEach(p -> inputs.put(p.name(), Track.of(p)));
-        List<Machine> machines = new ArrayList<>();
+        Machines machines = new Machines(ports, inputs, budget);
+        Side mine = machines.side(left);
+        List<Machine> theirs = new ArrayList<>();
         for (Named right : rights) {
-            machines.add(machine(right, names, inputs, budget));
+            theirs.add(machines.machine(right, machines.beside(machines.side(right), mine)));
         }
+        Side other = machines.side(rights.get(0));
+        Side shown = machines.beside(mine, other);
+        BitSet mixed = mixed(mine.delays(), other.delays());
         return new Question(
                 left.title(),
                 rightTitle,
@@ -55,19 +68,42 @@ public record Question(
                 left.behaviour().component().outputs(),
                 List.copyOf(inputs.values()),
                 ports.stream().map(Track::of).toList(),
-                machine(left, names, inputs, budget),
-                machines);
+                machines.machine(left, shown),
+                theirs,
+                IntStream.of(shown.delays()).boxed().toList(),
+                mixed);
     }
 
-    private static Machine machine(
-            Named named, List<String> observed, Map<String, Track> inputs, Budget budget) {
-        Outputs outputs = new Outputs();
-        AtomicSide side = new AtomicSide(named.behaviour(), observed, outputs, budget);
-        List<Track> own = side.inputs().stream().map(port -> inputs.get(port.name())).toList();
-        try {
-            return Machine.explore(side, own, outputs, budget);
-        } catch (NotForMona problem) {
-            throw new NotForMona(named.title() + ": " + problem.getMessage());
+    private static BitSet mixed(int[] mine, int[] theirs) {
+        BitSet mixed = new BitSet();
+        IntStream.range(0, mine.length).forEach(i -> mixed.set(i, mine[i] != theirs[i]));
+        return mixed;
+    }
+
+    /** Spells out what is compared on some ports. */
+    private record Machines(
+            List<Port> observed, Map<String, Track> inputs, Outputs outputs, Budget budget) {
+        Machines(List<Port> observed, Map<String, Track> inputs, Budget budget) {
+            this(observed, inputs, new Outputs(), budget);
+        }
+
+        Side side(Named named) {
+            List<String> names = observed.stream().map(Port::name).toList();
+            return new AtomicSide(named.behaviour(), names, outputs, budget);
+        }
+
+        Side beside(Side side, Side other) {
+            List<Boolean> total = observed.stream().map(Port::total).toList();
+            return ShownSide.beside(side, other, total, outputs);
+        }
+
+        Machine machine(Named named, Side side) {
+            List<Track> own = side.inputs().stream().map(port -> inputs.get(port.name())).toList();
+            try {
+                return Machine.explore(side, own, outputs, budget);
+            } catch (NotForMona problem) {
+                throw new NotForMona(named.title() + ": " + problem.getMessage());
+            }
         }
     }
 

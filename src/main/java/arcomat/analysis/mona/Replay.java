@@ -89,7 +89,7 @@ public final class Replay {
         return steps.stream()
                 .filter(step -> step.next() == state(slice) && step.error() == isError(slice))
                 .filter(step -> slice == 0 || reads(step, question.left(), slice))
-                .filter(step -> step.error() || sends(step, slice))
+                .filter(step -> step.error() ? stillShows(step, slice) : sends(step, slice))
                 .findFirst();
     }
 
@@ -124,7 +124,7 @@ public final class Replay {
 
     private boolean sends(Step step, int slice) {
         for (int i = 0; i < question.observed().size(); i++) {
-            Sent.Messages seen = seen(question.observed().get(i), slice);
+            Sent.Messages seen = seen(i, slice);
             if (!step.sent().ports().get(i).allows(seen.values())) {
                 return false;
             }
@@ -132,9 +132,23 @@ public final class Replay {
         return true;
     }
 
+    /** Where the run ends, what earlier reactions show counts, where one side has any. */
+    private boolean stillShows(Step step, int slice) {
+        return question.mixed().stream()
+                .allMatch(
+                        port -> {
+                            Sent shown =
+                                    step.sent() == null
+                                            ? Sent.SILENCE
+                                            : step.sent().ports().get(port);
+                            return shown.allows(seen(port, slice).values());
+                        });
+    }
+
     /** What is seen of the reaction: with delay 0 in the slice before. */
-    private Sent.Messages seen(Track track, int slice) {
-        int position = slice - 1 + track.port().delay();
+    private Sent.Messages seen(int port, int slice) {
+        Track track = question.observed().get(port);
+        int position = slice - 1 + question.delays().get(port);
         Optional<Value> message =
                 position < 0 ? Optional.empty() : track.message(number(track.bits(), position));
         return new Sent.Messages(message.map(List::of).orElse(List.of()));
@@ -157,7 +171,7 @@ public final class Replay {
             for (Step step : theirs.states().get(state).steps()) {
                 if (step.error() == error
                         && reads(step, theirs, slice)
-                        && (error || sends(step, slice))) {
+                        && (error ? stillShows(step, slice) : sends(step, slice))) {
                     after.add(step.next());
                 }
             }
@@ -190,15 +204,22 @@ public final class Replay {
     private Map<String, Sent> sent(Step mine, int slice) {
         Map<String, Sent> sent = new LinkedHashMap<>();
         if (mine.error()) {
+            question.mixed().stream()
+                    .filter(port -> !seen(port, slice).equals(Sent.SILENCE))
+                    .forEach(port -> sent.put(name(port), seen(port, slice)));
             return sent;
         }
         for (int i = 0; i < question.leftOutputs().size(); i++) {
             sent.put(question.leftOutputs().get(i).name(), mine.whole().ports().get(i));
         }
-        for (Track track : question.observed()) {
-            sent.put(track.port().name(), seen(track, slice));
+        for (int port = 0; port < question.observed().size(); port++) {
+            sent.put(name(port), seen(port, slice));
         }
         return sent;
+    }
+
+    private String name(int port) {
+        return question.observed().get(port).port().name();
     }
 
     private Forbidden forbidden(Step mine, Machine theirs, Set<Integer> before, int slice) {
@@ -224,7 +245,7 @@ public final class Replay {
     private Allowed allowed(String before, Step step) {
         Map<String, Sent> sent = new LinkedHashMap<>();
         for (int i = 0; !step.error() && i < question.observed().size(); i++) {
-            sent.put(question.observed().get(i).port().name(), step.sent().ports().get(i));
+            sent.put(name(i), step.sent().ports().get(i));
         }
         return new Allowed(before, step.causes(), sent, step.error());
     }
