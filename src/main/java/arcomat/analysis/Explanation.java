@@ -31,7 +31,11 @@ final class Explanation {
                                         left.title(),
                                         forbidden
                                                 .error()
-                                                .map(error -> "ends in an " + error + still(forbidden.sent()))
+                                                .map(
+                                                        error ->
+                                                                "ends in an "
+                                                                        + error
+                                                                        + still(forbidden.sent()))
                                                 .orElse("sends " + words(forbidden.sent())),
                                         by(left, forbidden.left(), forbidden.causes())),
                         place(left, forbidden.causes())));

@@ -1,8 +1,8 @@
 package arcomat.analysis;
 
 import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.engine.RunErrors;
 import arcomat.analysis.Verdict.Explored;
+import arcomat.analysis.engine.RunErrors;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -17,8 +17,8 @@ import java.util.Set;
 
 /**
  * Compares two compositions with the same wiring part by part: refining each part refines the whole
- * (the theorem of compositional refinement; time-synchronous only, and without the case below). The other way round it says
- * nothing.
+ * (the theorem of compositional refinement; time-synchronous only, and without the case below). The
+ * other way round it says nothing.
  */
 final class PartByPart {
     private record Comparison(

@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 /**
  * One side of a comparison: a component, or some automata on it.
  *
+ * @param component with the delays that are written down where its automata count
  * @param arguments one per parameter
  * @param automata those that count; empty for a composition, which is what its parts make it
  * @param devices of a composition, whether what its platform components send and receive is looked
@@ -28,6 +29,7 @@ public record Promise(
         boolean devices,
         String mark) {
     public Promise {
+        component = automata.isEmpty() ? component : component.asPromised();
         arguments = List.copyOf(arguments);
         automata = List.copyOf(automata);
     }
@@ -116,6 +118,7 @@ public record Promise(
                 port.type(),
                 port.total(),
                 port.delay(),
+                port.promised(),
                 port.latched(),
                 port.span());
     }

@@ -11,13 +11,12 @@ final class InitialOutputDelayed implements Check.OnItem {
         return Law.error("ARC0321");
     }
 
-    /** Delays of a composition follow from its parts, and untimed components have none. */
+    /** Untimed components have no delays. */
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
         if (item.side() != ItemSymbol.Side.INITIAL
                 || Items.isSilence(item.value())
-                || Items.isEventDriven(context.automaton().orElseThrow())
-                || Items.isRequirement(context.automaton().orElseThrow())) {
+                || Items.isEventDriven(context.automaton().orElseThrow())) {
             return;
         }
         Items.port(item)

@@ -143,6 +143,7 @@ final class ComponentLowering {
                 types.type(symbol.type()),
                 symbol.isTotal(),
                 delay,
+                symbol.delay(),
                 symbol.isLatched(),
                 symbol.nameSpan());
     }

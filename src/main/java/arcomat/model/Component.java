@@ -103,6 +103,31 @@ public record Component(
         return packageName.isEmpty() ? name : packageName + "." + name;
     }
 
+    /**
+     * The component as automata on it see it: a decomposed one sends with the delays that are
+     * written down, whatever its parts do.
+     */
+    public Component asPromised() {
+        return ports.stream().allMatch(port -> port.delay() == port.promised())
+                ? this
+                : new Component(
+                        packageName,
+                        name,
+                        layer,
+                        platform,
+                        deploy,
+                        profile,
+                        queueCapacity,
+                        cycle,
+                        parameters,
+                        constants,
+                        ports.stream().map(Port::asPromised).toList(),
+                        body,
+                        requirements,
+                        refines,
+                        span);
+    }
+
     /** Those of its behaviour, or the requirements on a decomposed one. */
     public List<Automaton> automata() {
         return body instanceof Atomic atomic ? atomic.automata() : requirements;

@@ -6,7 +6,9 @@ import arcomat.source.Span;
  * A typed port.
  *
  * @param total carries a message in every slice
- * @param delay of an output, in slices: 0 or 1; 0 for inputs
+ * @param delay of an output, in slices: 0 or 1; 0 for inputs. Of a decomposed component that of the
+ *     part which sends.
+ * @param promised the delay that is written down: what automata on a decomposed component ask for
  * @param latched event-driven profile: a value that guards may read and that triggers nothing
  */
 public record Port(
@@ -15,12 +17,30 @@ public record Port(
         Type type,
         boolean total,
         int delay,
+        int promised,
         boolean latched,
         Span span) {
 
     public enum Direction {
         IN,
         OUT
+    }
+
+    /** A port that sends as is written down. */
+    public Port(
+            String name,
+            Direction direction,
+            Type type,
+            boolean total,
+            int delay,
+            boolean latched,
+            Span span) {
+        this(name, direction, type, total, delay, delay, latched, span);
+    }
+
+    /** The port as automata on a decomposed component see it. */
+    Port asPromised() {
+        return new Port(name, direction, type, total, promised, promised, latched, span);
     }
 
     public boolean isInput() {

@@ -62,7 +62,7 @@ public record PortSymbol(
 
     /**
      * Slices between reaction and message, 0 or 1; 0 for inputs. What a composite declares here is
-     * without effect: see the effective delay in {@code Delays}.
+     * what automata on it ask for; when its parts send is the effective delay in {@code Delays}.
      */
     public int delay() {
         if (isInput()) {

@@ -265,8 +265,7 @@ final class RandomNetworks {
         }
         Completion completion = errors ? Completion.ERROR : Completion.values()[random.nextInt(4)];
         List<Socket> sockets = random.nextInt(5) == 0 ? plan.sockets() : alike(plan, whole);
-        return Optional.of(
-                new Draft(sockets, completion, false, states.size(), openings, edges));
+        return Optional.of(new Draft(sockets, completion, false, states.size(), openings, edges));
     }
 
     /** Sends with delay where the composition does. */

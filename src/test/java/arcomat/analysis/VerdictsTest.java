@@ -3,6 +3,7 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Automaton.Completion;
+import arcomat.model.Component;
 import arcomat.model.Model;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -16,11 +17,11 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * Verdicts as data: {@code src/test/resources/analysis/refinement}. Below {@code == ask A B} a line
- * names the completions of both sides, {@code -} for those of the models, and what is to be
- * answered: {@code holds}, with a part of a note if one is expected, {@code fails}, with the whole
- * trace, or a part of the reason and the note, {@code not late} where there is none, or {@code
- * unknown}.
+ * Verdicts as data: {@code src/test/resources/analysis/refinement}. Below {@code == ask A B}, or
+ * {@code == ask A !B} for what automata on a decomposed component ask for, a line names the
+ * completions of both sides, {@code -} for those of the models, and what is to be answered: {@code
+ * holds}, with a part of a note if one is expected, {@code fails}, with the whole trace, or a part
+ * of the reason and the note, {@code not late} where there is none, or {@code unknown}.
  */
 class VerdictsTest {
     static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");
@@ -80,8 +81,13 @@ class VerdictsTest {
     }
 
     static Promise promise(Model model, String name, char completion) {
-        String[] parts = name.split("#");
-        Promise all = Promise.of(model.component(parts[0]).orElseThrow(), List.of());
+        boolean required = name.startsWith("!");
+        String[] parts = name.substring(required ? 1 : 0).split("#");
+        Component component = model.component(parts[0]).orElseThrow();
+        Promise all =
+                required
+                        ? Promise.required(component, List.of())
+                        : Promise.of(component, List.of());
         Promise promise = parts.length > 1 ? all.only(parts[1]).orElseThrow() : all;
         return completion == '-'
                 ? promise

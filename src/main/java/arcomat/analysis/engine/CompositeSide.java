@@ -71,6 +71,7 @@ public final class CompositeSide implements Side {
                 port.type(),
                 port.total(),
                 port.delay(),
+                port.promised(),
                 port.latched(),
                 port.span());
     }

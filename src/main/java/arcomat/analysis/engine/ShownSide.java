@@ -77,8 +77,7 @@ public final class ShownSide extends RememberingSide<List<Sent>> {
         int[] next = new int[own.size()];
         for (int step = 0; step < sent.length; step++) {
             boolean letter = outputs.isLetter(own.outputs()[step]);
-            List<Sent> made =
-                    letter ? outputs.cube(own.outputs()[step]).ports() : silence();
+            List<Sent> made = letter ? outputs.cube(own.outputs()[step]).ports() : silence();
             Output both = new Output(replaced(made, seen));
             sent[step] = letter ? outputs.number(both) : outputs.end(both);
             next[step] = number(own.next()[step], replaced(silence(), made));
