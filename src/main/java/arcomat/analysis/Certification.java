@@ -36,6 +36,10 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
      */
     public static Optional<String> problem(
             Promise left, Promise right, List<Certificate> certificates, Budget budget) {
+        Optional<Verdict> interfaces = Interfaces.compare(left, right);
+        if (interfaces.isPresent()) {
+            return Optional.of(interfaces.get().explanation().get(0).text());
+        }
         List<Promise> promises = right.each();
         if (certificates.size() != promises.size()) {
             return Optional.of(

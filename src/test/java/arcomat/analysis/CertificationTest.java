@@ -6,9 +6,13 @@ import arcomat.analysis.RandomPairs.Pair;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.Certificate;
 import arcomat.analysis.engine.Certificate.Entry;
+import arcomat.model.Model;
 
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -75,6 +79,42 @@ class CertificationTest {
             }
         }
         assertThat(failed).isGreaterThan(PAIRS.size() / 4);
+    }
+
+    /**
+     * What holds between others is no proof for these, nor is the whole of it: where delays differ,
+     * and where only feedback would tell the difference.
+     */
+    @ParameterizedTest
+    @CsvSource({
+        "Chain, Late, Chain, TwoLate",
+        "TwoLate, TwoLate, TwoLate, Chain",
+        "WL, WL, WL, Same",
+        "Straight, Crossed, Crossed, Straight",
+        "Crossed, Crossed, Crossed, Straight",
+        "WE, WE, WE, WL"
+    })
+    void whatHoldsElsewhereIsNoProof(String one, String other, String left, String right)
+            throws IOException {
+        Model model = Sections.read(VerdictsTest.FOLDER.resolve("visible.txt")).model();
+        Certification elsewhere = certify(model, one, other);
+        assertThat(elsewhere.verdict().answer()).isEqualTo(Answer.HOLDS);
+        assertThat(certify(model, left, right).verdict().answer()).isEqualTo(Answer.FAILS);
+        assertThat(
+                        Certification.problem(
+                                promise(model, left),
+                                promise(model, right),
+                                elsewhere.certificates(),
+                                Budget.ofMemory()))
+                .isPresent();
+    }
+
+    private static Certification certify(Model model, String left, String right) {
+        return Certification.of(promise(model, left), promise(model, right), Budget.ofMemory());
+    }
+
+    private static Promise promise(Model model, String name) {
+        return VerdictsTest.promise(model, "v." + name, '-');
     }
 
     private static Certification certify(Pair pair) {
