@@ -61,8 +61,12 @@ public record Promise(
 
     /** The same with another completion. */
     public Promise with(Automaton.Completion completion) {
-        List<Automaton> changed = automata.stream().map(a -> a.with(completion)).toList();
-        return new Promise(component, arguments, changed);
+        return withAutomata(automata.stream().map(a -> a.with(completion)).toList());
+    }
+
+    /** The same with other automata, made from its own. */
+    public Promise withAutomata(List<Automaton> others) {
+        return new Promise(component, arguments, others, devices, mark);
     }
 
     /**

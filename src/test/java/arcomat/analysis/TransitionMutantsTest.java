@@ -182,17 +182,10 @@ class TransitionMutantsTest {
     }
 
     private static Component with(Component figure, List<Automaton.Transition> transitions) {
-        Automaton old = figure.automata().get(0);
-        Automaton changed =
-                new Automaton(
-                        old.name(),
-                        old.completion(),
-                        old.omitted(),
-                        old.states(),
-                        old.variables(),
-                        old.initials(),
-                        transitions,
-                        old.span());
+        return with(figure, figure.automata().get(0).withTransitions(transitions));
+    }
+
+    static Component with(Component figure, Automaton changed) {
         return new Component(
                 figure.packageName(),
                 figure.name(),

@@ -22,7 +22,8 @@ import java.util.Set;
 
 /**
  * Stream tests that together take every transition of an atomic component that can be taken, and go
- * on after it until its absence would show, where that is possible. A test is extended for as long
+ * on after it until its absence would show, where that is possible; and further ones that tell it
+ * from components with a small mistake. A test is extended for as long
  * as going on is not longer than beginning anew, so that tests are few and words short. What a test
  * expects is one of the runs that the model allows; what that run leaves open is expected as it is
  * sent by code: nothing, or the first value where there is a message.
@@ -33,12 +34,28 @@ public final class TransitionTests {
      * A test with what it is there for.
      *
      * @param covers the transitions that no earlier test takes, in the order in which it takes them
+     * @param tells the mistake that it is there for: a transition, and what may have become of it;
+     *     empty for a test that is there for what it covers
      */
-    public record Test(StreamTest streams, List<Goal> covers) {
+    public record Test(StreamTest streams, List<Goal> covers, Optional<Mistake> tells) {
         public Test {
             covers = List.copyOf(covers);
         }
     }
+
+    /**
+     * A small mistake in a transition.
+     *
+     * @param what becomes of the transition, in words
+     */
+    public record Mistake(Goal transition, String what) {}
+
+    /**
+     * A mistake that no test tells, though the component then does less than it should.
+     *
+     * @param reason why there is no test that does
+     */
+    public record Untold(Mistake mistake, String reason) {}
 
     /**
      * A transition that no test takes, and why.
@@ -57,11 +74,13 @@ public final class TransitionTests {
             List<Test> tests,
             int transitions,
             List<Uncovered> uncovered,
+            List<Untold> untold,
             Optional<String> stopped,
             int configurations) {
         public Result {
             tests = List.copyOf(tests);
             uncovered = List.copyOf(uncovered);
+            untold = List.copyOf(untold);
         }
 
         /** Holds if all is taken that can be; fails if that is nothing. */
@@ -112,8 +131,36 @@ public final class TransitionTests {
                 tests,
                 exploration.goals().size(),
                 uncovered,
+                spent.isEmpty() ? tell(tests) : List.of(),
                 exploration.stopped(),
                 exploration.size());
+    }
+
+    /**
+     * Adds tests that tell small mistakes, slice by slice: an event-driven test looks at whole
+     * streams, in which many a mistake does not show.
+     */
+    private List<Untold> tell(List<Test> tests) {
+        boolean timed = promise.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+        return timed
+                ? Budget.within(
+                        () -> new Distinctions(promise, budget).tell(tests, this::telling),
+                        spent -> List.of())
+                : List.of();
+    }
+
+    private Test telling(Distinctions.Run run) {
+        Goal transition = run.mistake().transition();
+        StreamTest streams =
+                new StreamTest(
+                        suite,
+                        nameOf(transition),
+                        promise.component(),
+                        promise.arguments(),
+                        run.inputs(),
+                        run.expected(),
+                        promise.component().span());
+        return new Test(streams, List.of(), Optional.of(run.mistake()));
     }
 
     /** Empty where nothing stays open that can be taken. */
@@ -137,7 +184,8 @@ public final class TransitionTests {
             Node end = word.get(word.size() - 1).to();
             next = exploration.path(List.of(end), open, anew.size());
         }
-        return new Test(streams(nameOf(covers.get(0)), beginning(start), word), covers);
+        StreamTest streams = streams(nameOf(covers.get(0)), beginning(start), word);
+        return new Test(streams, covers, Optional.empty());
     }
 
     /** And goes on until it would be noticed if what is new had been missing. */

@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** Writes a suite of stream tests that takes every transition. */
 public final class TransitionTestsStep {
@@ -98,14 +99,33 @@ public final class TransitionTestsStep {
                                                 + line(each.transition())
                                                 + ": "
                                                 + each.reason()));
+        found.untold()
+                .forEach(
+                        each ->
+                                remarks.add(
+                                        "Not told: "
+                                                + mistake(each.mistake())
+                                                + ": "
+                                                + each.reason()));
         List<SuiteText.Entry> entries = new ArrayList<>();
         for (TransitionTests.Test test : found.tests()) {
-            List<String> takes = test.covers().stream().map(TransitionTestsStep::line).toList();
-            entries.add(new SuiteText.Entry(takes, test.streams()));
+            entries.add(new SuiteText.Entry(purpose(test), test.streams()));
         }
         String text =
                 SuiteText.of(suite, promise.component(), promise.arguments(), remarks, entries);
         return Formatter.format(new SourceFile(file, text)).text().orElse(text);
+    }
+
+    private static List<String> purpose(TransitionTests.Test test) {
+        return Stream.concat(
+                        test.covers().stream().map(TransitionTestsStep::line),
+                        test.tells().stream().map(each -> "if " + mistake(each)))
+                .toList();
+    }
+
+    /** {@code line 22: driving -> waiting leads to 'backing'}. */
+    private static String mistake(TransitionTests.Mistake mistake) {
+        return line(mistake.transition()) + " " + mistake.what();
     }
 
     /** {@code line 22: driving -> waiting}. */

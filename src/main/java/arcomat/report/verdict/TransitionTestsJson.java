@@ -2,7 +2,9 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.coverage.Goal;
 import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests.Mistake;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
+import arcomat.analysis.coverage.TransitionTests.Untold;
 import arcomat.report.text.Json;
 
 import com.fasterxml.jackson.core.JsonGenerator;
@@ -36,6 +38,14 @@ public final class TransitionTestsJson {
                         json.writeEndObject();
                     }
                     json.writeEndArray();
+                    json.writeArrayFieldStart("notTold");
+                    for (Untold untold : found.untold()) {
+                        json.writeStartObject();
+                        write(json, untold.mistake());
+                        json.writeStringField("reason", untold.reason());
+                        json.writeEndObject();
+                    }
+                    json.writeEndArray();
                     json.writeObjectFieldStart("explored");
                     json.writeNumberField("configurations", found.configurations());
                     json.writeEndObject();
@@ -54,7 +64,17 @@ public final class TransitionTestsJson {
             json.writeEndObject();
         }
         json.writeEndArray();
+        if (test.tells().isPresent()) {
+            json.writeObjectFieldStart("tells");
+            write(json, test.tells().get());
+            json.writeEndObject();
+        }
         json.writeEndObject();
+    }
+
+    private static void write(JsonGenerator json, Mistake mistake) throws IOException {
+        write(json, mistake.transition());
+        json.writeStringField("mistake", mistake.what());
     }
 
     private static void write(JsonGenerator json, Goal goal) throws IOException {

@@ -1,7 +1,9 @@
 package arcomat.report.verdict;
 
+import arcomat.analysis.coverage.Goal;
 import arcomat.analysis.coverage.TransitionTests;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
+import arcomat.analysis.coverage.TransitionTests.Untold;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;
@@ -31,6 +33,7 @@ public final class TransitionTestsText {
                     .append('\n');
         }
         found.uncovered().forEach(each -> out.append(uncovered(each, style)));
+        found.untold().forEach(each -> out.append(untold(each, style)));
         int taken = found.transitions() - found.uncovered().size();
         String summary = taken + " of " + FindingsText.count(found.transitions(), "transition");
         out.append(found.uncovered().isEmpty() ? style.good(summary) : style.warning(summary))
@@ -50,6 +53,21 @@ public final class TransitionTestsText {
                             String.valueOf(test.covers().size())));
         }
         return table;
+    }
+
+    private static String untold(Untold untold, Style style) {
+        Goal transition = untold.mistake().transition();
+        Span span = transition.transition().span();
+        return style.strong(FindingsText.place(span))
+                + ": no test tells if "
+                + transition.source()
+                + " -> "
+                + transition.target()
+                + " "
+                + Printable.escape(untold.mistake().what())
+                + ": "
+                + Printable.escape(untold.reason())
+                + "\n";
     }
 
     private static String uncovered(Uncovered uncovered, Style style) {

@@ -1,0 +1,69 @@
+package arcomat.analysis.coverage;
+
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.Rewriting;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Guards with one small mistake: an operator that looks much the same, a number beside. */
+final class GuardMutants {
+    private static final Map<BinaryOperator, BinaryOperator> TAKEN_FOR =
+            Map.of(
+                    BinaryOperator.LESS, BinaryOperator.LESS_OR_EQUAL,
+                    BinaryOperator.LESS_OR_EQUAL, BinaryOperator.LESS,
+                    BinaryOperator.GREATER, BinaryOperator.GREATER_OR_EQUAL,
+                    BinaryOperator.GREATER_OR_EQUAL, BinaryOperator.GREATER,
+                    BinaryOperator.EQUAL, BinaryOperator.NOT_EQUAL,
+                    BinaryOperator.NOT_EQUAL, BinaryOperator.EQUAL,
+                    BinaryOperator.AND, BinaryOperator.OR,
+                    BinaryOperator.OR, BinaryOperator.AND);
+
+    private final Expression guard;
+
+    GuardMutants(Expression guard) {
+        this.guard = guard;
+    }
+
+    List<Expression> all() {
+        List<Expression> places = new ArrayList<>();
+        Rewriting.visit(guard, places::add);
+        List<Expression> mutants = new ArrayList<>();
+        for (int place = 0; place < places.size(); place++) {
+            int chosen = place;
+            mistake(places.get(place)).ifPresent(m -> mutants.add(replaced(chosen, m)));
+        }
+        return mutants;
+    }
+
+    private static Optional<Expression> mistake(Expression e) {
+        if (e instanceof Expression.Binary binary && TAKEN_FOR.containsKey(binary.operator())) {
+            return Optional.of(
+                    new Expression.Binary(
+                            TAKEN_FOR.get(binary.operator()),
+                            binary.left(),
+                            binary.right(),
+                            binary.type(),
+                            binary.span()));
+        }
+        if (e instanceof Expression.Constant constant
+                && constant.type() instanceof Type.IntegerType type
+                && constant.value() instanceof Value.IntegerValue number
+                && number.value() < type.high()) {
+            Value beside = new Value.IntegerValue(number.value() + 1);
+            return Optional.of(new Expression.Constant(beside, type, constant.span()));
+        }
+        return Optional.empty();
+    }
+
+    /** The guard with another expression at a place, counted as they are visited. */
+    private Expression replaced(int place, Expression instead) {
+        int[] count = {0};
+        return Rewriting.bottomUp(guard, e -> count[0]++ == place ? instead : e);
+    }
+}

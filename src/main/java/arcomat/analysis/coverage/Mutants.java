@@ -1,0 +1,242 @@
+package arcomat.analysis.coverage;
+
+import arcomat.analysis.coverage.TransitionTests.Mistake;
+import arcomat.model.Automaton;
+import arcomat.model.Automaton.Emission;
+import arcomat.model.Automaton.Match;
+import arcomat.model.Automaton.Pattern;
+import arcomat.model.Automaton.Send;
+import arcomat.model.Automaton.Transition;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+
+/**
+ * Small mistakes in the transitions of an automaton: each is the automaton with one of them, as
+ * somebody may have written it instead.
+ */
+public final class Mutants {
+    /** With more states, a transition is led to the next one only. */
+    private static final int FEW_STATES = 12;
+
+    /** So many other messages are sent instead. */
+    private static final int FEW_MESSAGES = 4;
+
+    private final Component component;
+    private final Automaton automaton;
+
+    public Mutants(Component component, Automaton automaton) {
+        this.component = component;
+        this.automaton = automaton;
+    }
+
+    /** An automaton with a mistake. */
+    public record Mutant(Mistake mistake, Automaton automaton) {}
+
+    /** In the order of the transitions. */
+    public List<Mutant> all() {
+        List<Mutant> mutants = new ArrayList<>();
+        for (int i = 0; i < automaton.transitions().size(); i++) {
+            Transition transition = automaton.transitions().get(i);
+            mutants.add(mutant("is missing", i, List.of()));
+            for (Change change : changes(transition)) {
+                mutants.add(mutant(change.what, i, List.of(change.transition)));
+            }
+        }
+        return mutants;
+    }
+
+    private Mutant mutant(String what, int index, List<Transition> instead) {
+        List<Transition> transitions = new ArrayList<>(automaton.transitions());
+        transitions.remove(index);
+        transitions.addAll(index, instead);
+        Mistake mistake = new Mistake(new Goal(automaton, index), what);
+        return new Mutant(mistake, automaton.withTransitions(transitions));
+    }
+
+    private record Change(String what, Transition transition) {}
+
+    private List<Change> changes(Transition transition) {
+        List<Change> changes = new ArrayList<>();
+        targets(transition, changes);
+        sends(transition, changes);
+        matches(transition, changes);
+        guard(transition, changes);
+        assignments(transition, changes);
+        return changes;
+    }
+
+    private void targets(Transition t, List<Change> changes) {
+        int states = automaton.states().size();
+        int most = states > FEW_STATES ? 1 : states - 1;
+        for (int i = 1; i <= most; i++) {
+            int target = (t.target() + i) % states;
+            String what = "leads to '" + automaton.states().get(target) + "'";
+            changes.add(
+                    new Change(
+                            what,
+                            new Transition(
+                                    t.source(),
+                                    target,
+                                    t.guard(),
+                                    t.matches(),
+                                    t.sends(),
+                                    t.assignments(),
+                                    t.span())));
+        }
+    }
+
+    private void sends(Transition t, List<Change> changes) {
+        for (int i = 0; i < t.sends().size(); i++) {
+            Send send = t.sends().get(i);
+            for (Emission other : others(send)) {
+                String what = "sends something else on '" + send.port().name() + "'";
+                List<Send> sends = replaced(t.sends(), i, List.of(new Send(send.port(), other)));
+                changes.add(new Change(what, with(t, t.guard(), t.matches(), sends)));
+            }
+        }
+    }
+
+    private List<Emission> others(Send send) {
+        List<Emission> others = new ArrayList<>();
+        Port port = send.port();
+        if (!port.total() && !(send.emission() instanceof Automaton.Silence)) {
+            others.add(new Automaton.Silence());
+        }
+        for (Value value : some(port.type())) {
+            Expression constant = new Expression.Constant(value, port.type(), component.span());
+            Emission other = new Automaton.Messages(List.of(constant));
+            if (!isSame(send.emission(), value)) {
+                others.add(other);
+            }
+        }
+        return others;
+    }
+
+    private static boolean isSame(Emission emission, Value value) {
+        return emission instanceof Automaton.Messages messages
+                && messages.values().size() == 1
+                && messages.values().get(0) instanceof Expression.Constant constant
+                && constant.value().equals(value);
+    }
+
+    private static List<Value> some(Type type) {
+        if (type instanceof Type.EnumType constants) {
+            return IntStream.range(0, Math.min(FEW_MESSAGES, constants.constants().size()))
+                    .<Value>mapToObj(i -> new Value.EnumValue(constants, i))
+                    .toList();
+        }
+        return type instanceof Type.BooleanType
+                ? List.of(new Value.BooleanValue(false), new Value.BooleanValue(true))
+                : List.of();
+    }
+
+    private void matches(Transition t, List<Change> changes) {
+        for (int i = 0; i < t.matches().size(); i++) {
+            Match match = t.matches().get(i);
+            String what = "asks something else of '" + match.port().name() + "'";
+            changes.add(
+                    new Change(
+                            what,
+                            with(t, t.guard(), replaced(t.matches(), i, List.of()), t.sends())));
+            for (Pattern other : others(match)) {
+                List<Match> asked =
+                        replaced(t.matches(), i, List.of(new Match(match.port(), other)));
+                changes.add(new Change(what, with(t, t.guard(), asked, t.sends())));
+            }
+        }
+        for (Port port : component.inputs()) {
+            if (t.matches().stream().noneMatch(m -> m.port().name().equals(port.name()))) {
+                asksOf(port, t, changes);
+            }
+        }
+    }
+
+    private void asksOf(Port port, Transition t, List<Change> changes) {
+        List<Pattern> patterns =
+                port.total()
+                        ? List.of()
+                        : List.of(new Automaton.Present(), new Automaton.Absent());
+        for (Pattern pattern : patterns) {
+            List<Match> asked = new ArrayList<>(t.matches());
+            asked.add(new Match(port, pattern));
+            String what = "asks something of '" + port.name() + "'";
+            changes.add(new Change(what, with(t, t.guard(), asked, t.sends())));
+        }
+    }
+
+    private static List<Pattern> others(Match match) {
+        List<Pattern> others = new ArrayList<>();
+        if (match.pattern() instanceof Automaton.OneOf oneOf) {
+            for (int i = 0; oneOf.values().size() > 1 && i < oneOf.values().size(); i++) {
+                others.add(new Automaton.OneOf(replaced(oneOf.values(), i, List.of())));
+            }
+        }
+        if (!(match.pattern() instanceof Automaton.Present)) {
+            others.add(new Automaton.Present());
+        }
+        if (!(match.pattern() instanceof Automaton.Absent) && !match.port().total()) {
+            others.add(new Automaton.Absent());
+        }
+        if (match.pattern() instanceof Automaton.Present) {
+            for (Value value : some(match.port().type())) {
+                Type type = match.port().type();
+                others.add(
+                        new Automaton.OneOf(
+                                List.of(new Expression.Constant(value, type, null))));
+            }
+        }
+        return others;
+    }
+
+    private static void guard(Transition t, List<Change> changes) {
+        if (t.guard().isPresent()) {
+            changes.add(
+                    new Change(
+                            "has no guard", with(t, Optional.empty(), t.matches(), t.sends())));
+            for (Expression other : new GuardMutants(t.guard().get()).all()) {
+                changes.add(
+                        new Change(
+                                "has another guard",
+                                with(t, Optional.of(other), t.matches(), t.sends())));
+            }
+        }
+    }
+
+    private static void assignments(Transition t, List<Change> changes) {
+        for (int i = 0; i < t.assignments().size(); i++) {
+            String name = t.assignments().get(i).variable().name();
+            changes.add(
+                    new Change(
+                            "leaves '" + name + "' as it is",
+                            new Transition(
+                                    t.source(),
+                                    t.target(),
+                                    t.guard(),
+                                    t.matches(),
+                                    t.sends(),
+                                    replaced(t.assignments(), i, List.of()),
+                                    t.span())));
+        }
+    }
+
+    private static Transition with(
+            Transition t, Optional<Expression> guard, List<Match> matches, List<Send> sends) {
+        return new Transition(
+                t.source(), t.target(), guard, matches, sends, t.assignments(), t.span());
+    }
+
+    private static <T> List<T> replaced(List<T> list, int position, List<T> instead) {
+        List<T> changed = new ArrayList<>(list);
+        changed.remove(position);
+        changed.addAll(position, instead);
+        return changed;
+    }
+}
