@@ -9,7 +9,7 @@ public class ${head.name} {
 
 <#list inputs as input>
     /** ${input.port.comment} */
-    private ${input.port.type} ${input.port.name};
+    private ${input.port.type} ${input.port.name}<#if input.first != ""> = ${input.first}</#if>;
 <#if input.port.flag != "">
     private boolean ${input.port.flag};
 </#if>

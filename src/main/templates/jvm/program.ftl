@@ -24,7 +24,9 @@ public final class ${name} {
 <#if senses>
             whole.sense();
 </#if>
-            whole.step();
+<#if call != "">
+            whole.${call}();
+</#if>
 </#if>
         }
     }

@@ -30,7 +30,9 @@ public final class ${name} extends arcomat.nxt.Robot {
 <#if senses>
         whole.sense();
 </#if>
-        whole.step();
+<#if call != "">
+        whole.${call}();
+</#if>
 </#if>
     }
 }

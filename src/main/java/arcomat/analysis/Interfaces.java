@@ -32,8 +32,8 @@ final class Interfaces {
                             Optional.of(own.span())));
         }
         Map<String, Port> mine = new HashMap<>();
-        left.ports().forEach(port -> mine.put(port.name(), port));
-        for (Port port : right.ports()) {
+        left.drivenPorts().forEach(port -> mine.put(port.name(), port));
+        for (Port port : right.drivenPorts()) {
             Optional<Port> found = Optional.ofNullable(mine.get(port.name()));
             problem(left, found, port, right).ifPresent(problems::add);
         }
@@ -81,7 +81,7 @@ final class Interfaces {
 
     private static Optional<Sentence> problem(
             Promise left, Optional<Port> namesake, Port port, Promise right) {
-        String kind = port.isInput() ? "input" : "output";
+        String kind = kind(port);
         Optional<Port> found = namesake.filter(each -> each.isInput() == port.isInput());
         if (found.isEmpty()) {
             return Optional.of(
@@ -117,6 +117,12 @@ final class Interfaces {
                             Optional.of(found.get().span())));
         }
         return Optional.empty();
+    }
+
+    /** What belongs to a device is named by its path. */
+    private static String kind(Port port) {
+        boolean device = port.name().contains(".");
+        return port.isInput() ? device ? "sensor" : "input" : device ? "actuator" : "output";
     }
 
     /** The name of a type; where another one has the same name, what it consists of, too. */

@@ -97,19 +97,32 @@ public record Promise(
 
     /** What can be seen of it; ports of devices are named by their path, {@code left.value}. */
     List<Port> ports() {
-        if (!devices || !isComposition()) {
+        return devices ? withDevices(Port.Direction.IN, Port.Direction.OUT) : component.ports();
+    }
+
+    /**
+     * What a side needs to be compared with it: what can be seen, and what its sensors send, which
+     * its parts read whoever looks.
+     */
+    List<Port> drivenPorts() {
+        return devices ? ports() : withDevices(Port.Direction.IN);
+    }
+
+    /** Without arguments only the ports of the component itself are known. */
+    private List<Port> withDevices(Port.Direction... directions) {
+        if (!isComposition() || arguments.size() != component.parameters().size()) {
             return component.ports();
         }
         Network network = Network.of(component, arguments);
         List<Port> ports = new ArrayList<>(component.ports());
-        network.inputs().stream()
-                .skip(component.inputs().size())
-                .map(each -> seen(each, Port.Direction.IN))
-                .forEach(ports::add);
-        network.outputs().stream()
-                .skip(component.outputs().size())
-                .map(each -> seen(each, Port.Direction.OUT))
-                .forEach(ports::add);
+        for (Port.Direction direction : directions) {
+            boolean in = direction == Port.Direction.IN;
+            (in ? network.inputs() : network.outputs())
+                    .stream()
+                            .skip((in ? component.inputs() : component.outputs()).size())
+                            .map(each -> seen(each, direction))
+                            .forEach(ports::add);
+        }
         return ports;
     }
 
@@ -124,6 +137,7 @@ public record Promise(
                 port.delay(),
                 port.promised(),
                 port.latched(),
+                port.first(),
                 port.span());
     }
 

@@ -43,7 +43,7 @@ final class Vacuity {
                             : "%d of %d transitions of %s took part"
                                     .formatted(used.size(), all, right.title()));
         }
-        if (result.chaosReached() && result.promising() <= 1) {
+        if (result.chaosReached() && !result.promising()) {
             notes.add("empty: %s promises nothing after any input".formatted(right.title()));
         } else if (result.chaosReached()) {
             notes.add("some runs are allowed only because %s is in chaos".formatted(right.title()));

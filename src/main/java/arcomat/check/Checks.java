@@ -48,6 +48,7 @@ public final class Checks {
                     new EnumNotEmpty(),
                     new EventsForUntimedOnly(),
                     new FileNamesDifferInCaseOnly(),
+                    new FirstValueFits(),
                     new GuardIsBoolean(),
                     new IgnoreExcludesTotalOutput(),
                     new ImportResolves(),

@@ -25,6 +25,8 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
         REASON,
         /** The name of a component, a colon, and words. */
         NAME_AND_REASON,
+        /** Nothing, or a message of the port; a law of its own looks at it. */
+        MESSAGE,
         /** A code and a reason; a law of its own looks at it. */
         TEXT
     }
@@ -45,7 +47,7 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
                     flag("platform", COMPONENT),
                     flag("deploy", COMPONENT),
                     flag("total", PORT),
-                    flag("state", PORT),
+                    new KnownStereotype("state", Form.MESSAGE, PORT, List.of()),
                     new KnownStereotype("breaks", Form.REASON, PROMISING, List.of()),
                     new KnownStereotype("replaces", Form.NAME_AND_REASON, PROMISING, List.of()),
                     new KnownStereotype(

@@ -51,7 +51,7 @@ final class StereotypeValue implements Check.OnStereotypes {
                             "the name of a component that is gone and a reason, as in"
                                     + " <<%s = \"p.Robot: reason\">>",
                             findings);
-            case TEXT -> {}
+            case MESSAGE, TEXT -> {}
         }
     }
 

@@ -53,6 +53,9 @@ final class EventViews {
                     new EventPortView(
                             heads.get(number),
                             context.members().method(port),
+                            port.first()
+                                    .map(v -> context.expressions().of(v, port.type()).text())
+                                    .orElse(""),
                             waits ? context.members().local("waiting", port.name()) : "",
                             port.latched(),
                             number,

@@ -81,11 +81,11 @@ final class Members {
     /** Enum codes have 0 for no message; a total port always carries one. */
     static boolean needsFlag(Port port, Component.Profile profile) {
         boolean alwaysPresent = port.total() && profile == Component.Profile.TIME_SYNCHRONOUS;
-        return !(port.type() instanceof Type.EnumType) && !alwaysPresent;
+        return !(port.type() instanceof Type.EnumType) && !alwaysPresent && port.first().isEmpty();
     }
 
     boolean mayBeAbsent(Port port) {
-        return !(port.total() && timed);
+        return port.first().isEmpty() && !(port.total() && timed);
     }
 
     /** A free name for something of the tool's own. */

@@ -124,6 +124,7 @@ final class Views {
     private void program(Component main, Output output) throws TemplateFailure {
         TypeName name = program.nameOfProgram(main);
         HeadView head = Heads.of(program.context(main), program.draws(main));
+        boolean events = main.profile() == Component.Profile.EVENT_DRIVEN;
         ProgramView view =
                 new ProgramView(
                         head,
@@ -131,8 +132,9 @@ final class Views {
                         name.prefix(),
                         name.folder(),
                         name.name(),
-                        program.senses(main),
-                        main.profile() == Component.Profile.EVENT_DRIVEN,
+                        program.senses(main) && !(events && main.platform()),
+                        events && !main.platform(),
+                        events ? "" : program.call(main),
                         Integer.toString(main.cycle()));
         output.write("program", name.folder(), name.prefix(), name.name(), view);
     }

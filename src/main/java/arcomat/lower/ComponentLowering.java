@@ -4,6 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Parameter;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Variable;
 import arcomat.symbols.AutomatonSymbol;
 import arcomat.symbols.ComponentSymbol;
@@ -137,14 +138,16 @@ final class ComponentLowering {
     }
 
     private static Port port(PortSymbol symbol, Environment types, int delay) {
+        Type type = types.type(symbol.type());
         return new Port(
                 symbol.name(),
                 symbol.isInput() ? Port.Direction.IN : Port.Direction.OUT,
-                types.type(symbol.type()),
+                type,
                 symbol.isTotal(),
                 delay,
                 symbol.delay(),
                 symbol.isLatched(),
+                symbol.first().flatMap(first -> WrittenMessages.lower(first, symbol.type(), type)),
                 symbol.nameSpan());
     }
 

@@ -2,6 +2,8 @@ package arcomat.model;
 
 import arcomat.source.Span;
 
+import java.util.Optional;
+
 /**
  * A typed port.
  *
@@ -10,6 +12,8 @@ import arcomat.source.Span;
  *     part which sends.
  * @param promised the delay that is written down: what automata on a decomposed component ask for
  * @param latched event-driven profile: a value that guards may read and that triggers nothing
+ * @param first of a latched port, what it holds before its first message; empty where it holds
+ *     nothing then
  */
 public record Port(
         String name,
@@ -19,6 +23,7 @@ public record Port(
         int delay,
         int promised,
         boolean latched,
+        Optional<Value> first,
         Span span) {
 
     public enum Direction {
@@ -26,7 +31,7 @@ public record Port(
         OUT
     }
 
-    /** A port that sends as is written down. */
+    /** A port that sends as is written down, and holds nothing before its first message. */
     public Port(
             String name,
             Direction direction,
@@ -35,12 +40,12 @@ public record Port(
             int delay,
             boolean latched,
             Span span) {
-        this(name, direction, type, total, delay, delay, latched, span);
+        this(name, direction, type, total, delay, delay, latched, Optional.empty(), span);
     }
 
     /** The port as automata on a decomposed component see it. */
     Port asPromised() {
-        return new Port(name, direction, type, total, promised, promised, latched, span);
+        return new Port(name, direction, type, total, promised, promised, latched, first, span);
     }
 
     public boolean isInput() {

@@ -142,7 +142,7 @@ final class Formulas {
     }
 
     private boolean mayBeAbsent(Port port) {
-        return !(port.total() && totalPortsAlwaysPresent);
+        return port.first().isEmpty() && !(port.total() && totalPortsAlwaysPresent);
     }
 
     /** Drops tests of presence that hold by what stands before them. */

@@ -30,6 +30,7 @@ public final class StepRelation {
     private final List<List<Ready>> byState = new ArrayList<>();
     private final List<Attentions> attentions = new ArrayList<>();
     private final List<Start> starts = new ArrayList<>();
+    private final Optional<Value[]> held;
     private final Output silence;
     private final Output anything;
     private final Trace.Completed completed;
@@ -43,6 +44,7 @@ public final class StepRelation {
             Component component, Automaton automaton, Set<String> owned, List<Value> arguments) {
         this.component = component;
         this.automaton = automaton;
+        this.held = held(component);
         this.completed = new Trace.Completed(automaton.completion());
         List<Port> outputs = component.outputs();
         anything = new Output(outputs.stream().map(Effect::anything).toList());
@@ -58,6 +60,27 @@ public final class StepRelation {
         Scope scope = new Scope(component, arguments, automaton);
         prepareTransitions(owned, scope);
         prepareStarts(owned, scope);
+    }
+
+    /** What latched ports hold before their first message; empty where that is nothing. */
+    private static Optional<Value[]> held(Component component) {
+        return component.inputs().stream().allMatch(port -> port.first().isEmpty())
+                ? Optional.empty()
+                : Optional.of(
+                        component.inputs().stream()
+                                .map(port -> port.first().orElse(null))
+                                .toArray(Value[]::new));
+    }
+
+    private Value[] read(Input input) {
+        if (held.isEmpty()) {
+            return input.slots();
+        }
+        Value[] messages = input.slots().clone();
+        for (int port = 0; port < messages.length; port++) {
+            messages[port] = messages[port] == null ? held.get()[port] : messages[port];
+        }
+        return messages;
     }
 
     private void prepareTransitions(Set<String> owned, Scope scope) {
@@ -234,7 +257,7 @@ public final class StepRelation {
 
     private boolean isEnabled(Ready ready, Configuration before, Input input) {
         try {
-            return ready.condition.holds(input.slots(), before.slots());
+            return ready.condition.holds(read(input), before.slots());
         } catch (Fault fault) {
             throw fault.in(place(ready), ready.cause);
         }
@@ -248,10 +271,10 @@ public final class StepRelation {
     public Reaction take(Trace.Taken taken, Configuration before, Input input) {
         Ready ready = transitions.get(taken.index());
         try {
-            Value[] variables = ready.effect.variables(input.slots(), before.slots());
+            Value[] variables = ready.effect.variables(read(input), before.slots());
             return new Reaction(
                     ready.cause,
-                    ready.effect.output(input.slots(), before.slots()),
+                    ready.effect.output(read(input), before.slots()),
                     new Configuration(ready.cause.transition().target(), variables));
         } catch (Fault fault) {
             throw fault.in(place(ready), ready.cause);

@@ -2,6 +2,7 @@ package arcomat.symbols;
 
 import arcomat.source.Span;
 import arcomat.tree.Element;
+import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
 
@@ -55,6 +56,11 @@ public record PortSymbol(
         return Stereotype.find(stereotypes, "state").isPresent();
     }
 
+    /** What it holds before its first message, as it is written there. */
+    public Optional<Name> first() {
+        return Stereotype.find(stereotypes, "state").flatMap(Stereotype::value);
+    }
+
     /** The value of its stereotype {@code delay}, whatever is written there. */
     public Optional<Stereotype> delayStereotype() {
         return Stereotype.find(stereotypes, "delay");
@@ -68,11 +74,7 @@ public record PortSymbol(
         if (isInput()) {
             return 0;
         }
-        String written =
-                delayStereotype()
-                        .flatMap(Stereotype::value)
-                        .map(arcomat.tree.Name::text)
-                        .orElse("");
+        String written = delayStereotype().flatMap(Stereotype::value).map(Name::text).orElse("");
         return switch (written) {
             case "0" -> 0;
             case "1" -> 1;

@@ -37,6 +37,7 @@ class StereotypeTableTest {
         return switch (known.form()) {
             case FLAG -> "| `" + known.name() + "` | " + places(known) + " | ";
             case CHOICE -> "| `" + known.name() + " = " + values(known) + places(known) + " | ";
+            case MESSAGE -> "| `" + known.name() + "`, `" + known.name() + " = \"";
             case COUNT, REASON, NAME_AND_REASON, TEXT -> "| `" + known.name() + " = \"";
         };
     }

@@ -73,6 +73,7 @@ public final class CompositeSide implements Side {
                 port.delay(),
                 port.promised(),
                 port.latched(),
+                port.first(),
                 port.span());
     }
 

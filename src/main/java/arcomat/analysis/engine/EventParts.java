@@ -90,6 +90,15 @@ final class EventParts {
         }
     }
 
+    /** All ways in which a part is completed where there is nothing that it could handle. */
+    void idle(EventRun run, int part, List<EventRun> next, List<Outcome> errors) {
+        Behaviour behaviour = behaviours.get(part);
+        Input nothing = Input.of(new Value[behaviour.component().inputs().size()]);
+        Prospect prospect = behaviour.prospect(run.part(part), nothing, budget::insist);
+        prospect.errors().forEach(error -> errors.add(error(run, part, error)));
+        prospect.reactions().forEach(each -> follow(run.longer(), part, each, next, errors));
+    }
+
     /**
      * All ways in which the part whose turn it is takes its next event.
      *
@@ -108,13 +117,22 @@ final class EventParts {
         for (JointReaction reaction : reactions) {
             EventRun longer = run.longer();
             longer.take(part);
-            reaction.reactions().forEach(each -> longer.note(each.cause()));
-            longer.set(part, reaction.next());
             if (reactions.size() > 1) {
                 longer.setAlternative();
             }
-            finish(longer, part, reaction.output().ports(), next, errors);
+            follow(longer, part, reaction, next, errors);
         }
+    }
+
+    private void follow(
+            EventRun run,
+            int part,
+            JointReaction reaction,
+            List<EventRun> next,
+            List<Outcome> errors) {
+        reaction.reactions().forEach(each -> run.note(each.cause()));
+        run.set(part, reaction.next());
+        finish(run, part, reaction.output().ports(), next, errors);
     }
 
     private void finish(

@@ -23,7 +23,8 @@ import java.util.Optional;
  * and all that follows from it until every queue is empty. The beginning is the initial outputs and
  * what they cause. Runs that never end, and queues that overflow, are errors.
  *
- * <p>A letter has one event, and what latched external ports hold at that time.
+ * <p>A letter has one event, and what latched external ports hold at that time. One without an
+ * event stands for an event that only others have a port for.
  */
 final class EventUnfolding implements Unfolding {
     /** Longer runs are not followed. */
@@ -155,6 +156,9 @@ final class EventUnfolding implements Unfolding {
 
     private List<Outcome> run(Whole before, Value[] letter, Look[] looks) {
         EventRun run = new EventRun(before.parts(), latched(before, letter));
+        if (isEmpty(letter)) {
+            return idling(run);
+        }
         for (int i = 0; i < letter.length; i++) {
             if (letter[i] != null && !inputs.get(i).latched()) {
                 int signal = network.inputs().get(i).signal();
@@ -166,6 +170,33 @@ final class EventUnfolding implements Unfolding {
         }
         List<Outcome> outcomes = new ArrayList<>();
         complete(List.of(run), looks, outcomes);
+        return outcomes;
+    }
+
+    private boolean isEmpty(Value[] letter) {
+        for (int i = 0; i < letter.length; i++) {
+            if (letter[i] != null && !inputs.get(i).latched()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /**
+     * An event that no port is there for: as in an empty slice each part takes its completion, one
+     * after the other, and only then the first of them takes an event.
+     */
+    private List<Outcome> idling(EventRun beginning) {
+        List<Outcome> outcomes = new ArrayList<>();
+        List<EventRun> runs = List.of(beginning);
+        for (int part = 0; part < network.instances().size(); part++) {
+            List<EventRun> longer = new ArrayList<>();
+            for (EventRun run : runs) {
+                parts.idle(run, part, longer, outcomes);
+            }
+            runs = longer;
+        }
+        complete(runs, null, outcomes);
         return outcomes;
     }
 

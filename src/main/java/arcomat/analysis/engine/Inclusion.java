@@ -40,7 +40,7 @@ public final class Inclusion {
     private final Map<Integer, IntArrayList> largeSets = new HashMap<>();
     private boolean determined = true;
     private boolean chaosReached;
-    private int pairsInChaos;
+    private boolean promising;
     private Failure best;
     private final Map<List<Trace.Cause>, Failure> failures = new LinkedHashMap<>();
     private int level;
@@ -59,7 +59,7 @@ public final class Inclusion {
      * @param simulation whether the right side simulates the left one; empty where that was not
      *     decided
      * @param chaosReached whether some run is allowed only because the right side is in chaos
-     * @param promising pairs in which the right side is not in chaos
+     * @param promising whether the right side is not in chaos after some input
      * @param pairs how many were explored
      */
     public record Result(
@@ -67,7 +67,7 @@ public final class Inclusion {
             Optional<String> stopped,
             Optional<Boolean> simulation,
             boolean chaosReached,
-            long promising,
+            boolean promising,
             long pairs) {}
 
     /**
@@ -166,7 +166,7 @@ public final class Inclusion {
                 stopped,
                 simulated,
                 chaosReached,
-                lefts.size() - pairsInChaos,
+                promising,
                 lefts.size());
     }
 
@@ -261,6 +261,7 @@ public final class Inclusion {
             chaosReached = true;
             return;
         }
+        promising = promising || parent != NO_PARENT && !isInChaos(set);
         long key = (long) left << 32 | set;
         int slot = nodes.indexOf(key);
         if (nodes.indexExists(slot)) {
@@ -274,7 +275,7 @@ public final class Inclusion {
         if (pairing.sets.members(set).length > 1 && isCovered(left, set)) {
             return;
         }
-        noteChaos(set);
+        chaosReached = chaosReached || isInChaos(set);
         nodes.indexInsert(slot, key, lefts.size());
         lefts.add(left);
         sets.add(set);
@@ -282,14 +283,13 @@ public final class Inclusion {
         costs.add(cost);
     }
 
-    private void noteChaos(int set) {
+    private boolean isInChaos(int set) {
         for (int member : pairing.sets.members(set)) {
             if (pairing.right.isChaos(member)) {
-                chaosReached = true;
-                pairsInChaos++;
-                return;
+                return true;
             }
         }
+        return false;
     }
 
     /** Whether a smaller set, or a member that simulates the configuration, settles the pair. */

@@ -4,13 +4,10 @@ import arcomat.analysis.Budget;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
 
 import com.carrotsearch.hppc.LongObjectHashMap;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -138,7 +135,10 @@ final class Pairing {
         return known;
     }
 
-    /** The steps of a member of a set with each letter of an alphabet that is made for the set. */
+    /**
+     * The steps of a member of a set with each letter of an alphabet that is made for the set. An
+     * event on a port that the right side does not have is an empty letter for it.
+     */
     Steps[] rightSteps(int set, int member, Alphabet alphabet) {
         Steps[] known = rightRows.find(member, alphabet);
         if (known == null) {
@@ -147,34 +147,11 @@ final class Pairing {
             for (int letter = 0; letter < known.length; letter++) {
                 budget.insist();
                 Value[] own = rightLetter(alphabet.letter(letter));
-                known[letter] =
-                        isUnseenEvent(own) && !right.isChaos(member)
-                                ? standing(member)
-                                : right.steps(member, alphabet.kind(focus, letter), own);
+                known[letter] = right.steps(member, alphabet.kind(focus, letter), own);
             }
             rightRows.add(member, alphabet, known);
         }
         return known;
-    }
-
-    /** An event on a port that the right side does not have: it stands still and sends nothing. */
-    private boolean isUnseenEvent(Value[] letter) {
-        if (left.profile() != Component.Profile.EVENT_DRIVEN) {
-            return false;
-        }
-        for (int i = 0; i < letter.length; i++) {
-            if (letter[i] != null && !right.inputs().get(i).latched()) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private Steps standing(int configuration) {
-        Output silence = new Output(Collections.nCopies(observed.size(), Sent.SILENCE));
-        StepCollector collector = new StepCollector();
-        collector.add(outputs.number(silence), configuration, List.of(), silence);
-        return collector.steps();
     }
 
     /** How what the left side sends is answered by steps of the right side. */

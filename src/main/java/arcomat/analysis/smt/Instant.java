@@ -51,7 +51,7 @@ final class Instant {
 
     Term has(Port port) {
         boolean timed = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
-        return timed && port.total()
+        return timed && port.total() || port.first().isPresent()
                 ? solver.of(true)
                 : solver.truth("has " + port.name() + "@" + number);
     }

@@ -3,6 +3,8 @@ package arcomat.generate.view;
 /**
  * A main program; {@code head} is that of the component that it runs, {@code name} its own.
  *
+ * @param events whether events wait for it; else it works slice by slice
+ * @param call what it does in a slice; empty where that is nothing
  * @param cycle length of a slice in milliseconds
  */
 public record ProgramView(
@@ -13,4 +15,5 @@ public record ProgramView(
         String name,
         boolean senses,
         boolean events,
+        String call,
         String cycle) {}

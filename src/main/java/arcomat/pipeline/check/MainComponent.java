@@ -77,6 +77,15 @@ public record MainComponent(Component component, List<Value> arguments) {
                             + "' is generic and cannot run by itself; name a component with a part"
                             + " that says its type arguments");
         }
+        int hash = name.indexOf('#');
+        if (hash > 0 && model.component(name.substring(0, hash)).isPresent()) {
+            throw new WrongUse(
+                    "'"
+                            + name
+                            + "' names one automaton, and here a whole component is meant; write '"
+                            + name.substring(0, hash)
+                            + "'");
+        }
         throw new WrongUse("there is no component '" + name + "'" + hint(name, model));
     }
 

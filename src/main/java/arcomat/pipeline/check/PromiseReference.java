@@ -6,20 +6,24 @@ import arcomat.model.Model;
 import arcomat.pipeline.step.WrongUse;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
  * One side of a question, as it is written: {@code p.Robot}, {@code p.Timer(2)}, or one automaton
  * of several, {@code p.Robot#waits}.
+ *
+ * @param automaton empty where the whole component is meant
  */
-public record PromiseReference(String component, String automaton) {
+public record PromiseReference(String component, Optional<String> automaton) {
 
     /** Takes what was written apart; whether it exists is not asked. */
     public static PromiseReference parse(String written) {
         int hash = written.indexOf('#');
         return hash < 0
-                ? new PromiseReference(written, "")
-                : new PromiseReference(written.substring(0, hash), written.substring(hash + 1));
+                ? new PromiseReference(written, Optional.empty())
+                : new PromiseReference(
+                        written.substring(0, hash), Optional.of(written.substring(hash + 1)));
     }
 
     /**
@@ -33,14 +37,22 @@ public record PromiseReference(String component, String automaton) {
         if (automaton.isEmpty()) {
             return promise;
         }
-        return promise.only(automaton)
+        String name = automaton.get();
+        if (name.isEmpty()) {
+            throw new WrongUse(
+                    "the name of an automaton is missing behind '#' in '"
+                            + component
+                            + "#'; "
+                            + named(main.component()));
+        }
+        return promise.only(name)
                 .orElseThrow(
                         () ->
                                 new WrongUse(
                                         "component '"
                                                 + main.component().qualifiedName()
                                                 + "' has no automaton '"
-                                                + automaton
+                                                + name
                                                 + "'; "
                                                 + named(main.component())));
     }

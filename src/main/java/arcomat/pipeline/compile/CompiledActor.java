@@ -50,6 +50,9 @@ final class CompiledActor {
             Messages messages) {
         List<CompiledActor> actors = new ArrayList<>();
         for (Network.Instance instance : network.instances()) {
+            if (instance.component().platform()) {
+                continue;
+            }
             Component.Atomic body = (Component.Atomic) instance.component().body();
             Object object = parts.get(instance.path()).object();
             Layout.Place where = model.place(instance.component());

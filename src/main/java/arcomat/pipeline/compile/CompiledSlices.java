@@ -19,6 +19,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -31,7 +32,10 @@ final class CompiledSlices implements CompiledExecution.Engine {
     private final Messages messages;
     private final Object whole;
     private final MethodHandle sense;
-    private final MethodHandle step;
+
+    /** A platform component that is the whole has none: what it would do is not in the model. */
+    private final Optional<MethodHandle> step;
+
     private final List<PortSlot> inputs = new ArrayList<>();
     private final List<PortSlot> outputs = new ArrayList<>();
     private final Set<String> delayed;
@@ -46,8 +50,8 @@ final class CompiledSlices implements CompiledExecution.Engine {
         whole =
                 model.instantiate(
                         place.className(), messages.constructorArguments(arguments, seed));
-        step = method("step");
-        sense = place.senses() ? method("sense") : null;
+        step = component.platform() ? Optional.empty() : Optional.of(method("step"));
+        sense = place.senses() && !component.platform() ? method("sense") : null;
         delayed = delayed(component);
         Map<String, CompiledModel.Part> parts = model.parts(whole);
         for (Network.External external : network.inputs()) {
@@ -111,7 +115,7 @@ final class CompiledSlices implements CompiledExecution.Engine {
         }
         show(true, shown);
         try {
-            call(step);
+            step.ifPresent(CompiledSlices::call);
         } catch (ModelError problem) {
             throw new ModelError(culprit() + problem.getMessage());
         }

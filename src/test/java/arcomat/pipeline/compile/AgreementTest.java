@@ -76,7 +76,6 @@ class AgreementTest {
 
     private static Stream<DynamicTest> agreement(Model model, int words) {
         return model.components().stream()
-                .filter(component -> !component.platform())
                 .map(
                         component ->
                                 DynamicTest.dynamicTest(
