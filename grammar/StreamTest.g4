@@ -51,5 +51,5 @@ streamElement
 
 message
     : minus = '-'? literal                                                  # literalMessage
-    | qualifiedName arguments?                                              # nameMessage
+    | minus = '-'? qualifiedName arguments?                                 # nameMessage
     ;

@@ -19,9 +19,9 @@ component BadGuard {
     state only;
     initial only;
     only [a - b < 0] / {less = true};
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = 0, b = -2147483648} an integer overflows and wraps around; give ports and variables ranges
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = 2147483647, b = -2147483648} an integer overflows and wraps around; give ports and variables ranges
     only [a - b >= 0] / {less = false};
-//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = -2, b = 2147483647} an integer overflows and wraps around; give ports and variables ranges
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {a = 2147483647, b = -2147483648} an integer overflows and wraps around; give ports and variables ranges
   }
 }
 

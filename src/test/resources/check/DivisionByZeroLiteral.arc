@@ -62,3 +62,16 @@ testsuite UncertainTest for Computed(4 / (if 1 > 2 then 1 else 0)) {
     input { sum: <8>; }
   }
 }
+
+//// Wrapped.arc
+component Wrapped {
+  port in Integer sum, in Long large, out Integer mean, out Long share;
+
+  automaton {
+    state running;
+    initial running;
+    running {sum == ?} / {mean = sum / (2147483647 + 2147483647 + 2)};
+//                                      ~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0323: division by zero would stop the run; correct the divisor
+    running {large == ?} / {share = large / (2147483647L + 2147483647L + 2L)};
+  }
+}

@@ -47,3 +47,41 @@ component Sum {
     only {go == false} / {digit = 5 + 4};
   }
 }
+
+//// Wrapping.arc
+/** What is computed has the bits of its operands. */
+component Wrapping {
+  port in Boolean go, out Integer[0..9] digit, out Long[0..9] big;
+
+  automaton {
+    state only;
+    initial only;
+    only {go == true} / {digit = 2147483647 + 2147483647 + 4, big = 4294967296L * 4294967296L};
+    only {go == false} / {digit = 2147483647 + 1};
+//                                ~~~~~~~~~~~~~~ error ARC0322: -2147483648 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+    only {go == --} / {digit = -(-2147483647 - 1), big = 2147483647L + 1L};
+//                             ~~~~~~~~~~~~~~~~~~ error ARC0322: -2147483648 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+//                                                       ~~~~~~~~~~~~~~~~ error ARC0322: 2147483648 lies outside of Long[0..9]; write a number from 0 to 9 or widen the range
+  }
+}
+
+//// Spoken.arc
+component Spoken {
+  port in Integer[0..9] digit, out Boolean heard;
+
+  automaton {
+    state only;
+    initial only;
+    only {digit == ?} / {heard = true};
+  }
+}
+
+//// SpokenTest.mt
+testsuite SpokenTest for Spoken {
+  test hears {
+    input { digit: <9, Tk, 10, Tk, 2*(-1, Tk)>; }
+//                         ~~ error ARC0322: 10 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+//                                    ~~ error ARC0322: -1 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+    expect { heard: <Tk, true, Tk, Tk, Tk>; }
+  }
+}

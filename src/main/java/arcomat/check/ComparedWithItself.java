@@ -1,6 +1,7 @@
 package arcomat.check;
 
 import arcomat.source.Fix;
+import arcomat.symbols.BuiltinType;
 import arcomat.symbols.ItemSymbol;
 import arcomat.symbols.ItemValue;
 import arcomat.symbols.PortSymbol;
@@ -25,6 +26,7 @@ final class ComparedWithItself implements Check.OnItem {
         Optional<PortSymbol> port = Items.port(item);
         if (item.side() == ItemSymbol.Side.INPUT
                 && port.isPresent()
+                && !isReal(port.get())
                 && item.value() instanceof ItemValue.Single single) {
             TypedExpression value = single.expression().expression();
             if (reads(value, port.get())) {
@@ -33,6 +35,11 @@ final class ComparedWithItself implements Check.OnItem {
                 reportNever(item, port.get().name(), findings);
             }
         }
+    }
+
+    /** {@code NaN} does not equal itself: there, it is a question to be asked. */
+    private static boolean isReal(PortSymbol port) {
+        return port.type().base() instanceof BuiltinType type && type.isReal();
     }
 
     private static boolean reads(TypedExpression value, PortSymbol port) {

@@ -1,5 +1,7 @@
 package arcomat.generate;
 
+import arcomat.model.Value;
+
 import java.util.List;
 
 /**
@@ -58,11 +60,18 @@ final class Exclusion {
                 && one.bounds().get().excludes(two.bounds().get());
     }
 
+    /** No message equals both: 0.0 and -0.0 are one number. */
+    private static boolean differ(Value one, Value two) {
+        return one instanceof Value.RealValue left && two instanceof Value.RealValue right
+                ? left.value() != right.value()
+                : !one.equals(two);
+    }
+
     private static boolean valuesContradict(Formula.Is one, Formula.Is two) {
         if (one.equal() && two.equal()) {
             return one.constant().isPresent()
                     && two.constant().isPresent()
-                    && !one.constant().equals(two.constant());
+                    && differ(one.constant().get(), two.constant().get());
         }
         return one.equal() != two.equal() && one.text().equals(two.negated());
     }

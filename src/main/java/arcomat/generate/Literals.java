@@ -31,6 +31,9 @@ final class Literals {
         if (value instanceof Value.IntegerValue integer) {
             return of(integer.value(), type);
         }
+        if (value instanceof Value.RealValue real && !Double.isFinite(real.value())) {
+            return quotient(real.value(), type);
+        }
         if (value instanceof Value.RealValue real) {
             String digits = single(type) ? String.valueOf((float) real.value()) : real.toString();
             return number(digits.startsWith("-"), digits, type);
@@ -53,6 +56,14 @@ final class Literals {
                         ? Escapes.character(language, c.value())
                         : Escapes.string(language, ((Value.StringValue) value).value());
         return language.express("literal", type, Map.of("value", content), List.of());
+    }
+
+    /** What is infinite or no number has no literal. */
+    private Text quotient(double value, Type type) {
+        double dividend = Double.isNaN(value) ? 0 : Math.signum(value);
+        List<Text> operands =
+                List.of(of(new Value.RealValue(dividend), type), of(new Value.RealValue(0), type));
+        return language.express("divide", type, Map.of(), operands);
     }
 
     Text of(long value, Type type) {

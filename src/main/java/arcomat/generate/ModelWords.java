@@ -92,6 +92,10 @@ final class ModelWords {
         if (value instanceof Value.IntegerValue number && number.value() != (int) number.value()) {
             return value + "L";
         }
+        if (value instanceof Value.RealValue real && !Double.isFinite(real.value())) {
+            // These have no literal.
+            return "(" + (Double.isNaN(real.value()) ? 0.0 : Math.signum(real.value())) + " / 0.0)";
+        }
         boolean single = constant.type() instanceof Type.RealType real && real.single();
         return single
                 ? (float) ((Value.RealValue) constant.value()).value() + "f"
@@ -179,7 +183,11 @@ final class ModelWords {
                 + " "
                 + COMPARISONS.get(binary.operator())
                 + " "
-                + constant(binary.right());
+                + operand(binary.right());
+    }
+
+    private String operand(Expression e) {
+        return e instanceof Expression.PortRead read ? read.port().name() : constant(e);
     }
 
     private String matches(Expression.PortMatches matches) {

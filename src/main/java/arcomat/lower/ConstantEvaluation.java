@@ -27,7 +27,7 @@ final class ConstantEvaluation {
         }
         if (expression instanceof Expression.IsIn membership) {
             Value element = value(membership.element());
-            return truth(membership.set().stream().anyMatch(e -> value(e).equals(element)));
+            return truth(membership.set().stream().anyMatch(e -> equal(value(e), element)));
         }
         throw new IllegalStateException("not constant at " + expression.span());
     }
@@ -58,25 +58,42 @@ final class ConstantEvaluation {
             case OR -> truth(isTrue(binary.left()) || isTrue(binary.right()));
             case IMPLIES -> truth(!isTrue(binary.left()) || isTrue(binary.right()));
             case EQUIVALENT -> truth(isTrue(binary.left()) == isTrue(binary.right()));
-            case EQUAL -> truth(value(binary.left()).equals(value(binary.right())));
-            case NOT_EQUAL -> truth(!value(binary.left()).equals(value(binary.right())));
+            case EQUAL -> truth(equal(value(binary.left()), value(binary.right())));
+            case NOT_EQUAL -> truth(!equal(value(binary.left()), value(binary.right())));
             case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL -> truth(compare(binary));
             case MULTIPLY, DIVIDE, REMAINDER, PLUS, MINUS -> arithmetic(binary);
         };
     }
 
+    /** Numbers as Java's {@code ==} has them: NaN equals nothing, and there is one zero. */
+    private static boolean equal(Value left, Value right) {
+        return left instanceof Value.RealValue
+                ? Conversion.real(left) == Conversion.real(right)
+                : left.equals(right);
+    }
+
     private static boolean compare(Expression.Binary binary) {
         Value left = value(binary.left());
         Value right = value(binary.right());
-        int order =
-                left instanceof Value.RealValue
-                        ? Double.compare(Conversion.real(left), Conversion.real(right))
-                        : Long.compare(number(left), number(right));
+        if (left instanceof Value.RealValue) {
+            return compare(binary, Conversion.real(left), Conversion.real(right));
+        }
+        int order = Long.compare(number(left), number(right));
         return switch (binary.operator()) {
             case LESS -> order < 0;
             case LESS_OR_EQUAL -> order <= 0;
             case GREATER -> order > 0;
             case GREATER_OR_EQUAL -> order >= 0;
+            default -> throw new AssertionError(binary.operator());
+        };
+    }
+
+    private static boolean compare(Expression.Binary binary, double left, double right) {
+        return switch (binary.operator()) {
+            case LESS -> left < right;
+            case LESS_OR_EQUAL -> left <= right;
+            case GREATER -> left > right;
+            case GREATER_OR_EQUAL -> left >= right;
             default -> throw new AssertionError(binary.operator());
         };
     }

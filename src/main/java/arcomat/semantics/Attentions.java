@@ -4,6 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
@@ -121,12 +122,25 @@ final class Attentions {
     private void comparison(Expression.Binary binary, boolean ordered) {
         Optional<Port> left = Comparand.port(binary.left());
         Optional<Port> right = Comparand.port(binary.right());
-        if (left.isPresent()) {
+        if (left.isPresent() && left.equals(right)) {
+            withItself(left.get());
+        } else if (left.isPresent()) {
             compare(left.get(), binary.right(), ordered);
         } else if (right.isPresent()) {
             compare(right.get(), binary.left(), ordered);
         } else {
             whole(binary);
+        }
+    }
+
+    /**
+     * That tells nothing of a message, but whether it is a number: only NaN differs from itself.
+     */
+    private void withItself(Port port) {
+        seen.add(scope.port(port));
+        if (port.type() instanceof Type.RealType) {
+            Value zero = new Value.RealValue(0);
+            probes.add(new Probe(port, (ports, variables) -> zero, true, true));
         }
     }
 

@@ -51,9 +51,7 @@ final class Comparand {
             double number = real(value);
             double rounded = real.single() ? (float) number : number;
             // There is only one zero: -0.0 equals 0.0.
-            return Double.isFinite(rounded)
-                    ? List.of(new Value.RealValue(rounded + 0.0))
-                    : List.of();
+            return Double.isNaN(rounded) ? List.of() : List.of(new Value.RealValue(rounded + 0.0));
         }
         if (type instanceof Type.IntegerType && !(value instanceof Value.IntegerValue)) {
             double number = Math.floor(real(value));

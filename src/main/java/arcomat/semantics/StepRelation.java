@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
 
 /**
  * All steps of one automaton: a relation between configurations, inputs, outputs and next
@@ -34,6 +35,7 @@ public final class StepRelation {
     private final Output silence;
     private final Output anything;
     private final Trace.Completed completed;
+    private final Scope scope;
 
     /**
      * @param owned names of the output ports that the automaton decides about; the others are free
@@ -57,9 +59,9 @@ public final class StepRelation {
                                                         ? Sent.SILENCE
                                                         : Effect.anything(port))
                                 .toList());
-        Scope scope = new Scope(component, arguments, automaton);
-        prepareTransitions(owned, scope);
-        prepareStarts(owned, scope);
+        scope = new Scope(component, arguments, automaton);
+        prepareTransitions(owned);
+        prepareStarts(owned);
     }
 
     /** What latched ports hold before their first message; empty where that is nothing. */
@@ -83,7 +85,7 @@ public final class StepRelation {
         return messages;
     }
 
-    private void prepareTransitions(Set<String> owned, Scope scope) {
+    private void prepareTransitions(Set<String> owned) {
         for (int i = 0; i < automaton.states().size(); i++) {
             byState.add(new ArrayList<>(2));
             attentions.add(new Attentions(component, scope));
@@ -108,7 +110,7 @@ public final class StepRelation {
         }
     }
 
-    private void prepareStarts(Set<String> owned, Scope scope) {
+    private void prepareStarts(Set<String> owned) {
         Value[] values = new Value[automaton.variables().size()];
         for (int i = 0; i < values.length; i++) {
             values[i] = scope.first(component, automaton.variables().get(i));
@@ -221,6 +223,44 @@ public final class StepRelation {
     private String forbids(Configuration before) {
         return Fault.place(component, automaton, before.state())
                 + ": the automaton forbids this input";
+    }
+
+    /**
+     * What the guards say of an input.
+     *
+     * @param enabled the transitions that may be taken, in text order
+     * @param faults of the guards that go wrong
+     */
+    public record Choices(List<Trace.Taken> enabled, List<Fault> faults) {}
+
+    /** The transitions that may be taken: a guard that goes wrong forbids none of the others. */
+    public Choices choices(Configuration before, Input input) {
+        List<Trace.Taken> enabled = NONE;
+        List<Fault> faults = List.of();
+        for (Ready ready : before.isState() ? byState.get(before.state()) : List.<Ready>of()) {
+            try {
+                enabled = isEnabled(ready, before, input) ? plus(enabled, ready.cause) : enabled;
+            } catch (Fault fault) {
+                faults = plus(faults, fault);
+            }
+        }
+        return new Choices(enabled, faults);
+    }
+
+    /** Whether a condition is true; neither where it is undefined nor where it goes wrong. */
+    public BiPredicate<Configuration, Input> condition(Expression expression) {
+        Term condition = Evaluation.compile(expression, scope);
+        return (configuration, input) -> {
+            try {
+                return isTrue(condition.evaluate(input.slots(), configuration.slots()));
+            } catch (Fault fault) {
+                return false;
+            }
+        };
+    }
+
+    private static boolean isTrue(Value value) {
+        return value != null && ((Value.BooleanValue) value).value();
     }
 
     /** The transitions that may be taken, in text order. */

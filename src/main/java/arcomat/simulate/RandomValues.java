@@ -11,6 +11,11 @@ import arcomat.rt.Choice;
 final class RandomValues {
     private static final int SMALL = 12;
 
+    /** What a sensor may well send that divides by what it measures. */
+    private static final double[] UNUSUAL = {
+        Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, -0.0
+    };
+
     private RandomValues() {}
 
     static Value draw(Type type, Choice generator) {
@@ -20,9 +25,8 @@ final class RandomValues {
         if (type instanceof Type.IntegerType integer) {
             return new Value.IntegerValue(integer(integer, generator));
         }
-        if (type instanceof Type.RealType real) {
-            double value = (generator.next(8 * SMALL + 1) - 4 * SMALL) / 4.0;
-            return new Value.RealValue(real.single() ? (float) value : value);
+        if (type instanceof Type.RealType) {
+            return new Value.RealValue(real(generator));
         }
         if (type instanceof Type.CharacterType) {
             return new Value.CharacterValue((char) ('a' + generator.next(26)));
@@ -40,6 +44,14 @@ final class RandomValues {
                     object.attributes().stream().map(a -> draw(a.type(), generator)).toList());
         }
         throw new AssertionError(type);
+    }
+
+    /** Of few digits, so that single precision holds it, too. */
+    private static double real(Choice generator) {
+        int number = generator.next(8 * SMALL + 1 + UNUSUAL.length);
+        return number < UNUSUAL.length
+                ? UNUSUAL[number]
+                : (number - UNUSUAL.length - 4 * SMALL) / 4.0;
     }
 
     private static long integer(Type.IntegerType type, Choice generator) {

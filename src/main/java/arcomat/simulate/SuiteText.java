@@ -114,6 +114,7 @@ public final class SuiteText {
             return number + "L";
         }
         return value instanceof Value.RealValue real
+                        && Double.isFinite(real.value())
                         && type instanceof Type.RealType kind
                         && kind.single()
                 ? (float) real.value() + "f"

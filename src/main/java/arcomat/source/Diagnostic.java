@@ -3,6 +3,7 @@ package arcomat.source;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * A finding about a text.
@@ -20,16 +21,30 @@ public record Diagnostic(
         List<Related> related,
         Optional<Fix> fix) {
 
-    /** By file, place and code: the order in which findings are shown. */
+    /**
+     * By file, place and code: the order in which findings are shown. Findings that explain
+     * themselves by different places are different.
+     */
     public static final Comparator<Diagnostic> ORDER =
             Comparator.comparing((Diagnostic d) -> d.span().file().path())
                     .thenComparingInt(d -> d.span().start())
                     .thenComparingInt(d -> d.span().end())
                     .thenComparing(Diagnostic::code)
-                    .thenComparing(Diagnostic::message);
+                    .thenComparing(Diagnostic::message)
+                    .thenComparing(Diagnostic::places);
 
     public Diagnostic {
         related = List.copyOf(related);
+    }
+
+    private String places() {
+        return related.stream().map(Diagnostic::place).collect(Collectors.joining("; "));
+    }
+
+    private static String place(Related related) {
+        return "%s %09d %09d"
+                .formatted(
+                        related.span().file().path(), related.span().start(), related.span().end());
     }
 
     public static Diagnostic error(String code, Span span, String message) {

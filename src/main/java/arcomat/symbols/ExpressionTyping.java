@@ -43,6 +43,11 @@ public final class ExpressionTyping {
     }
 
     private TypedExpression type(Expression expression, TypeSymbol expected) {
+        return (objects ? RealNames.type(expression, expected) : Optional.<TypedExpression>empty())
+                .orElseGet(() -> typeAny(expression, expected));
+    }
+
+    private TypedExpression typeAny(Expression expression, TypeSymbol expected) {
         if (expression instanceof Expression.Literal literal) {
             return literal(literal, false);
         }

@@ -48,7 +48,7 @@ public final class Analyses {
             subject = Subject.of(promise.component(), automaton, promise.arguments());
         } catch (Fault fault) {
             List<Finding> findings = List.of(beginning(fault, automaton));
-            return new Examination(promise, findings, "", List.of(), 0);
+            return new Examination(promise, findings, "", 0);
         }
         List<Analysis> analyses = ALL.stream().map(each -> each.apply(subject)).toList();
         Seen seen = new Seen();
@@ -62,8 +62,7 @@ public final class Analyses {
                             new Solving(subject, watching, seen, budget).after(exploration);
                     return examination(promise, subject, analyses, known);
                 },
-                reason ->
-                        new Examination(promise, List.of(), reason, List.of(), exploration.size()));
+                reason -> new Examination(promise, List.of(), reason, exploration.size()));
     }
 
     private static Examination examination(
@@ -73,11 +72,7 @@ public final class Analyses {
         findings.sort(ORDER);
         Remainder remainder = new Remainder(subject, knowledge);
         return new Examination(
-                promise,
-                findings,
-                remainder.obstacle(),
-                remainder.notes(),
-                knowledge.explored().size());
+                promise, findings, remainder.obstacle(), knowledge.explored().size());
     }
 
     /** Where there is no end to the values, the solver is asked soon. */

@@ -57,7 +57,7 @@ final class Completeness implements Analysis {
                 Value[] letter = silent.letter().clone();
                 letter[port] = FirstValue.of(inputs.get(port).type());
                 return Optional.of(
-                        new Situation(silent.visit(), letter, List.of(), Optional.empty()));
+                        new Situation(silent.visit(), letter, List.of(), List.of(), List.of()));
             }
         }
         return Optional.empty();

@@ -13,17 +13,10 @@ import java.util.List;
  * @param promise the automaton alone, with the arguments of its component
  * @param findings by place in the text
  * @param obstacle why not everything is known; else empty. Findings hold in any case
- * @param notes under what assumption something never happens
  * @param explored how many configurations were looked at
  */
-public record Examination(
-        Promise promise,
-        List<Finding> findings,
-        String obstacle,
-        List<String> notes,
-        int explored) {
+public record Examination(Promise promise, List<Finding> findings, String obstacle, int explored) {
     public Examination {
-        notes = List.copyOf(notes);
         findings = List.copyOf(findings);
     }
 
@@ -45,6 +38,6 @@ public record Examination(
 
     /** The same with some of the findings. */
     public Examination with(List<Finding> some) {
-        return new Examination(promise, some, obstacle, notes, explored);
+        return new Examination(promise, some, obstacle, explored);
     }
 }

@@ -38,7 +38,7 @@ final class Exploration {
 
     Exploration(Subject subject, List<? extends Watcher> watching, Budget budget) {
         this.subject = subject;
-        this.stepper = new Stepper(subject);
+        this.stepper = Stepper.of(subject);
         this.watching = watching;
         this.budget = budget;
         this.reached = new boolean[subject.automaton().states().size()];

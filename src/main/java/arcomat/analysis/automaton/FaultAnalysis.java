@@ -6,6 +6,7 @@ import arcomat.source.Diagnostic;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /** Run errors of one kind, one finding for each transition that can go wrong. */
 abstract class FaultAnalysis implements Analysis {
@@ -24,7 +25,7 @@ abstract class FaultAnalysis implements Analysis {
 
     @Override
     public final void see(Situation situation) {
-        situation.fault().ifPresent(fault -> note(fault, situation));
+        situation.faults().forEach(fault -> note(fault, situation));
         for (Situation.Alternative each : situation.alternatives()) {
             each.fault().ifPresent(fault -> note(fault, situation));
         }
@@ -57,17 +58,14 @@ abstract class FaultAnalysis implements Analysis {
         return story.finding(diagnostic, situation);
     }
 
+    /** Of the guard, or of what is done where it is true. */
     private static String problem(int transition, Situation situation) {
-        return situation.fault().stream()
+        return Stream.concat(
+                        situation.faults().stream(),
+                        situation.alternatives().stream().flatMap(each -> each.fault().stream()))
+                .filter(fault -> fault.taken().orElseThrow().index() == transition)
                 .map(Fault::problem)
                 .findFirst()
-                .orElseGet(
-                        () ->
-                                situation.alternatives().stream()
-                                        .filter(each -> each.taken().index() == transition)
-                                        .flatMap(each -> each.fault().stream())
-                                        .map(Fault::problem)
-                                        .findFirst()
-                                        .orElseThrow());
+                .orElseThrow();
     }
 }

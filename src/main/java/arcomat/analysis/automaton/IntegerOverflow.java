@@ -7,14 +7,15 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * An integer without a range that wraps around, as Java's do. Analyses compute without bounds and
- * owe it to their reader to say where that makes a difference.
+ * An integer without a range that wraps around, as Java's do. All that is found beside it is right
+ * with that; but seldom is it what the author had in mind.
  */
 final class IntegerOverflow implements Analysis {
     static final String CODE = "ARC1009";
 
     private final Subject subject;
     private final Story story;
+    private final Witnesses<Integer> overflows = new Witnesses<>();
 
     IntegerOverflow(Subject subject) {
         this.subject = subject;
@@ -22,9 +23,14 @@ final class IntegerOverflow implements Analysis {
     }
 
     @Override
+    public void see(Situation situation) {
+        situation.wrapping().forEach(transition -> overflows.add(transition, situation));
+    }
+
+    @Override
     public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
-        for (Map.Entry<Integer, Situation> entry : knowledge.overflows().entrySet()) {
+        for (Map.Entry<Integer, Situation> entry : overflows.all().entrySet()) {
             Situation situation = entry.getValue();
             String message =
                     "in %s on %s an integer overflows and wraps around; give ports and variables ranges"

@@ -13,13 +13,8 @@ import java.util.Set;
  *
  * @param seen what some run shows
  * @param outcomes of the questions that were put to the solver
- * @param overflows a situation for each transition whose integers can overflow
  */
-record Knowledge(
-        Exploration explored,
-        Set<Question> seen,
-        Map<Question, Outcome> outcomes,
-        Map<Integer, Situation> overflows) {
+record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome> outcomes) {
 
     /** Whether all configurations have been looked at, one by one. */
     boolean isExhaustive() {

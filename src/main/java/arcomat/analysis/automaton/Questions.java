@@ -28,6 +28,9 @@ record Questions(Subject subject) {
             for (Fault.Kind kind : Fault.Kind.values()) {
                 all.add(new Question.Wrong(transition, kind));
             }
+            if (subject.conditions().get(transition).mayWrap()) {
+                all.add(new Question.Overflow(transition));
+            }
         }
         bySource().values().forEach(leaving -> addTogether(leaving, all));
         if (subject.automaton().completion() != Automaton.Completion.IGNORE) {

@@ -6,7 +6,7 @@ import arcomat.analysis.smt.Question;
 import java.util.List;
 import java.util.Map;
 
-/** What a reader has to know beside the findings: what stays open, and what was assumed. */
+/** What a reader has to know beside the findings: what stays open. */
 record Remainder(Subject subject, Knowledge knowledge) {
 
     /** Why not everything is known; empty where it is. */
@@ -19,7 +19,6 @@ record Remainder(Subject subject, Knowledge knowledge) {
         }
         List<Map.Entry<Question, Outcome>> open =
                 knowledge.outcomes().entrySet().stream()
-                        .filter(each -> !(each.getKey() instanceof Question.Overflow))
                         .filter(each -> knowledge.isOpen(each.getKey()))
                         .toList();
         if (!open.isEmpty()) {
@@ -37,17 +36,5 @@ record Remainder(Subject subject, Knowledge knowledge) {
         return "it is open whether %s (%s)%s"
                 .formatted(
                         new Questions(subject).words(open.get(0).getKey()), first.reason(), more);
-    }
-
-    /** Under which assumption what never happens never happens. */
-    List<String> notes() {
-        if (knowledge.isExhaustive()) {
-            return List.of();
-        }
-        boolean owed =
-                knowledge.outcomes().entrySet().stream()
-                        .filter(each -> each.getKey() instanceof Question.Overflow)
-                        .anyMatch(each -> !(each.getValue() instanceof Outcome.Impossible));
-        return owed ? List.of("assuming that no integer overflows") : List.of();
     }
 }

@@ -27,7 +27,8 @@ final class Seen implements Watcher {
     static Set<Question> shownBy(Situation situation) {
         Set<Question> shown = new HashSet<>();
         shown.add(new Question.Reached(situation.state()));
-        situation.fault().ifPresent(fault -> shown.add(wrong(fault)));
+        situation.faults().forEach(fault -> shown.add(wrong(fault)));
+        situation.wrapping().forEach(each -> shown.add(new Question.Overflow(each)));
         if (situation.isUnhandled()) {
             shown.add(new Question.Unhandled(situation.state(), situation.isSilent()));
         }

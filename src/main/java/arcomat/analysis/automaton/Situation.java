@@ -14,10 +14,15 @@ import java.util.Optional;
  *
  * @param letter messages by position of the input port, null for silence
  * @param alternatives one per enabled transition, in text order
- * @param fault where a guard goes wrong; then nothing is known of the alternatives
+ * @param faults of the guards that go wrong
+ * @param wrapping indices of the transitions of which an integer wraps around
  */
 record Situation(
-        Visit visit, Value[] letter, List<Alternative> alternatives, Optional<Fault> fault) {
+        Visit visit,
+        Value[] letter,
+        List<Alternative> alternatives,
+        List<Fault> faults,
+        List<Integer> wrapping) {
 
     /**
      * An enabled transition.
@@ -32,9 +37,9 @@ record Situation(
         return visit.configuration().state();
     }
 
-    /** Whether no transition answers. */
+    /** Whether no transition answers, well or wrong. */
     boolean isUnhandled() {
-        return alternatives.isEmpty() && fault.isEmpty();
+        return alternatives.isEmpty() && faults.isEmpty();
     }
 
     boolean isSilent() {

@@ -4,15 +4,11 @@ import arcomat.analysis.Budget;
 import arcomat.analysis.smt.Outcome;
 import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.SymbolicSearch;
-import arcomat.model.Automaton;
-import arcomat.model.Expression;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 
 /** Puts to the solver what trying has left open, and shows what it found to those who watch. */
 final class Solving {
@@ -34,7 +30,7 @@ final class Solving {
         this.watching = watching;
         this.seen = seen;
         this.budget = budget;
-        this.walk = new Walk(subject, new Stepper(subject));
+        this.walk = new Walk(subject, Stepper.of(subject));
     }
 
     Knowledge after(Exploration explored) {
@@ -51,39 +47,22 @@ final class Solving {
                             subject.component(),
                             subject.relation(),
                             subject.arguments(),
+                            subject.conditions(),
                             questions,
                             this::confirm,
                             budget.patient(PATIENCE)::isSpent);
         }
-        Map<Integer, Situation> overflows = new TreeMap<>();
-        found.forEach((question, situation) -> show(question, situation, overflows));
-        return new Knowledge(explored, seen.questions(), outcomes, overflows);
+        found.values().forEach(this::show);
+        return new Knowledge(explored, seen.questions(), outcomes);
     }
 
     private List<Question> open(Exploration explored) {
-        List<Question> open = new ArrayList<>();
-        if (!explored.isComplete()) {
-            open.addAll(new Questions(subject).all());
-            open.removeAll(seen.questions());
+        if (explored.isComplete()) {
+            return List.of();
         }
-        for (int i = 0; i < subject.automaton().transitions().size(); i++) {
-            if (mayOverflow(subject.transition(i))) {
-                open.add(new Question.Overflow(i));
-            }
-        }
+        List<Question> open = new Questions(subject).all();
+        open.removeAll(seen.questions());
         return open;
-    }
-
-    private static boolean mayOverflow(Automaton.Transition transition) {
-        List<Expression> all = new ArrayList<>();
-        transition.guard().ifPresent(all::add);
-        for (Automaton.Send send : transition.sends()) {
-            if (send.emission() instanceof Automaton.Messages messages) {
-                all.addAll(messages.values());
-            }
-        }
-        transition.assignments().forEach(assignment -> all.add(assignment.value()));
-        return all.stream().anyMatch(Intervals::mayOverflow);
     }
 
     private boolean confirm(Question question, Outcome.Run run) {
@@ -92,11 +71,7 @@ final class Solving {
         return situation.isPresent();
     }
 
-    private void show(Question question, Situation situation, Map<Integer, Situation> overflows) {
-        if (question instanceof Question.Overflow overflow) {
-            overflows.put(overflow.transition(), situation);
-            return;
-        }
+    private void show(Situation situation) {
         watching.forEach(each -> each.see(situation));
         seen.questions().addAll(Seen.shownBy(situation));
     }

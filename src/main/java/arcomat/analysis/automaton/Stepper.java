@@ -1,23 +1,54 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.smt.Condition;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.semantics.Configuration;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Reaction;
+import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.BiPredicate;
 import java.util.function.ToIntFunction;
 
-/** Looks at what a letter does in a configuration. */
-record Stepper(Subject subject) {
+/**
+ * Looks at what a letter does in a configuration.
+ *
+ * @param wrapping of each state the transitions of which an integer may wrap around
+ */
+record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
+
+    /** When an integer of a transition wraps around. */
+    record Wrapping(
+            int transition,
+            BiPredicate<Configuration, Input> inGuard,
+            BiPredicate<Configuration, Input> inEffect) {}
+
+    static Stepper of(Subject subject) {
+        List<List<Wrapping>> wrapping = new ArrayList<>();
+        subject.automaton().states().forEach(state -> wrapping.add(new ArrayList<>(0)));
+        for (int i = 0; i < subject.conditions().size(); i++) {
+            Condition condition = subject.conditions().get(i);
+            if (condition.mayWrap()) {
+                wrapping.get(subject.transition(i).source())
+                        .add(
+                                new Wrapping(
+                                        i,
+                                        subject.relation().condition(condition.wrapsInGuard()),
+                                        subject.relation().condition(condition.wrapsInEffect())));
+            }
+        }
+        return new Stepper(subject, wrapping);
+    }
 
     /**
      * @param next the number of the visit that a reaction leads to
@@ -25,14 +56,29 @@ record Stepper(Subject subject) {
     Situation situation(Visit visit, Value[] letter, ToIntFunction<Reaction> next) {
         Input input = Input.of(letter);
         List<Alternative> alternatives = new ArrayList<>();
-        try {
-            for (Trace.Taken taken : subject.relation().enabled(visit.configuration(), input)) {
-                alternatives.add(alternative(taken, visit, input, next));
-            }
-        } catch (Fault inGuard) {
-            return new Situation(visit, letter, List.of(), Optional.of(inGuard));
+        StepRelation.Choices choices = subject.relation().choices(visit.configuration(), input);
+        for (Trace.Taken taken : choices.enabled()) {
+            alternatives.add(alternative(taken, visit, input, next));
         }
-        return new Situation(visit, letter, alternatives, Optional.empty());
+        return new Situation(
+                visit,
+                letter,
+                alternatives,
+                choices.faults(),
+                wrapping(visit.configuration(), input, choices.enabled()));
+    }
+
+    private List<Integer> wrapping(
+            Configuration configuration, Input input, List<Trace.Taken> enabled) {
+        List<Integer> found = new ArrayList<>(0);
+        for (Wrapping each : wrapping.get(configuration.state())) {
+            boolean taken = enabled.stream().anyMatch(t -> t.index() == each.transition);
+            if (each.inGuard.test(configuration, input)
+                    || taken && each.inEffect.test(configuration, input)) {
+                found.add(each.transition);
+            }
+        }
+        return found;
     }
 
     private Alternative alternative(

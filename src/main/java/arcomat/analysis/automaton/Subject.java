@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.smt.Condition;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Type;
@@ -14,16 +15,26 @@ import java.util.List;
  *
  * @param arguments one per parameter of the component
  * @param relation its steps, with the ports that it decides about
+ * @param conditions one per transition
  */
 record Subject(
-        Component component, Automaton automaton, List<Value> arguments, StepRelation relation) {
+        Component component,
+        Automaton automaton,
+        List<Value> arguments,
+        StepRelation relation,
+        List<Condition> conditions) {
 
     /**
      * @throws arcomat.semantics.Fault where constants or initial values go wrong
      */
     static Subject of(Component component, Automaton automaton, List<Value> arguments) {
         Behaviour behaviour = Behaviour.of(component, List.of(automaton), arguments);
-        return new Subject(component, automaton, arguments, behaviour.relations().get(0));
+        return new Subject(
+                component,
+                automaton,
+                arguments,
+                behaviour.relations().get(0),
+                Condition.of(component.profile(), automaton));
     }
 
     /** Whether a variable has so many values that trying them may not end. */

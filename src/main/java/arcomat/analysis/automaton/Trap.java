@@ -37,8 +37,8 @@ final class Trap implements Analysis {
         if (number < 0) {
             return; // found by the solver: not all is seen, and nothing is claimed
         }
-        if (situation.fault().isPresent()) {
-            sending.set(number); // the run ends in an error there, and that is found elsewhere
+        if (!situation.faults().isEmpty()) {
+            sending.set(number); // a run ends in an error there, and that is found elsewhere
         }
         for (Alternative each : situation.alternatives()) {
             if (sends(subject, each.taken().transition()) || each.fault().isPresent()) {

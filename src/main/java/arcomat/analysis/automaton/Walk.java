@@ -32,16 +32,10 @@ record Walk(Subject subject, Stepper stepper) {
 
     private Optional<Situation> end(Visit end, Run run, Question question) {
         Predicate<Value[]> shows =
-                letter ->
-                        question instanceof Question.Overflow
-                                ? run.exact()
-                                : Seen.shownBy(situation(end, letter)).contains(question);
-        if (!shows.test(run.last())) {
-            return Optional.empty();
-        }
-        boolean mayShrink = !(question instanceof Question.Overflow);
-        Value[] letter = mayShrink ? withoutNeedless(end, run.last(), shows) : run.last();
-        return Optional.of(situation(end, letter));
+                letter -> Seen.shownBy(situation(end, letter)).contains(question);
+        return shows.test(run.last())
+                ? Optional.of(situation(end, withoutNeedless(end, run.last(), shows)))
+                : Optional.empty();
     }
 
     private Situation situation(Visit visit, Value[] letter) {

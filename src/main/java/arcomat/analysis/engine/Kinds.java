@@ -18,7 +18,7 @@ import java.util.List;
  * with, and those between or beside them. A sample stands for all messages of its kind.
  *
  * <p>Kind 0 is silence, kind 2k + 2 the k-th value, kind 2k + 1 what lies before it; 1 is anything
- * else where order does not matter.
+ * else where order does not matter. Where it does, the last kind is what has no place in it, NaN.
  */
 public final class Kinds {
     private final List<Value> values;
@@ -27,11 +27,15 @@ public final class Kinds {
     private final List<Value> samples = new ArrayList<>();
     private final int count;
 
+    /** What is neither less nor greater than any number, nor equal to one. */
+    private static final Value NOT_A_NUMBER = new Value.RealValue(Double.NaN);
+
     private Kinds(Port port, boolean total, List<Value> values, boolean ordered, boolean closed) {
         this.values = values;
         this.ordered = ordered;
         this.seen = true;
-        this.count = 2 * values.size() + 2;
+        boolean unordered = ordered && !values.isEmpty() && port.type() instanceof Type.RealType;
+        this.count = 2 * values.size() + (unordered ? 3 : 2);
         if (!total) {
             samples.add(null);
         }
@@ -40,6 +44,9 @@ public final class Kinds {
         if (!closed) {
             Beside beside = new Beside(port.type(), possible);
             samples.addAll(ordered ? beside.gaps() : beside.any());
+        }
+        if (unordered) {
+            samples.add(NOT_A_NUMBER);
         }
     }
 
@@ -85,12 +92,22 @@ public final class Kinds {
         return count;
     }
 
+    /** To a comparison there is only one zero. */
+    private static Value compared(Value message) {
+        return message instanceof Value.RealValue real && real.value() == 0
+                ? new Value.RealValue(0)
+                : message;
+    }
+
     /** The kind of a message; null is silence. */
     public int of(Value message) {
         if (!seen || message == null) {
             return 0;
         }
-        int found = Collections.binarySearch(values, message, ValueOrder.NATURAL);
+        if (ordered && message.equals(NOT_A_NUMBER)) {
+            return count - 1;
+        }
+        int found = Collections.binarySearch(values, compared(message), ValueOrder.NATURAL);
         if (found >= 0) {
             return 2 * found + 2;
         }

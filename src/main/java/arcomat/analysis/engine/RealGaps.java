@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * Samples between numbers of single or double precision, where between two of them there need not
- * be another one. Only numbers that a model can write down: not what is infinite.
+ * be another one. What is infinite is the last resort.
  */
 final class RealGaps {
     private final boolean single;
@@ -16,7 +16,7 @@ final class RealGaps {
     private final List<Value> samples = new ArrayList<>();
 
     /**
-     * @param values of the type, finite, in their natural order; at least one
+     * @param values of the type, in their natural order, without NaN; at least one
      */
     RealGaps(Type.RealType type, List<Value> values) {
         single = type.single();
@@ -26,25 +26,32 @@ final class RealGaps {
     /** One number of each gap: before the first, between two, behind the last. */
     List<Value> samples() {
         int last = numbers.length - 1;
-        add(Double.NEGATIVE_INFINITY, numbers[0] - 1, numbers[0]);
-        for (int i = 0; i < last; i++) {
-            add(numbers[i], numbers[i] / 2 + numbers[i + 1] / 2, numbers[i + 1]);
+        if (numbers[0] > Double.NEGATIVE_INFINITY) {
+            double wanted = rounded(numbers[0] - 1);
+            add(Double.isFinite(wanted) && wanted < numbers[0] ? wanted : below(numbers[0]));
         }
-        add(numbers[last], numbers[last] + 1, Double.POSITIVE_INFINITY);
+        for (int i = 0; i < last; i++) {
+            addBetween(numbers[i], numbers[i + 1]);
+        }
+        if (numbers[last] < Double.POSITIVE_INFINITY) {
+            double wanted = rounded(numbers[last] + 1);
+            add(Double.isFinite(wanted) && wanted > numbers[last] ? wanted : above(numbers[last]));
+        }
         return samples;
     }
 
-    /** The wanted number or else, if that is not inside of the gap, the next one that is. */
-    private void add(double low, double wanted, double high) {
-        double rounded = single ? (float) wanted : wanted;
-        if (low < rounded && rounded < high) {
-            add(rounded);
-            return;
+    /** The middle or else, if that is not between them, the next number that is. */
+    private void addBetween(double low, double high) {
+        double middle = rounded(low / 2 + high / 2);
+        if (low < middle && middle < high) {
+            add(middle);
+        } else if (above(low) < high) {
+            add(above(low));
         }
-        double next = Double.isInfinite(low) ? below(high) : above(low);
-        if (low < next && next < high) {
-            add(next);
-        }
+    }
+
+    private double rounded(double number) {
+        return single ? (float) number : number;
     }
 
     private double above(double number) {

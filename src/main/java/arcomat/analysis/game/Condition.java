@@ -34,6 +34,13 @@ final class Condition {
     private boolean absentWanted;
 
     /**
+     * Whether it matters that a message is no number: the comparisons with numbers leave it out.
+     */
+    private boolean unordered;
+
+    private boolean unorderedWanted;
+
+    /**
      * @param samples of all kinds
      * @param group positions of those that are wanted; not all
      */
@@ -44,10 +51,13 @@ final class Condition {
                 .filter(sample -> sample != null)
                 .sorted(ValueOrder.NATURAL)
                 .forEach(present::add);
+        unordered = present.removeIf(Condition::isNoNumber);
         for (int position : group) {
             Value sample = samples.get(position);
             if (sample == null) {
                 absentWanted = true;
+            } else if (isNoNumber(sample)) {
+                unorderedWanted = true;
             } else {
                 wanted.add(sample);
             }
@@ -55,9 +65,13 @@ final class Condition {
         wanted.sort(ValueOrder.NATURAL);
     }
 
+    private static boolean isNoNumber(Value sample) {
+        return sample instanceof Value.RealValue real && Double.isNaN(real.value());
+    }
+
     /** The condition as an item of an input block, where it can be one. */
     Optional<Match> match() {
-        if (wanted.isEmpty()) {
+        if (wanted.isEmpty() && !unorderedWanted) {
             return Optional.of(new Match(port, new Absent()));
         }
         return absentWanted ? Optional.empty() : pattern().map(p -> new Match(port, p));
@@ -79,8 +93,11 @@ final class Condition {
 
     /** Of the messages that are wanted. */
     private Optional<Pattern> pattern() {
-        if (wanted.size() == present.size()) {
+        if (wanted.size() == present.size() && unorderedWanted == unordered) {
             return Optional.of(new Present());
+        }
+        if (unorderedWanted || wanted.size() == present.size()) {
+            return Optional.empty();
         }
         if (isOrdered() && port.type() instanceof Type.IntegerType) {
             return few(intervals()).map(few -> new OneOf(constants(few)));
@@ -118,8 +135,11 @@ final class Condition {
     }
 
     private Expression comparison() {
+        if (wanted.size() == present.size()) {
+            return withItself(BinaryOperator.EQUAL);
+        }
         if (isOrdered()) {
-            Expression any = null;
+            Expression any = unorderedWanted ? withItself(BinaryOperator.NOT_EQUAL) : null;
             for (Interval interval : intervals()) {
                 Expression inside = inside(interval);
                 any = any == null ? inside : binary(BinaryOperator.OR, any, inside);
@@ -133,6 +153,12 @@ final class Condition {
             }
         }
         return all;
+    }
+
+    /** Only what is no number differs from itself. */
+    private Expression withItself(BinaryOperator operator) {
+        Expression read = new Expression.PortRead(port, port.span());
+        return binary(operator, read, read);
     }
 
     /** Neighbouring samples, by their positions. */

@@ -35,6 +35,11 @@ record Asking(Symbols symbols, Instant at, Behaving behaving, Solver solver) {
             Term value = at.variable(symbols.automaton().variables().get(beyond.variable()));
             return solver.apply(beyond.below() ? "<" : ">", value, solver.number(beyond.bound()));
         }
+        if (question instanceof Question.Parity parity) {
+            Term value = at.variable(symbols.automaton().variables().get(parity.variable()));
+            Term rest = solver.apply("mod", value, solver.number(2));
+            return solver.equal(rest, solver.number(parity.odd() ? 1 : 0));
+        }
         return behaving.overflows(((Question.Overflow) question).transition());
     }
 

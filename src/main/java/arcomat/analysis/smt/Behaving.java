@@ -8,7 +8,6 @@ import arcomat.model.Automaton.Transition;
 import arcomat.model.Expression;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.Guards;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 
@@ -23,7 +22,6 @@ final class Behaving {
     private final Solver solver;
     private final Translation translation;
     private final Hazards hazards;
-    private final List<Expression> guards = new ArrayList<>();
 
     Behaving(Symbols symbols, Instant at, Solver solver, Codes codes) {
         this.symbols = symbols;
@@ -31,14 +29,14 @@ final class Behaving {
         this.solver = solver;
         this.translation = new Translation(symbols, at, solver, codes);
         this.hazards = new Hazards(translation, solver);
-        Guards conditions = new Guards(symbols.component().profile());
-        for (Transition transition : transitions()) {
-            guards.add(conditions.enabledWhen(transition));
-        }
     }
 
     private List<Transition> transitions() {
         return symbols.automaton().transitions();
+    }
+
+    private Condition condition(int transition) {
+        return symbols.conditions().get(transition);
     }
 
     /** It goes to the next instant, and all goes well. */
@@ -58,7 +56,6 @@ final class Behaving {
     Term goesWell(int transition) {
         return solver.and(
                 solver.not(effectIs(transition, hazards::divisionByZero)),
-                solver.not(effectIs(transition, hazards::overflow)),
                 solver.not(leavesRange(transition)));
     }
 
@@ -72,54 +69,53 @@ final class Behaving {
         return at.variable(variable);
     }
 
-    /** It may be taken; no guard of its state goes wrong. */
+    /** It may be taken; its guard does not go wrong. */
     Term enabled(int transition) {
         int state = transitions().get(transition).source();
-        return solver.and(at.isIn(state), guard(transition), guardsAreFine(state));
+        return solver.and(
+                at.isIn(state), guard(transition), solver.not(guardGoesWrong(transition)));
     }
 
     private Term guard(int transition) {
-        return translation.term(guards.get(transition));
+        return translation.term(condition(transition).enabled());
     }
 
-    private Term guardsAreFine(int state) {
-        List<Term> wrong = new ArrayList<>();
-        for (int i = 0; i < guards.size(); i++) {
-            if (transitions().get(i).source() == state) {
-                wrong.add(hazards.divisionByZero(guards.get(i)));
-                wrong.add(hazards.overflow(guards.get(i)));
-            }
-        }
-        return solver.not(solver.or(wrong));
+    private Term guardGoesWrong(int transition) {
+        return hazards.divisionByZero(condition(transition).enabled());
     }
 
-    /** No transition of a state may be taken. */
+    /** No transition of a state may be taken, and no guard goes wrong. */
     Term nothingEnabled(int state) {
-        List<Term> enabled = new ArrayList<>();
-        for (int i = 0; i < guards.size(); i++) {
+        List<Term> answers = new ArrayList<>();
+        for (int i = 0; i < transitions().size(); i++) {
             if (transitions().get(i).source() == state) {
-                enabled.add(guard(i));
+                answers.add(guardGoesWrong(i));
+                answers.add(guard(i));
             }
         }
-        return solver.and(at.isIn(state), guardsAreFine(state), solver.not(solver.or(enabled)));
+        return solver.and(at.isIn(state), solver.not(solver.or(answers)));
     }
 
     /** A division by zero in the guard, or in the effect where the guard is true. */
     Term dividesByZero(int transition) {
-        return meets(transition, hazards::divisionByZero);
+        return meets(
+                transition,
+                guardGoesWrong(transition),
+                effectIs(transition, hazards::divisionByZero));
     }
 
-    /** An overflow in the guard, or in the effect where the guard is true. */
+    /** An integer that wraps around in the guard, or in the effect where the guard is true. */
     Term overflows(int transition) {
-        return meets(transition, hazards::overflow);
+        return meets(
+                transition,
+                translation.term(condition(transition).wrapsInGuard()),
+                translation.term(condition(transition).wrapsInEffect()));
     }
 
-    private Term meets(int transition, Function<Expression, Term> hazard) {
+    private Term meets(int transition, Term inGuard, Term inEffect) {
         return solver.or(
-                solver.and(
-                        at.isIn(transitions().get(transition).source()),
-                        hazard.apply(guards.get(transition))),
-                solver.and(enabled(transition), effectIs(transition, hazard)));
+                solver.and(at.isIn(transitions().get(transition).source()), inGuard),
+                solver.and(enabled(transition), inEffect));
     }
 
     /** It may be taken, and a value is outside of its range. */
@@ -127,19 +123,12 @@ final class Behaving {
         return solver.and(
                 enabled(transition),
                 solver.not(effectIs(transition, hazards::divisionByZero)),
-                solver.not(effectIs(transition, hazards::overflow)),
                 leavesRange(transition));
     }
 
     private Term effectIs(int transition, Function<Expression, Term> hazard) {
-        List<Term> any = new ArrayList<>();
-        for (Send send : transitions().get(transition).sends()) {
-            values(send).forEach(value -> any.add(hazard.apply(value)));
-        }
-        for (Assignment assignment : transitions().get(transition).assignments()) {
-            any.add(hazard.apply(assignment.value()));
-        }
-        return solver.or(any);
+        return solver.or(
+                Condition.effects(transitions().get(transition)).stream().map(hazard).toList());
     }
 
     private static List<Expression> values(Send send) {

@@ -1,6 +1,7 @@
 package arcomat.analysis.smt;
 
 import arcomat.analysis.smt.Question.Beyond;
+import arcomat.analysis.smt.Question.Parity;
 import arcomat.model.Automaton;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -12,16 +13,16 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Bounds that counters often keep: they never fall below zero or what they begin with, or never
- * rise above it. Nobody asked whether they do; but induction, which begins anywhere, proves more
- * once it knows.
+ * What counters often keep to: they never fall below zero or what they begin with, or never rise
+ * above it; or they stay even or odd, even where they wrap around. Nobody asked whether they do;
+ * but induction, which begins anywhere, proves more once it knows.
  */
 final class Bounds {
     private Bounds() {}
 
-    static Set<Beyond> candidates(StepRelation relation) {
+    static Set<Question> candidates(StepRelation relation) {
         Automaton automaton = relation.automaton();
-        Set<Beyond> candidates = new LinkedHashSet<>();
+        Set<Question> candidates = new LinkedHashSet<>();
         for (int variable = 0; variable < automaton.variables().size(); variable++) {
             boolean unbounded =
                     automaton.variables().get(variable).type() instanceof Type.IntegerType integer
@@ -33,7 +34,7 @@ final class Bounds {
         return candidates;
     }
 
-    private static void addTo(Set<Beyond> candidates, int variable, List<Start> starts) {
+    private static void addTo(Set<Question> candidates, int variable, List<Start> starts) {
         for (long bound : new long[] {0, value(starts.get(0), variable)}) {
             if (starts.stream().allMatch(start -> value(start, variable) >= bound)) {
                 candidates.add(new Beyond(variable, true, bound));
@@ -42,6 +43,14 @@ final class Bounds {
                 candidates.add(new Beyond(variable, false, bound));
             }
         }
+        boolean odd = isOdd(starts.get(0), variable);
+        if (starts.stream().allMatch(start -> isOdd(start, variable) == odd)) {
+            candidates.add(new Parity(variable, !odd));
+        }
+    }
+
+    private static boolean isOdd(Start start, int variable) {
+        return value(start, variable) % 2 != 0;
     }
 
     private static long value(Start start, int variable) {

@@ -2,7 +2,6 @@ package arcomat.analysis.smt;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
-import arcomat.model.Type;
 import arcomat.semantics.Rewriting;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
@@ -25,48 +24,44 @@ final class Hazards {
 
     /** A divisor is zero. */
     Term divisionByZero(Expression e) {
-        return somewhere(e, this::dividesByZero);
+        return somewhere(e);
     }
 
-    /** A result does not fit the width of its type. */
-    Term overflow(Expression e) {
-        return somewhere(e, this::overflows);
-    }
-
-    private interface Local {
-        Term in(Expression e);
-    }
-
-    private Term somewhere(Expression e, Local local) {
-        if (e instanceof Expression.Binary binary && isLazy(binary.operator())) {
+    private Term somewhere(Expression e) {
+        if (e instanceof Expression.Binary binary && Wraparound.isLazy(binary.operator())) {
             Term left = translation.term(binary.left());
             Term goesOn = binary.operator() == BinaryOperator.OR ? solver.not(left) : left;
             return solver.or(
-                    somewhere(binary.left(), local),
-                    solver.and(goesOn, somewhere(binary.right(), local)));
+                    somewhere(binary.left()), solver.and(goesOn, somewhere(binary.right())));
         }
         if (e instanceof Expression.Conditional choice) {
             Term condition = translation.term(choice.condition());
             return solver.or(
-                    somewhere(choice.condition(), local),
+                    somewhere(choice.condition()),
                     solver.choose(
-                            condition,
-                            somewhere(choice.then(), local),
-                            somewhere(choice.otherwise(), local)));
+                            condition, somewhere(choice.then()), somewhere(choice.otherwise())));
+        }
+        if (e instanceof Expression.PortMatches matches) {
+            return somewhere(matches);
         }
         List<Term> all = new ArrayList<>();
-        Rewriting.operands(e).forEach(operand -> all.add(somewhere(operand, local)));
-        all.add(local.in(e));
+        Rewriting.operands(e).forEach(operand -> all.add(somewhere(operand)));
+        all.add(here(e));
         return solver.or(all);
     }
 
-    private static boolean isLazy(BinaryOperator operator) {
-        return operator == BinaryOperator.AND
-                || operator == BinaryOperator.OR
-                || operator == BinaryOperator.IMPLIES;
+    /** Nothing is computed where there is no message, and nothing behind a value that fits. */
+    private Term somewhere(Expression.PortMatches matches) {
+        Term before = translation.has(matches.port());
+        List<Term> all = new ArrayList<>();
+        for (Expression value : Rewriting.operands(matches)) {
+            all.add(solver.and(before, somewhere(value)));
+            before = solver.and(before, solver.not(translation.fits(matches, value)));
+        }
+        return solver.or(all);
     }
 
-    private Term dividesByZero(Expression e) {
+    private Term here(Expression e) {
         boolean divides =
                 e instanceof Expression.Binary binary
                         && (binary.operator() == BinaryOperator.DIVIDE
@@ -75,33 +70,5 @@ final class Hazards {
         return divides
                 ? solver.equal(translation.term(((Expression.Binary) e).right()), solver.number(0))
                 : solver.of(false);
-    }
-
-    private Term overflows(Expression e) {
-        boolean computes =
-                e instanceof Expression.Binary
-                        || e instanceof Expression.Unary
-                        || e instanceof Expression.Cast cast
-                                && Translation.isInteger(cast.operand().type());
-        if (!computes || !(e.type() instanceof Type.IntegerType integer)) {
-            return solver.of(false);
-        }
-        Type.IntegerType width = Type.IntegerType.of(integer.width());
-        if (e instanceof Expression.Binary binary) {
-            if (binary.operator() == BinaryOperator.REMAINDER) {
-                return solver.of(false);
-            }
-            if (binary.operator() == BinaryOperator.DIVIDE) {
-                return overflows(binary, width);
-            }
-        }
-        return solver.not(solver.between(width.low(), translation.term(e), width.high()));
-    }
-
-    /** There is one quotient that does not fit: that of the lowest number and -1. */
-    private Term overflows(Expression.Binary division, Type.IntegerType width) {
-        return solver.and(
-                solver.equal(translation.term(division.left()), solver.number(width.low())),
-                solver.equal(translation.term(division.right()), solver.number(-1)));
     }
 }

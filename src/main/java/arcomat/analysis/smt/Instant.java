@@ -58,21 +58,18 @@ final class Instant {
 
     /** A value that is not modelled: it may be any of its type. */
     Term anything(Type type) {
-        return unknown("any " + unknowns++ + "@" + number, type);
+        Term unknown = unknown("any " + unknowns++ + "@" + number, type);
+        solver.claim(Codes.range(unknown, type, solver));
+        return unknown;
     }
 
-    /** A value that claims will define. */
-    Term defined(Type type) {
-        return unknown("value " + definitions++ + "@" + number, type);
+    /** A number that claims will define. */
+    Term defined() {
+        return solver.integer("value " + definitions++ + "@" + number);
     }
 
     private Term unknown(String name, Type type) {
         return Codes.isTruth(type) ? solver.truth(name) : solver.integer(name);
-    }
-
-    /** Whether something was left out that may matter. */
-    boolean isInexact() {
-        return unknowns > 0;
     }
 
     /** What always holds: values are of their types, and events come one by one. */

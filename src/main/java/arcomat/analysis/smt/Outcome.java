@@ -10,7 +10,7 @@ public sealed interface Outcome {
     /** A shortest run shows it. */
     record Found(Run run) implements Outcome {}
 
-    /** No run shows it, as long as no integer overflows. */
+    /** No run shows it. */
     record Impossible() implements Outcome {}
 
     /**
@@ -26,9 +26,8 @@ public sealed interface Outcome {
      * @param letters one per step; messages by position of the input port, null for silence
      * @param places where the automaton is before each of the letters, and at the end
      * @param last the letter at the end
-     * @param exact whether nothing in it was left open for the solver
      */
-    record Run(List<Value[]> letters, List<Place> places, Value[] last, boolean exact) {}
+    record Run(List<Value[]> letters, List<Place> places, Value[] last) {}
 
     /** A state with the values of the variables. */
     record Place(int state, List<Value> variables) {}

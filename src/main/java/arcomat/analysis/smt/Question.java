@@ -31,8 +31,11 @@ public sealed interface Question {
     /** A guard, or what a transition sends or assigns, goes wrong. */
     record Wrong(int transition, Fault.Kind kind) implements Question {}
 
-    /** An integer of a transition, computed without bounds, does not fit its type. */
+    /** An integer of a transition does not fit its type, and wraps around. */
     record Overflow(int transition) implements Question {}
+
+    /** An integer variable is odd, or even. */
+    record Parity(int variable, boolean odd) implements Question {}
 
     /** An integer variable is below a bound, or above it. */
     record Beyond(int variable, boolean below, long bound) implements Question {}

@@ -68,8 +68,12 @@ final class Solver {
     }
 
     Term number(long value) {
-        Term positive = script.numeral(BigInteger.valueOf(value).abs());
-        return value < 0 ? script.term("-", positive) : positive;
+        return number(BigInteger.valueOf(value));
+    }
+
+    Term number(BigInteger value) {
+        Term positive = script.numeral(value.abs());
+        return value.signum() < 0 ? script.term("-", positive) : positive;
     }
 
     Term of(boolean value) {
@@ -111,6 +115,10 @@ final class Solver {
 
     /** Whether a number lies between two others, both included. */
     Term between(long low, Term number, long high) {
+        return between(BigInteger.valueOf(low), number, BigInteger.valueOf(high));
+    }
+
+    Term between(BigInteger low, Term number, BigInteger high) {
         return and(apply("<=", number(low), number), apply("<=", number, number(high)));
     }
 

@@ -54,6 +54,7 @@ public final class SymbolicSearch {
 
     /**
      * @param arguments one per parameter of the component
+     * @param conditions one per transition
      * @param confirmed whether the automaton itself agrees with a run that was found
      * @param stop asked now and then; what is open then stays open
      * @return an outcome for each question
@@ -62,11 +63,12 @@ public final class SymbolicSearch {
             Component component,
             StepRelation relation,
             List<Value> arguments,
+            List<Condition> conditions,
             Collection<Question> questions,
             BiPredicate<Question, Run> confirmed,
             BooleanSupplier stop) {
         Automaton automaton = relation.automaton();
-        Symbols symbols = new Symbols(component, automaton, arguments);
+        Symbols symbols = new Symbols(component, automaton, arguments, conditions);
         SymbolicSearch search = new SymbolicSearch(symbols, relation, questions, confirmed, stop);
         search.run();
         return search.outcomes;

@@ -8,12 +8,18 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 
+import java.math.BigInteger;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Predicate;
 import java.util.stream.LongStream;
 
-/** Which names of an automaton stand for fixed values. */
-record Symbols(Component component, Automaton automaton, List<Value> arguments) {
+/** Which names of an automaton stand for fixed values, and when its transitions may be taken. */
+record Symbols(
+        Component component,
+        Automaton automaton,
+        List<Value> arguments,
+        List<Condition> conditions) {
     private static final long FEW = 64;
 
     /** The value of a constant or a parameter. */
@@ -36,10 +42,10 @@ record Symbols(Component component, Automaton automaton, List<Value> arguments) 
     Optional<Long> integer(Expression e) {
         if (e instanceof Expression.Unary unary
                 && unary.operator() == Expression.UnaryOperator.NEGATE) {
-            return integer(unary.operand()).map(value -> -value);
+            return integer(unary.operand()).map(value -> -value).filter(fits(e));
         }
         if (e instanceof Expression.Cast cast && Translation.isInteger(cast.type())) {
-            return integer(cast.operand());
+            return integer(cast.operand()).filter(fits(e));
         }
         if (e instanceof Expression.VariableRead read && isConstant(read.variable())) {
             return integer(read.variable().initial());
@@ -48,13 +54,19 @@ record Symbols(Component component, Automaton automaton, List<Value> arguments) 
                 .map(value -> ((Value.IntegerValue) value).value());
     }
 
+    /** Others wrap around. */
+    private static Predicate<Long> fits(Expression e) {
+        return value -> Interval.ofWidth(e.type()).turns(BigInteger.valueOf(value)).signum() == 0;
+    }
+
     /** The values of an integer that has one, or a type with few of them; else none. */
     List<Long> few(Expression e) {
         Optional<Long> single = integer(e);
         if (single.isPresent()) {
             return List.of(single.get());
         }
-        Expression inside = e instanceof Expression.Cast cast ? cast.operand() : e;
+        boolean widens = e instanceof Expression.Cast && !Interval.wraps(e);
+        Expression inside = widens ? ((Expression.Cast) e).operand() : e;
         boolean few =
                 inside.type() instanceof Type.IntegerType type
                         && type.ranged()

@@ -2,21 +2,22 @@ package arcomat.analysis.smt;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
-import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 
-import java.util.HashMap;
+import java.math.BigInteger;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
 
 /**
- * Expressions at one instant. Integers are computed without bounds. What linear arithmetic cannot
- * say, a product of two variables or a real number, is replaced by an unknown value: what can never
+ * Expressions at one instant. Integers wrap around: a result that does not fit is the number that
+ * does and differs by a multiple of 2 to the power of the width. What linear arithmetic cannot say,
+ * a product of two variables or a real number, is replaced by an unknown value: what can never
  * happen then, never happens.
  */
 final class Translation {
@@ -24,16 +25,28 @@ final class Translation {
     private final Instant at;
     private final Solver solver;
     private final Codes codes;
-    private final Map<Expression, Term> results = new HashMap<>();
+    private final Turns turns;
+    private final Map<Expression, Term> known = new IdentityHashMap<>();
 
     Translation(Symbols symbols, Instant at, Solver solver, Codes codes) {
         this.symbols = symbols;
         this.at = at;
         this.solver = solver;
         this.codes = codes;
+        this.turns = new Turns(at, solver);
     }
 
+    /** The same for the same expression, however often it is asked for. */
     Term term(Expression e) {
+        Term term = known.get(e);
+        if (term == null) {
+            term = translated(e);
+            known.put(e, term);
+        }
+        return term;
+    }
+
+    private Term translated(Expression e) {
         Optional<Value> fixed = symbols.fixed(e).filter(value -> Codes.isExact(e.type()));
         if (fixed.isPresent()) {
             return codes.encode(fixed.get(), solver);
@@ -65,7 +78,7 @@ final class Translation {
         if (e instanceof Expression.Cast cast
                 && isInteger(cast.type())
                 && isInteger(cast.operand().type())) {
-            return term(cast.operand());
+            return turns.wrapped(term(cast.operand()), e);
         }
         return at.anything(e.type());
     }
@@ -77,6 +90,15 @@ final class Translation {
     /** Characters count as their codes. */
     static boolean isInteger(Type type) {
         return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
+    }
+
+    Term has(Port port) {
+        return at.has(port);
+    }
+
+    /** Whether a message is one of the values that are asked for. */
+    Term fits(Expression.PortMatches matches, Expression value) {
+        return equal(new Expression.PortRead(matches.port(), matches.span()), value);
     }
 
     private Term matches(Expression.PortMatches matches) {
@@ -107,7 +129,7 @@ final class Translation {
                 return solver.not(operand);
             case NEGATE:
                 return isInteger(unary.type())
-                        ? solver.apply("-", operand)
+                        ? turns.wrapped(solver.apply("-", operand), unary)
                         : at.anything(unary.type());
             case COMPLEMENT:
                 return solver.apply("-", solver.apply("-", operand), solver.number(1));
@@ -160,23 +182,17 @@ final class Translation {
 
     private Term arithmetic(Expression.Binary binary) {
         return switch (binary.operator()) {
-            case PLUS -> solver.apply("+", term(binary.left()), term(binary.right()));
-            case MINUS -> solver.apply("-", term(binary.left()), term(binary.right()));
-            case MULTIPLY -> defined(binary, this::product);
-            case DIVIDE -> defined(binary, this::quotient);
-            case REMAINDER -> defined(binary, this::remainder);
+            case PLUS -> linear("+", binary);
+            case MINUS -> linear("-", binary);
+            case MULTIPLY -> product(binary);
+            case DIVIDE -> turns.wrapped(divided(binary).quotient(), binary);
+            case REMAINDER -> divided(binary).rest();
             default -> throw new AssertionError(binary.operator());
         };
     }
 
-    /** A result of its own, which is claimed to be right once and for all. */
-    private Term defined(Expression.Binary binary, Function<Expression.Binary, Term> definition) {
-        Term known = results.get(binary);
-        if (known == null) {
-            known = definition.apply(binary);
-            results.put(binary, known);
-        }
-        return known;
+    private Term linear(String operator, Expression.Binary binary) {
+        return turns.wrapped(solver.apply(operator, term(binary.left()), term(binary.right())), binary);
     }
 
     /** Linear where one of the factors has few values: by cases. */
@@ -186,47 +202,56 @@ final class Translation {
         Term other = term(right ? binary.left() : binary.right());
         List<Long> values = symbols.few(factor);
         if (values.isEmpty()) {
-            return at.anything(binary.type());
+            Term unknown = at.anything(binary.type());
+            Interval possible = Interval.of(binary);
+            solver.claim(solver.between(possible.low(), unknown, possible.high()));
+            return unknown;
         }
         if (values.size() == 1) {
-            return solver.apply("*", solver.number(values.get(0)), other);
+            return turns.wrapped(solver.apply("*", solver.number(values.get(0)), other), binary);
         }
-        Term product = at.defined(binary.type());
+        Term product = at.defined();
         Term given = term(factor);
         for (long value : values) {
             Term multiple = solver.apply("*", solver.number(value), other);
             claim(solver.equal(given, solver.number(value)), solver.equal(product, multiple));
         }
-        return product;
+        return turns.wrapped(product, binary);
+    }
+
+    private record Division(Term quotient, Term rest) {}
+
+    private Division divided(Expression.Binary binary) {
+        return symbols.few(binary.right()).isEmpty()
+                ? new Division(someQuotient(binary), someRemainder(binary))
+                : byCases(binary);
     }
 
     /**
      * By cases of the divisor. Java rounds towards zero: the rest has the sign of the dividend, and
      * is less than the divisor.
      */
-    private Term quotient(Expression.Binary binary) {
-        List<Long> values = symbols.few(binary.right());
-        if (values.isEmpty()) {
-            return someQuotient(binary);
-        }
+    private Division byCases(Expression.Binary binary) {
         Term dividend = term(binary.left());
         Term divisor = term(binary.right());
         Term negative = solver.apply("<", dividend, solver.number(0));
-        Term quotient = at.defined(binary.type());
-        for (long value : values) {
+        Term quotient = at.defined();
+        Term rest = at.defined();
+        for (long value : symbols.few(binary.right())) {
             if (value != 0) {
+                BigInteger most = BigInteger.valueOf(value).abs().subtract(BigInteger.ONE);
                 Term multiple = solver.apply("*", solver.number(value), quotient);
-                Term rest = solver.apply("-", dividend, multiple);
-                long most = Math.abs(value) - 1;
                 claim(
                         solver.equal(divisor, solver.number(value)),
-                        solver.choose(
-                                negative,
-                                solver.between(-most, rest, 0),
-                                solver.between(0, rest, most)));
+                        solver.and(
+                                solver.equal(dividend, solver.apply("+", multiple, rest)),
+                                solver.choose(
+                                        negative,
+                                        solver.between(most.negate(), rest, BigInteger.ZERO),
+                                        solver.between(BigInteger.ZERO, rest, most))));
             }
         }
-        return quotient;
+        return new Division(quotient, rest);
     }
 
     /** Of a divisor with too many values: never larger than the dividend, whatever the sign. */
@@ -266,26 +291,6 @@ final class Translation {
 
     private Term isWithin(Term low, Term number, Term high) {
         return solver.and(solver.apply("<=", low, number), solver.apply("<=", number, high));
-    }
-
-    private Term remainder(Expression.Binary binary) {
-        Expression.Binary division =
-                new Expression.Binary(
-                        BinaryOperator.DIVIDE,
-                        binary.left(),
-                        binary.right(),
-                        binary.type(),
-                        binary.span());
-        Expression.Binary whole =
-                new Expression.Binary(
-                        BinaryOperator.MULTIPLY,
-                        division,
-                        binary.right(),
-                        binary.type(),
-                        binary.span());
-        return symbols.few(binary.right()).isEmpty()
-                ? someRemainder(binary)
-                : solver.apply("-", term(binary.left()), term(whole));
     }
 
     private void claim(Term condition, Term consequence) {

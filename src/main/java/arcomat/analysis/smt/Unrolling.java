@@ -13,8 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Runs of one automaton up to some length, as claims to a solver. On the way nothing goes wrong: no
- * run error, no overflow.
+ * Runs of one automaton up to some length, as claims to a solver. On the way nothing goes wrong.
  */
 final class Unrolling {
     private final Symbols symbols;
@@ -80,13 +79,11 @@ final class Unrolling {
     Run run(int last) {
         List<Value[]> letters = new ArrayList<>();
         List<Place> places = new ArrayList<>();
-        boolean exact = true;
         for (int i = 0; i <= last; i++) {
             Instant instant = instants.get(i);
             places.add(instant.place());
             letters.add(instant.letter());
-            exact &= !instant.isInexact();
         }
-        return new Run(letters.subList(0, last), places, letters.get(last), exact);
+        return new Run(letters.subList(0, last), places, letters.get(last));
     }
 }

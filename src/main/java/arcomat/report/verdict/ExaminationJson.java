@@ -43,7 +43,6 @@ public final class ExaminationJson {
         json.writeStringField("verdict", "unknown");
         json.writeStringField("reason", unexamined.reason());
         Json.strings(json, "findings", List.of());
-        Json.strings(json, "notes", List.of());
         writeExplored(json, 0);
         json.writeEndObject();
     }
@@ -66,7 +65,6 @@ public final class ExaminationJson {
             write(json, finding);
         }
         json.writeEndArray();
-        Json.strings(json, "notes", examination.notes());
         writeExplored(json, examination.explored());
         json.writeEndObject();
     }

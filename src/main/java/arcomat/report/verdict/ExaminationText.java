@@ -65,7 +65,6 @@ public final class ExaminationText {
         if (!examination.obstacle().isEmpty()) {
             out.append("; ").append(Printable.escape(examination.obstacle()));
         }
-        examination.notes().forEach(note -> out.append("; ").append(Printable.escape(note)));
         return out.toString();
     }
 

@@ -38,7 +38,8 @@ public final class VerdictFindings {
         Span place = each.place().firstLine();
         String headline = VerdictText.headline(each.left(), each.right(), verdict);
         if (verdict.answer() == Answer.UNKNOWN) {
-            return Reported.of(Diagnostic.warning(UNDECIDED, place, headline), Standing.NEW);
+            return Reported.of(
+                    Diagnostic.warning(UNDECIDED, place, "unknown: " + headline), Standing.NEW);
         }
         Stream<String> placeless =
                 verdict.explanation().stream()

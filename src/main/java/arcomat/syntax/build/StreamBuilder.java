@@ -81,10 +81,12 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
     @Override
     public StreamElement visitLiteralMessage(LiteralMessageContext context) {
         Expression literal = builders.expressions.build(context.literal());
-        Span span = span(context);
+        return message(span(context), context.minus, literal);
+    }
+
+    private static Message message(Span span, Token minus, Expression value) {
         return new Message(
-                span,
-                context.minus == null ? literal : new Unary(span, UnaryOperator.MINUS, literal));
+                span, minus == null ? value : new Unary(span, UnaryOperator.MINUS, value));
     }
 
     @Override
@@ -92,11 +94,11 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
         QualifiedName name = builders.qualifiedNames.build(context.qualifiedName());
         Span span = span(context);
         if (context.arguments() != null) {
-            return new Message(span, call(context, name));
+            return message(span, context.minus, call(context, name));
         }
-        return name.text().equals(TICK)
+        return name.text().equals(TICK) && context.minus == null
                 ? new Tick(span)
-                : new Message(span, new Reference(span, name));
+                : message(span, context.minus, new Reference(name.span(), name));
     }
 
     private Expression call(NameMessageContext context, QualifiedName name) {

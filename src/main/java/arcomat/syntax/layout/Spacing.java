@@ -5,6 +5,7 @@ import arcomat.syntax.antlr.ArcomatParser.ConditionalExpressionContext;
 import arcomat.syntax.antlr.ArcomatParser.EnumDefinitionContext;
 import arcomat.syntax.antlr.ArcomatParser.IncrementItemContext;
 import arcomat.syntax.antlr.ArcomatParser.LiteralMessageContext;
+import arcomat.syntax.antlr.ArcomatParser.NameMessageContext;
 import arcomat.syntax.antlr.ArcomatParser.RepeatedGroupContext;
 import arcomat.syntax.antlr.ArcomatParser.RepeatedMessageContext;
 import arcomat.syntax.antlr.ArcomatParser.UnaryExpressionContext;
@@ -80,7 +81,8 @@ final class Spacing {
     private static boolean isSign(ParserRuleContext parent) {
         return parent instanceof UnaryExpressionContext
                 || parent instanceof UnaryOperandContext
-                || parent instanceof LiteralMessageContext;
+                || parent instanceof LiteralMessageContext
+                || parent instanceof NameMessageContext;
     }
 
     private static boolean isRepetition(ParserRuleContext parent) {

@@ -138,6 +138,21 @@ class NaiveAgreementTest {
         }
     }
 
+    /** Integers that wrap around, of 8 to 64 bits. */
+    @Property(seed = "4", tries = 20)
+    void solverAgreesAboutWrapping(@ForAll("wrapping") String text) {
+        for (Outcome outcome : agreed(text)) {
+            Statistics.label("outcome of wrapping")
+                    .collect(outcome.getClass().getSimpleName())
+                    .coverage(
+                            all -> {
+                                all.check("Found").percentage(share -> share > 15);
+                                all.check("Impossible").percentage(share -> share > 25);
+                                all.check("Open").percentage(share -> share < 15);
+                            });
+        }
+    }
+
     private static Collection<Outcome> agreed(String text) {
         Component component =
                 ReadModels.model(List.of(new SourceFile("Random.arc", text))).components().get(0);
@@ -147,7 +162,7 @@ class NaiveAgreementTest {
         Exploration explored = new Exploration(subject, List.of(seen), Budget.ofMemory());
         explored.run();
         assertThat(explored.isComplete()).isTrue();
-        Walk walk = new Walk(subject, new Stepper(subject));
+        Walk walk = new Walk(subject, Stepper.of(subject));
         NaiveExploration naive = NaiveExploration.of(component);
 
         Map<Question, Outcome> outcomes =
@@ -155,6 +170,7 @@ class NaiveAgreementTest {
                         component,
                         subject.relation(),
                         List.of(),
+                        subject.conditions(),
                         new Questions(subject).all(),
                         (question, run) -> walk.to(question, run).isPresent(),
                         () -> false);
@@ -233,6 +249,59 @@ class NaiveAgreementTest {
                                 }
                                 """
                                         .formatted(l, op, r, value));
+    }
+
+    @Provide
+    Arbitrary<String> wrapping() {
+        Arbitrary<String> terms = Arbitraries.of("n", "m", "v", "(n + m)", "(n * m)", "(v - n)");
+        Arbitrary<String> operations =
+                Arbitraries.of(
+                        " + 2147483645",
+                        " - 2147483646",
+                        " * 715827883",
+                        " * 1073741824",
+                        " * -2147483647",
+                        " + -2147483648",
+                        " + 9223372036854775806L",
+                        " * 4611686018427387904L",
+                        " % -3",
+                        " / -1");
+        Arbitrary<String> casts =
+                Arbitraries.of("", "", "(byte) ", "(short) ", "(char) ", "(int) ", "-", "~");
+        Arbitrary<String> relations = Arbitraries.of(" < ", " == ", " >= ");
+        Arbitrary<String> limits =
+                Arbitraries.of("0", "-1", "100", "2147483647", "-2147483648", "n", "v");
+        Arbitrary<String> guards =
+                Combinators.combine(casts, terms, operations, relations, limits)
+                        .as(
+                                (cast, term, op, is, limit) ->
+                                        cast + "(" + term + op + ")" + is + limit);
+        Arbitrary<String> effects =
+                Arbitraries.of(
+                        "v = n + 2147483645", "v = -2147483648", "x = v + n", "x = v * m", "v = 1");
+        Arbitrary<String> lines =
+                Combinators.combine(guards, guards, effects)
+                        .as(
+                                (one, two, effect) ->
+                                        "s [%s && %s] / {%s};".formatted(one, two, effect));
+        return lines.list()
+                .ofMinSize(3)
+                .ofMaxSize(5)
+                .map(
+                        all ->
+                                """
+                                component Random {
+                                  port in Integer[-2..2] n, in Integer[0..3] m, out Integer x;
+
+                                  <<completion = "ignore">> automaton {
+                                    state s;
+                                    variable Integer v = 0;
+                                    initial s;
+                                    %s
+                                  }
+                                }
+                                """
+                                        .formatted(String.join("\n    ", all)));
     }
 
     private static Arbitrary<String> lines() {

@@ -102,15 +102,13 @@ final class NaiveExploration {
 
     private List<Configuration> step(Configuration configuration, Input letter) {
         int depth = depths.get(configuration);
-        List<Trace.Taken> enabled;
-        try {
-            enabled = relation.enabled(configuration, letter);
-        } catch (Fault fault) {
+        StepRelation.Choices choices = relation.choices(configuration, letter);
+        List<Trace.Taken> enabled = choices.enabled();
+        for (Fault fault : choices.faults()) {
             note(fault, depth);
             sending.add(configuration);
-            return List.of();
         }
-        if (enabled.isEmpty()) {
+        if (enabled.isEmpty() && choices.faults().isEmpty()) {
             noteUnhandled(configuration, letter);
         }
         List<Configuration> next = new ArrayList<>();

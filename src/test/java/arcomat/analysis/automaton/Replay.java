@@ -38,7 +38,7 @@ final class Replay {
         automaton = examination.automaton();
         component = examination.component();
         relation =
-                Behaviour.of(component, List.of(automaton), Models.arguments(component))
+                Behaviour.of(component, List.of(automaton), examination.promise().arguments())
                         .relations()
                         .get(0);
     }
@@ -89,7 +89,7 @@ final class Replay {
     private List<Reaction> reactions(Configuration configuration, Letter letter) {
         Input input = Input.of(component, letter);
         List<Reaction> reactions = new ArrayList<>();
-        for (Trace.Taken taken : relation.enabled(configuration, input)) {
+        for (Trace.Taken taken : relation.choices(configuration, input).enabled()) {
             try {
                 reactions.add(relation.take(taken, configuration, input));
             } catch (Fault alternativeGoesWrong) {
@@ -139,7 +139,7 @@ final class Replay {
         }
         Input input = Input.of(component, finding.witness().orElseThrow());
         if (finding.code().equals(Overlap.CODE)) {
-            return relation.enabled(configuration, input).size() > 1;
+            return relation.choices(configuration, input).enabled().size() > 1;
         }
         if (finding.code().equals(Completeness.CODE)
                 || finding.code().equals(VacuousOnSilence.CODE)) {
@@ -150,9 +150,9 @@ final class Replay {
 
     private boolean fails(Configuration configuration, Input input) {
         try {
-            List<Trace.Taken> enabled = relation.enabled(configuration, input);
-            enabled.forEach(taken -> relation.take(taken, configuration, input));
-            return false;
+            StepRelation.Choices choices = relation.choices(configuration, input);
+            choices.enabled().forEach(taken -> relation.take(taken, configuration, input));
+            return !choices.faults().isEmpty();
         } catch (Fault fault) {
             return true;
         }

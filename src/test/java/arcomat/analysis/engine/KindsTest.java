@@ -85,12 +85,15 @@ class KindsTest {
             }
         }
         near.addAll(reals(Double.MAX_VALUE));
+        near.addAll(UNUSUAL);
         for (List<Value> values : subsets(reals(some))) {
             check(new Type.RealType(false), values, true, near);
             check(new Type.RealType(false), values, false, near);
         }
         check(new Type.RealType(false), reals(Double.MAX_VALUE), true, near);
         check(new Type.RealType(false), reals(-1e308, 1.7e308), true, near);
+        check(new Type.RealType(false), reals(Double.POSITIVE_INFINITY), true, near);
+        check(new Type.RealType(false), reals(Double.NEGATIVE_INFINITY, 3), true, near);
     }
 
     @Test
@@ -106,6 +109,7 @@ class KindsTest {
             }
         }
         near.addAll(reals(Float.MAX_VALUE));
+        near.addAll(UNUSUAL);
         for (List<Value> values : subsets(numbers)) {
             check(new Type.RealType(true), values, true, near);
             check(new Type.RealType(true), values, false, near);
@@ -139,6 +143,11 @@ class KindsTest {
                 .isEqualTo(SmallType.values(LIGHT).orElseThrow());
     }
 
+    private static final List<Value> UNUSUAL =
+            Stream.of(Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, -0.0)
+                    .<Value>map(Value.RealValue::new)
+                    .toList();
+
     private static void check(Type type, List<Value> values, boolean ordered, List<Value> carried) {
         Compared look = new Compared(values, ordered);
         Kinds kinds = Kinds.of(port(type), true, look);
@@ -160,10 +169,23 @@ class KindsTest {
         return look.values().stream()
                 .allMatch(
                         value -> {
-                            int left = Integer.signum(ValueOrder.NATURAL.compare(one, value));
-                            int right = Integer.signum(ValueOrder.NATURAL.compare(other, value));
-                            return look.ordered() ? left == right : (left == 0) == (right == 0);
+                            String left = comparison(one, value);
+                            String right = comparison(other, value);
+                            return look.ordered()
+                                    ? left.equals(right)
+                                    : left.equals("=") == right.equals("=");
                         });
+    }
+
+    /** Java's operators that give true. */
+    private static String comparison(Value one, Value other) {
+        if (one instanceof Value.RealValue left && other instanceof Value.RealValue right) {
+            return (left.value() < right.value() ? "<" : "")
+                    + (left.value() == right.value() ? "=" : "")
+                    + (left.value() > right.value() ? ">" : "");
+        }
+        int order = ValueOrder.NATURAL.compare(one, other);
+        return order < 0 ? "<" : order == 0 ? "=" : ">";
     }
 
     private static boolean isIn(Type type, Value value) {
@@ -173,7 +195,7 @@ class KindsTest {
         }
         if (type instanceof Type.RealType real) {
             double number = ((Value.RealValue) value).value();
-            return Double.isFinite(number) && (!real.single() || (float) number == number);
+            return !real.single() || Double.compare((float) number, number) == 0;
         }
         return true;
     }

@@ -1,0 +1,140 @@
+package arcomat.analysis.smt;
+
+import arcomat.model.Expression;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import java.math.BigInteger;
+import java.util.List;
+
+/**
+ * Between which numbers an integer lies, as far as the types of what is read tell. What does not
+ * fit the width of its type wraps around, and then lies anywhere in it.
+ */
+record Interval(BigInteger low, BigInteger high) {
+
+    /** Whether a result itself may have to wrap around. */
+    static boolean wraps(Expression e) {
+        return !unwrapped(e).isWithin(ofWidth(e.type()));
+    }
+
+    /** Whether an expression makes an integer of other numbers. */
+    static boolean computes(Expression e) {
+        return Translation.isInteger(e.type())
+                && (e instanceof Expression.Binary
+                        || e instanceof Expression.Unary
+                        || e instanceof Expression.Cast);
+    }
+
+    /** Of the value of an expression. */
+    static Interval of(Expression e) {
+        if (e instanceof Expression.Conditional choice) {
+            return of(choice.then()).and(of(choice.otherwise()));
+        }
+        return computes(e) && wraps(e) ? ofWidth(e.type()) : unwrapped(e);
+    }
+
+    /** Of what is computed of the values of the operands, before it is made to fit. */
+    static Interval unwrapped(Expression e) {
+        if (e instanceof Expression.Constant constant) {
+            return ofConstant(constant);
+        }
+        if (e instanceof Expression.Cast cast && Translation.isInteger(cast.operand().type())) {
+            return of(cast.operand());
+        }
+        if (e instanceof Expression.Unary unary) {
+            Interval operand = of(unary.operand());
+            Interval negated = new Interval(operand.high.negate(), operand.low.negate());
+            return unary.operator() == Expression.UnaryOperator.NEGATE
+                    ? negated
+                    : negated.plus(ofConstant(-1));
+        }
+        if (e instanceof Expression.Binary binary) {
+            return ofResult(binary, of(binary.left()), of(binary.right()));
+        }
+        return ofType(e.type());
+    }
+
+    private static Interval ofConstant(Expression.Constant constant) {
+        if (constant.value() instanceof Value.IntegerValue number) {
+            return ofConstant(number.value());
+        }
+        return constant.value() instanceof Value.CharacterValue character
+                ? ofConstant(character.value())
+                : ofType(constant.type());
+    }
+
+    private static Interval ofConstant(long number) {
+        return new Interval(BigInteger.valueOf(number), BigInteger.valueOf(number));
+    }
+
+    private static Interval ofType(Type type) {
+        return type instanceof Type.IntegerType integer
+                ? of(integer.low(), integer.high())
+                : ofWidth(type);
+    }
+
+    /** All that a type can hold; a range does not narrow it. */
+    static Interval ofWidth(Type type) {
+        if (type instanceof Type.CharacterType) {
+            return of(Character.MIN_VALUE, Character.MAX_VALUE);
+        }
+        Type.Width width =
+                type instanceof Type.IntegerType integer ? integer.width() : Type.Width.INT;
+        Type.IntegerType whole = Type.IntegerType.of(width);
+        return of(whole.low(), whole.high());
+    }
+
+    private static Interval of(long low, long high) {
+        return new Interval(BigInteger.valueOf(low), BigInteger.valueOf(high));
+    }
+
+    private static Interval ofResult(Expression.Binary binary, Interval left, Interval right) {
+        return switch (binary.operator()) {
+            case PLUS -> left.plus(right);
+            case MINUS -> left.plus(new Interval(right.high.negate(), right.low.negate()));
+            case MULTIPLY ->
+                    spanning(
+                            left.low.multiply(right.low),
+                            left.low.multiply(right.high),
+                            left.high.multiply(right.low),
+                            left.high.multiply(right.high));
+            case DIVIDE ->
+                    right.low.signum() < 0
+                            ? spanning(left.low, left.high, left.low.negate(), left.high.negate())
+                            : spanning(left.low, left.high, BigInteger.ZERO);
+            case REMAINDER -> spanning(left.low, left.high, BigInteger.ZERO);
+            default -> ofType(binary.type());
+        };
+    }
+
+    private static Interval spanning(BigInteger... ends) {
+        List<BigInteger> all = List.of(ends);
+        return new Interval(
+                all.stream().reduce(BigInteger::min).orElseThrow(),
+                all.stream().reduce(BigInteger::max).orElseThrow());
+    }
+
+    private Interval plus(Interval other) {
+        return new Interval(low.add(other.low), high.add(other.high));
+    }
+
+    private Interval and(Interval other) {
+        return spanning(low, high, other.low, other.high);
+    }
+
+    private boolean isWithin(Interval other) {
+        return other.low.compareTo(low) <= 0 && high.compareTo(other.high) <= 0;
+    }
+
+    /** How many numbers there are. */
+    BigInteger size() {
+        return high.subtract(low).add(BigInteger.ONE);
+    }
+
+    /** How often a number is beyond the end of this interval; negative below its beginning. */
+    BigInteger turns(BigInteger number) {
+        BigInteger[] parts = number.subtract(low).divideAndRemainder(size());
+        return parts[1].signum() < 0 ? parts[0].subtract(BigInteger.ONE) : parts[0];
+    }
+}
