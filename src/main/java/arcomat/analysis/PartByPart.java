@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 
 /**
  * Compares two compositions with the same wiring part by part: refining each part refines the whole
@@ -27,28 +28,57 @@ final class PartByPart {
             Component right,
             List<Value> rightArguments) {}
 
-    private final Budget budget;
+    /** States that are explored before the whole gets its turn, at first. */
+    private static final long FEW_STATES = 20_000;
+
+    /** How much more each time. */
+    private static final long FACTOR = 16;
+
+    private Budget budget;
     private final Network left;
     private final Network right;
     private final Map<Comparison, Verdict> compared = new HashMap<>();
 
-    private PartByPart(Promise left, Promise right, Budget budget) {
-        this.budget = budget;
+    private PartByPart(Promise left, Promise right) {
         this.left = Network.of(left.component(), left.arguments());
         this.right = Network.of(right.component(), right.arguments());
     }
 
-    /** The verdict if each part refines its namesake; else empty. */
-    static Optional<Verdict> check(Promise left, Promise right, Budget budget) {
+    /**
+     * The verdict if each part refines its namesake; else empty. Where it is hard to say of a part,
+     * the whole may have a failure that is soon found: both get more and more to spend, in turns.
+     *
+     * @param whole compares the whole
+     */
+    static Optional<Verdict> check(
+            Promise left, Promise right, Budget budget, Function<Budget, Verdict> whole) {
         if (!left.isComposition()
                 || !right.isComposition()
                 || left.component().profile() == Component.Profile.EVENT_DRIVEN) {
             return Optional.empty();
         }
-        PartByPart parts = new PartByPart(left, right, budget);
-        return parts.isSameWiring() && parts.showAlikeWhereRunsEnd() && parts.allHold()
-                ? Optional.of(parts.verdict())
+        PartByPart parts = new PartByPart(left, right);
+        return parts.isSameWiring() && parts.showAlikeWhereRunsEnd()
+                ? parts.inTurns(budget, whole)
                 : Optional.empty();
+    }
+
+    private Optional<Verdict> inTurns(Budget most, Function<Budget, Verdict> whole) {
+        long states = FEW_STATES;
+        while (true) {
+            budget = most.atMost(states);
+            Answer parts = all();
+            if (parts != Answer.UNKNOWN) {
+                return parts == Answer.HOLDS ? Optional.of(verdict()) : Optional.empty();
+            }
+            Verdict verdict = whole.apply(budget);
+            boolean end = states >= most.states() || most.isSpent();
+            if (end || verdict.answer() != Answer.UNKNOWN) {
+                return Optional.of(verdict);
+            }
+            compared.values().removeIf(part -> part.answer() == Answer.UNKNOWN);
+            states = states > most.states() / FACTOR ? most.states() : states * FACTOR;
+        }
     }
 
     /**
@@ -128,7 +158,8 @@ final class PartByPart {
         return senders;
     }
 
-    private boolean allHold() {
+    private Answer all() {
+        Answer all = Answer.HOLDS;
         Map<String, Network.Instance> mine = instances(left);
         for (Network.Instance theirs : right.instances()) {
             Network.Instance own = mine.get(theirs.path());
@@ -139,11 +170,12 @@ final class PartByPart {
                             theirs.component(),
                             theirs.arguments());
             Verdict verdict = compared.computeIfAbsent(comparison, this::compare);
-            if (verdict.answer() != Answer.HOLDS) {
-                return false;
+            all = all.and(verdict.answer());
+            if (all == Answer.FAILS) {
+                break;
             }
         }
-        return true;
+        return all;
     }
 
     private Verdict compare(Comparison parts) {

@@ -26,10 +26,17 @@ public final class Refinement {
 
     /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
+        return Identity.check(left, right, budget, less -> search(left, right, less));
+    }
+
+    private static Verdict search(Promise left, Promise right, Budget budget) {
         return comparable(left, right)
-                .or(() -> PartByPart.check(left, right, budget))
-                .orElseGet(
-                        () -> all(right.each().stream().map(e -> noted(left, e, budget)).toList()));
+                .or(() -> PartByPart.check(left, right, budget, less -> whole(left, right, less)))
+                .orElseGet(() -> whole(left, right, budget));
+    }
+
+    private static Verdict whole(Promise left, Promise right, Budget budget) {
+        return all(right.each().stream().map(each -> noted(left, each, budget)).toList());
     }
 
     private static Verdict noted(Promise left, Promise right, Budget budget) {
@@ -127,6 +134,9 @@ public final class Refinement {
      * the interfaces differ.
      */
     public static List<Verdict> failures(Promise left, Promise right, Budget budget) {
+        if (Identity.isSame(left, right)) {
+            return List.of();
+        }
         Optional<Verdict> known = comparable(left, right);
         if (known.isPresent()) {
             return List.of(known.get());

@@ -42,6 +42,9 @@ public record Attention(List<Look> looks) {
             if (other instanceof Unseen || this instanceof Whole) {
                 return this;
             }
+            if (this instanceof Copied || other instanceof Copied) {
+                return new Copied();
+            }
             Compared one = (Compared) this;
             Compared two = (Compared) other;
             List<Value> values = new ArrayList<>(one.values);
@@ -67,6 +70,12 @@ public record Attention(List<Look> looks) {
         }
     }
 
-    /** Every value may make a difference: it is calculated with, stored or sent on. */
+    /**
+     * Stored, sent on as it is, or compared for equality with another message: every value makes a
+     * difference, but perhaps only whether it is the same as others ({@link DataSorts}).
+     */
+    public record Copied() implements Look {}
+
+    /** Every value may make a difference: it is calculated with. */
     public record Whole() implements Look {}
 }

@@ -7,6 +7,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
+import arcomat.semantics.Attention.Copied;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Attention.Whole;
@@ -24,10 +25,11 @@ final class Attentions {
     /**
      * What a port is compared with.
      *
-     * @param value null where all of the port matters
+     * @param always how the port is looked at whatever the variables are; null where it is compared
+     * @param value that it is compared with
      * @param fixed whether the value is the same in all configurations
      */
-    private record Probe(Port port, Term value, boolean ordered, boolean fixed) {}
+    private record Probe(Port port, Look always, Term value, boolean ordered, boolean fixed) {}
 
     private final Scope scope;
     private final int ports;
@@ -45,10 +47,10 @@ final class Attentions {
         condition(enabledWhen);
         for (Automaton.Send send : transition.sends()) {
             if (send.emission() instanceof Automaton.Messages messages) {
-                messages.values().forEach(this::whole);
+                messages.values().forEach(this::copy);
             }
         }
-        transition.assignments().forEach(assignment -> whole(assignment.value()));
+        transition.assignments().forEach(assignment -> copy(assignment.value()));
     }
 
     /** What is looked at with certain values of the variables. */
@@ -76,8 +78,8 @@ final class Attentions {
     }
 
     private static Look look(Probe probe, Value[] nothing, Value[] variables) {
-        if (probe.value == null) {
-            return new Whole();
+        if (probe.always != null) {
+            return probe.always;
         }
         try {
             Value value = probe.value.evaluate(nothing, variables);
@@ -155,11 +157,35 @@ final class Attentions {
         List<Port> others = reads(value);
         if (others.isEmpty()) {
             Term term = Evaluation.compile(value, scope);
-            probes.add(new Probe(port, term, ordered, isFixed(value)));
-        } else {
+            probes.add(new Probe(port, null, term, ordered, isFixed(value)));
+        } else if (ordered) {
             whole(port);
             others.forEach(this::whole);
+        } else {
+            copy(port);
+            copy(value);
         }
+    }
+
+    /** Each message may give another value, but not more than copies of messages. */
+    private void copy(Expression e) {
+        if (e instanceof Expression.PortRead read) {
+            copy(read.port());
+        } else if (e instanceof Expression.Cast cast && Comparand.isCopy(cast)) {
+            copy(cast.operand());
+        } else if (e instanceof Expression.Conditional choice && !isTruth(choice)) {
+            condition(choice.condition());
+            copy(choice.then());
+            copy(choice.otherwise());
+        } else if (isTruth(e)) {
+            condition(e);
+        } else {
+            whole(e);
+        }
+    }
+
+    private void copy(Port port) {
+        probes.add(new Probe(port, new Copied(), null, false, true));
     }
 
     private void whole(Expression e) {
@@ -167,7 +193,7 @@ final class Attentions {
     }
 
     private void whole(Port port) {
-        probes.add(new Probe(port, null, false, true));
+        probes.add(new Probe(port, new Whole(), null, false, true));
     }
 
     /** Whether a value is the same in all configurations. */

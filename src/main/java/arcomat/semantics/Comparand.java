@@ -26,6 +26,20 @@ final class Comparand {
                 : Optional.empty();
     }
 
+    /** An expression without the exact conversions around it. */
+    static Expression exact(Expression e) {
+        return e instanceof Expression.Cast cast && isExact(cast.operand().type(), cast.type())
+                ? exact(cast.operand())
+                : e;
+    }
+
+    /** Whether a conversion gives the same value, as values of messages and variables are kept. */
+    static boolean isCopy(Expression.Cast cast) {
+        return cast.operand().type() instanceof Type.IntegerType
+                && cast.type() instanceof Type.IntegerType
+                && isExact(cast.operand().type(), cast.type());
+    }
+
     private static boolean isExact(Type from, Type to) {
         if (to instanceof Type.RealType real) {
             return from instanceof Type.RealType other

@@ -10,6 +10,7 @@ import arcomat.model.Value;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
@@ -159,6 +160,19 @@ public final class StepRelation {
 
     public Automaton automaton() {
         return automaton;
+    }
+
+    /**
+     * Tells how the data of the automaton flow.
+     *
+     * @param ports places by the name of the port
+     * @return the places of its variables, in the order of declaration
+     */
+    public int[] tellFlow(DataSorts sorts, Map<String, Integer> ports) {
+        int[] variables =
+                automaton.variables().stream().mapToInt(v -> sorts.place(v.type())).toArray();
+        new DataFlow(sorts, scope, ports, variables).tell(automaton);
+        return variables;
     }
 
     /** What the reactions in a configuration depend on. */

@@ -9,6 +9,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
+import arcomat.semantics.Attention.Copied;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Attention.Whole;
@@ -171,7 +172,8 @@ final class Stimuli {
     private Look[] fewer(Look[] looks) {
         Look[] fewer = looks.clone();
         for (int i = 0; i < looks.length; i++) {
-            if (looks[i] instanceof Whole && !isSmall(ports.get(i).type())) {
+            if ((looks[i] instanceof Whole || looks[i] instanceof Copied)
+                    && !isSmall(ports.get(i).type())) {
                 fewer[i] = sample(ports.get(i));
             }
         }

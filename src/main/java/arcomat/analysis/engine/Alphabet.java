@@ -26,6 +26,18 @@ public final class Alphabet {
      */
     public Alphabet(
             Component.Profile profile, List<Port> inputs, List<Focus> foci, List<int[]> positions) {
+        this(profile, inputs, foci, positions, StandIns.NONE);
+    }
+
+    /**
+     * @param standIns for data of which it only matters which are the same
+     */
+    Alphabet(
+            Component.Profile profile,
+            List<Port> inputs,
+            List<Focus> foci,
+            List<int[]> positions,
+            StandIns standIns) {
         Look[] looks = new Look[inputs.size()];
         Arrays.fill(looks, new Attention.Unseen());
         for (int f = 0; f < foci.size(); f++) {
@@ -35,7 +47,7 @@ public final class Alphabet {
                 looks[position] = looks[position].and(own.get(i));
             }
         }
-        letters = Letters.of(profile, inputs, List.of(looks));
+        letters = standIns.letters(profile, inputs, List.of(looks));
         messages = letters.stream().mapToInt(Letters::messages).toArray();
         kinds = new long[foci.size()][letters.size()];
         for (int f = 0; f < foci.size(); f++) {

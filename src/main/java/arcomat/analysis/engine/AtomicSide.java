@@ -12,6 +12,7 @@ import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
+import arcomat.semantics.DataSorts;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
@@ -178,6 +179,27 @@ public final class AtomicSide implements Side {
         Set<Trace.Cause> causes = new LinkedHashSet<>();
         steps.forEach(each -> each.collectUsed(causes));
         return causes;
+    }
+
+    @Override
+    public SideData data(DataSorts sorts) {
+        Map<String, Integer> ports = new HashMap<>();
+        for (Port port : behaviour.component().ports()) {
+            ports.put(port.name(), sorts.place(port.type()));
+        }
+        List<int[]> variables =
+                behaviour.relations().stream().map(each -> each.tellFlow(sorts, ports)).toList();
+        List<Integer> compared =
+                IntStream.of(observed)
+                        .mapToObj(
+                                i -> i < 0 ? SideData.NOWHERE : ports.get(outputs().get(i).name()))
+                        .toList();
+        return new PlacedData(ports, compared) {
+            @Override
+            public void held(int configuration, Holding holding) {
+                held(configurations.get(configuration), variables, holding);
+            }
+        };
     }
 
     @Override

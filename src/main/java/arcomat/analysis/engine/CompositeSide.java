@@ -6,6 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
+import arcomat.semantics.DataSorts;
 import arcomat.semantics.Network;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
@@ -34,6 +35,9 @@ public final class CompositeSide implements Side {
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final List<Focus> focus = new ArrayList<>();
     private final List<KnownSteps> steps = new ArrayList<>();
+
+    /** Data that the composition itself only passes on and compares, whatever others do. */
+    private FreeData own;
 
     /**
      * @param component a composite
@@ -129,15 +133,21 @@ public final class CompositeSide implements Side {
     public Focus focus(int configuration) {
         Focus known = focus.get(configuration);
         if (known == null) {
-            Attention attention = attention(wholes.get(configuration));
+            Attention attention = attention(configuration);
             known = foci.computeIfAbsent(attention, each -> new Focus(foci.size(), each, inputs));
             focus.set(configuration, known);
         }
         return known;
     }
 
-    private Attention attention(Whole whole) {
-        return whole.isError() ? Attention.none(inputs.size()) : unfolding.attention(whole);
+    private Attention attention(int configuration) {
+        Whole whole = wholes.get(configuration);
+        if (whole.isError()) {
+            return Attention.none(inputs.size());
+        }
+        own = own == null ? new FreeData(this, this, observed.length) : own;
+        StandIns standIns = own.any() ? own.standIns(own.held(configuration)) : StandIns.NONE;
+        return unfolding.attention(whole, standIns);
     }
 
     @Override
@@ -228,6 +238,28 @@ public final class CompositeSide implements Side {
         Set<Trace.Cause> causes = new LinkedHashSet<>();
         steps.forEach(each -> each.collectUsed(causes));
         return causes;
+    }
+
+    @Override
+    public SideData data(DataSorts sorts) {
+        NetworkData data = new NetworkData(network, unfolding.behaviours(), sorts);
+        List<Integer> compared =
+                IntStream.of(observed)
+                        .mapToObj(i -> i < 0 ? SideData.NOWHERE : data.output(i))
+                        .toList();
+        return new PlacedData(data.inputs(), compared) {
+            @Override
+            public void held(int configuration, Holding holding) {
+                Whole whole = wholes.get(configuration);
+                for (int part = 0; part < whole.parts().size() && !whole.isError(); part++) {
+                    held(whole.parts().get(part), data.variables(part), holding);
+                }
+                for (int register = 0; register < whole.registers().size(); register++) {
+                    int place = data.signal(unfolding.signal(register));
+                    held(whole.registers().get(register), place, holding);
+                }
+            }
+        };
     }
 
     @Override

@@ -96,7 +96,7 @@ final class EventUnfolding implements Unfolding {
             } else {
                 looks[i] =
                         stored || isShown(network, input)
-                                ? new Attention.Whole()
+                                ? new Attention.Copied()
                                 : new Attention.Compared(List.of(), false);
             }
         }
@@ -106,6 +106,12 @@ final class EventUnfolding implements Unfolding {
     @Override
     public List<Behaviour> behaviours() {
         return parts.behaviours();
+    }
+
+    @Override
+    public int signal(int register) {
+        Wiring.Reader reader = registers.get(register);
+        return network.instances().get(reader.part()).inputSignals().get(reader.port());
     }
 
     @Override
@@ -137,14 +143,16 @@ final class EventUnfolding implements Unfolding {
 
     /** Found by running: what a run looks at is known when it has looked. */
     @Override
-    public Attention attention(Whole whole) {
+    public Attention attention(Whole whole, StandIns standIns) {
         Look[] looks = firstLooks.clone();
         List<Look> before;
         do {
             before = List.of(looks);
-            for (Value[] letter : Letters.of(Component.Profile.EVENT_DRIVEN, inputs, before)) {
+            for (Value[] letter :
+                    standIns.letters(Component.Profile.EVENT_DRIVEN, inputs, before)) {
                 run(whole, letter, looks);
             }
+            standIns.copyWhatMeetsStrangers(looks);
         } while (!before.equals(Arrays.asList(looks)));
         return new Attention(before);
     }

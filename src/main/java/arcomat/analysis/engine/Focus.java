@@ -3,37 +3,62 @@ package arcomat.analysis.engine;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Look;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * What a configuration pays attention to, ready to sort letters: all letters with one number have
  * the same steps.
  */
 public final class Focus {
+    /** Kinds of the other ports, and messages that are told apart one by one. */
+    private record Told(long kind, List<Value> messages) {}
+
     private final int number;
     private final Attention attention;
     private final Kinds[] kinds;
     private final int[] ports;
     private final long[] strides;
 
+    /** Ports of too many values to be numbered beforehand. */
+    private final int[] copied;
+
+    private final Numbering<Told> told = new Numbering<>();
+
     public Focus(int number, Attention attention, List<Port> inputs) {
         this.number = number;
         this.attention = attention;
+        List<Look> looks = attention.looks();
         kinds = new Kinds[inputs.size()];
         strides = new long[inputs.size()];
         long stride = 1;
         int seen = 0;
         int[] all = new int[inputs.size()];
         for (int i = 0; i < kinds.length; i++) {
-            kinds[i] = Kinds.of(inputs.get(i), false, attention.looks().get(i));
+            kinds[i] = Kinds.of(inputs.get(i), false, told(inputs.get(i), looks.get(i)));
             strides[i] = stride;
             stride = Math.multiplyExact(stride, (long) kinds[i].count());
             if (kinds[i].count() > 1) {
                 all[seen++] = i;
             }
         }
-        ports = java.util.Arrays.copyOf(all, seen);
+        ports = Arrays.copyOf(all, seen);
+        copied =
+                IntStream.range(0, inputs.size())
+                        .filter(i -> isTold(inputs.get(i), looks.get(i)))
+                        .toArray();
+    }
+
+    private static boolean isTold(Port port, Look look) {
+        return look instanceof Attention.Copied && SmallType.values(port.type()).isEmpty();
+    }
+
+    private static Look told(Port port, Look look) {
+        return isTold(port, look) ? new Attention.Unseen() : look;
     }
 
     /** Foci of one side are numbered from 0. */
@@ -57,6 +82,14 @@ public final class Focus {
         for (int port : ports) {
             kind += strides[port] * kinds[port].of(letter[positions[port]]);
         }
-        return kind;
+        return copied.length == 0 ? kind : told(kind, letter, positions);
+    }
+
+    private long told(long kind, Value[] letter, int[] positions) {
+        List<Value> messages = new ArrayList<>(copied.length);
+        for (int port : copied) {
+            messages.add(letter[positions[port]]);
+        }
+        return told.number(new Told(kind, messages));
     }
 }

@@ -28,6 +28,12 @@ import java.util.stream.IntStream;
 public final class Inclusion {
     private static final int NO_PARENT = -1;
 
+    /** So many letters the question whether there is a simulation may take, whoever asks. */
+    private static final long LITTLE_WORK = 300_000;
+
+    /** Beyond that, so many times as many as the search itself has tried. */
+    private static final long FACTOR = 8;
+
     private final Pairing pairing;
     private final Budget budget;
     private final Simulation simulation;
@@ -44,6 +50,7 @@ public final class Inclusion {
     private Failure best;
     private final Map<List<Trace.Cause>, Failure> failures = new LinkedHashMap<>();
     private int level;
+    private long tried;
 
     Inclusion(Pairing pairing, Budget budget) {
         this.pairing = pairing;
@@ -204,6 +211,7 @@ public final class Inclusion {
         for (int letter = 0; letter < own.length; letter++) {
             Steps mine = own[letter];
             Steps theirs = answers(set, alphabet, letter);
+            tried++;
             int cost = costs.get(node) + alphabet.messages(letter);
             for (int step = 0; step < mine.size(); step++) {
                 mine.use(step);
@@ -295,9 +303,10 @@ public final class Inclusion {
     /** Whether a smaller set, or a member that simulates the configuration, settles the pair. */
     private boolean isCovered(int left, int set) {
         determined = false;
+        long patience = Math.max(LITTLE_WORK, FACTOR * tried);
         for (int member : pairing.sets.members(set)) {
             if (nodes.containsKey((long) left << 32 | pairing.sets.singleton(member))
-                    || simulation.holds(left, member)) {
+                    || simulation.holds(left, member, patience)) {
                 return true;
             }
         }

@@ -74,7 +74,7 @@ public final class Kinds {
     }
 
     /** A port may be compared with a variable that is outside of the port's range. */
-    private static boolean isIn(Type type, Value value) {
+    static boolean isIn(Type type, Value value) {
         if (type instanceof Type.IntegerType integer) {
             long number = ((Value.IntegerValue) value).value();
             return integer.low() <= number && number <= integer.high();

@@ -108,6 +108,18 @@ public final class LateSide extends RememberingSide<List<Long>> {
     }
 
     @Override
+    void held(List<Long> kinds, SideData data, SideData.Holding holding) {
+        for (long kind : kinds) {
+            Value[] letter = letters.get(kind);
+            for (int i = 0; i < letter.length; i++) {
+                if (letter[i] != null) {
+                    holding.value(data.input(side.inputs().get(i).name()), letter[i]);
+                }
+            }
+        }
+    }
+
+    @Override
     String words(List<Long> held) {
         return held.toString();
     }

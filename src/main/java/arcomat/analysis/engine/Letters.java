@@ -20,6 +20,18 @@ public final class Letters {
 
     private Letters() {}
 
+    /** What is tried on a port. */
+    interface Trials {
+        /**
+         * @param present whether there is a message for certain; else null is among the samples
+         */
+        List<Value> samples(int port, boolean present);
+    }
+
+    private static Trials kinds(List<Port> inputs, List<Look> looks) {
+        return (port, present) -> Kinds.of(inputs.get(port), present, looks.get(port)).samples();
+    }
+
     /**
      * Messages by position of the input port, null for silence; not to be written to.
      *
@@ -37,55 +49,54 @@ public final class Letters {
      *     many
      */
     public static List<Value[]> atMost(int most, List<Port> inputs, List<Look> looks) {
-        List<Value[]> letters = slices(inputs, looks, most);
+        List<Value[]> letters = slices(inputs, kinds(inputs, looks), most);
         letters.sort(Comparator.comparingInt(Letters::messages));
         return letters;
     }
 
     static List<Value[]> of(Component.Profile profile, List<Port> inputs, List<Look> looks) {
+        return of(profile, inputs, kinds(inputs, looks));
+    }
+
+    static List<Value[]> of(Component.Profile profile, List<Port> inputs, Trials trials) {
         List<Value[]> letters =
                 profile == Component.Profile.EVENT_DRIVEN
-                        ? events(inputs, looks)
-                        : slices(inputs, looks, MOST);
+                        ? events(inputs, trials)
+                        : slices(inputs, trials, MOST);
         letters.sort(Comparator.comparingInt(Letters::messages));
         return letters;
     }
 
     /** Each port may carry a message. */
-    private static List<Value[]> slices(List<Port> inputs, List<Look> looks, int most) {
+    private static List<Value[]> slices(List<Port> inputs, Trials trials, int most) {
         List<Value[]> letters = new ArrayList<>();
         letters.add(new Value[inputs.size()]);
         for (int port = 0; port < inputs.size(); port++) {
-            letters = with(port, inputs.get(port).total(), letters, inputs, looks, most);
+            letters = with(port, inputs.get(port).total(), letters, trials, most);
         }
         return letters;
     }
 
     /** One port has an event, and latched ports may have got a message before. */
-    private static List<Value[]> events(List<Port> inputs, List<Look> looks) {
+    private static List<Value[]> events(List<Port> inputs, Trials trials) {
         List<Value[]> letters = new ArrayList<>();
         for (int port = 0; port < inputs.size(); port++) {
             if (!inputs.get(port).latched()) {
                 Value[] silence = new Value[inputs.size()];
-                letters.addAll(with(port, true, List.<Value[]>of(silence), inputs, looks, MOST));
+                letters.addAll(with(port, true, List.<Value[]>of(silence), trials, MOST));
             }
         }
         for (int port = 0; port < inputs.size(); port++) {
             if (inputs.get(port).latched()) {
-                letters = with(port, false, letters, inputs, looks, MOST);
+                letters = with(port, false, letters, trials, MOST);
             }
         }
         return letters;
     }
 
     private static List<Value[]> with(
-            int port,
-            boolean present,
-            List<Value[]> letters,
-            List<Port> inputs,
-            List<Look> looks,
-            int most) {
-        List<Value> samples = Kinds.of(inputs.get(port), present, looks.get(port)).samples();
+            int port, boolean present, List<Value[]> letters, Trials trials, int most) {
+        List<Value> samples = trials.samples(port, present);
         if ((long) letters.size() * samples.size() > most) {
             throw TooManyMessages.together(most);
         }

@@ -33,7 +33,8 @@ final class Pairing {
     private final Map<List<Integer>, Integer> focusLists = new HashMap<>();
     private final List<List<Focus>> foci = new ArrayList<>();
     private final List<Integer> focusListOfSet = new ArrayList<>();
-    private final LongObjectHashMap<Alphabet> alphabets = new LongObjectHashMap<>();
+    private final FreeData data;
+    private final List<LongObjectHashMap<Alphabet>> alphabets = new ArrayList<>();
     private final Numbering<IntKey> answerLists = new Numbering<>();
     private final LongObjectHashMap<List<Split.Case>> cases = new LongObjectHashMap<>();
 
@@ -47,6 +48,7 @@ final class Pairing {
         this.outputs = outputs;
         this.observed = observed;
         this.mayErr = left.mayErr();
+        this.data = new FreeData(left, right, observed.size());
         boolean events = left.profile() == Component.Profile.EVENT_DRIVEN;
         this.split = new Split(observed, outputs, events, budget);
         List<String> names = left.inputs().stream().map(Port::name).toList();
@@ -76,15 +78,20 @@ final class Pairing {
     Alphabet alphabet(int configuration, int set) {
         Focus own = left.focus(configuration);
         int list = focusList(set);
+        int held = data.any() ? data.held(configuration, sets.members(set)) : 0;
+        while (alphabets.size() <= held) {
+            alphabets.add(new LongObjectHashMap<>(2));
+        }
         long key = (long) own.number() << 32 | list;
-        Alphabet known = alphabets.get(key);
+        Alphabet known = alphabets.get(held).get(key);
         if (known == null) {
             List<Focus> all = new ArrayList<>(List.of(own));
             all.addAll(foci.get(list));
             List<int[]> positions = new ArrayList<>(List.of(leftPositions));
             foci.get(list).forEach(each -> positions.add(rightPositions));
-            known = new Alphabet(left.profile(), left.inputs(), all, positions);
-            alphabets.put(key, known);
+            StandIns standIns = data.any() ? data.standIns(held) : StandIns.NONE;
+            known = new Alphabet(left.profile(), left.inputs(), all, positions, standIns);
+            alphabets.get(held).put(key, known);
         }
         return known;
     }

@@ -4,6 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.semantics.DataSorts;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -134,6 +135,31 @@ abstract class RememberingSide<M> implements Side {
     @Override
     public final Optional<String> leftOut() {
         return side.leftOut();
+    }
+
+    /** Tells the values that are remembered, where these are data. */
+    void held(M memory, SideData data, SideData.Holding holding) {}
+
+    @Override
+    public final SideData data(DataSorts sorts) {
+        SideData inner = side.data(sorts);
+        return new SideData() {
+            @Override
+            public int input(String port) {
+                return inner.input(port);
+            }
+
+            @Override
+            public int output(int observed) {
+                return inner.output(observed);
+            }
+
+            @Override
+            public void held(int configuration, Holding holding) {
+                inner.held(state(configuration).inner, holding);
+                RememberingSide.this.held(state(configuration).memory, inner, holding);
+            }
+        };
     }
 
     @Override

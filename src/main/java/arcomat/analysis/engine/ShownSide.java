@@ -109,6 +109,12 @@ public final class ShownSide extends RememberingSide<List<Sent>> {
     }
 
     @Override
+    void held(List<Sent> memory, SideData data, SideData.Holding holding) {
+        late.stream()
+                .forEach(port -> PlacedData.held(memory.get(port), data.output(port), holding));
+    }
+
+    @Override
     String words(List<Sent> memory) {
         return memory.toString();
     }

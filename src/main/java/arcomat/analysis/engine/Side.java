@@ -4,6 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.semantics.DataSorts;
 
 import java.util.List;
 import java.util.Map;
@@ -70,6 +71,9 @@ public interface Side {
     default Optional<String> leftOut() {
         return Optional.empty();
     }
+
+    /** Tells how its data flow, and returns where they are. */
+    SideData data(DataSorts sorts);
 
     /** How many configurations have been met. */
     int size();

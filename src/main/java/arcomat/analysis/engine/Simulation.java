@@ -13,6 +13,9 @@ import java.util.Optional;
  * is answered by one step of the right with the same output, for ever. Stronger than inclusion of
  * traces, and decided on pairs instead of sets. The greatest such relation: all pairs that can be
  * reached are taken to be related, until one has a step without an answer.
+ *
+ * <p>Pairs are explored as far as somebody has patience: there may be no end of them where the
+ * search that asks would soon find a counterexample.
  */
 final class Simulation {
     private static final int MOST_PAIRS = 5_000_000;
@@ -36,21 +39,32 @@ final class Simulation {
     private final IntArrayList fallen = new IntArrayList();
     private boolean exhausted;
 
+    /** The first pair whose steps have not been looked at yet. */
+    private int open;
+
     /** As many pairs have been explored to the end. */
     private int closed;
+
+    /** Letters that have been looked at. */
+    private long work;
 
     Simulation(Pairing pairing, Budget budget) {
         this.pairing = pairing;
         this.budget = budget;
     }
 
-    /** False also where it was not decided within the budget. */
-    boolean holds(int left, int right) {
+    /**
+     * False also where it was not decided within the budget.
+     *
+     * @param patience as many letters may be looked at, all that have been so far included
+     */
+    boolean holds(int left, int right, long patience) {
         if (exhausted) {
             return false;
         }
-        int pair = explore(left, right);
-        return !exhausted && !refuted.get(pair);
+        int pair = pair(left, right);
+        explore(pair, patience);
+        return pair < closed && !refuted.get(pair);
     }
 
     /** All pairs that are known to be related. */
@@ -76,7 +90,9 @@ final class Simulation {
                 boolean answered = false;
                 for (int answer : sent.allowed()) {
                     int next = theirs.next()[answer];
-                    answered |= pairing.isSettled(next) || holds(mine.next()[step], next);
+                    answered |=
+                            pairing.isSettled(next)
+                                    || holds(mine.next()[step], next, Long.MAX_VALUE);
                 }
                 if (!answered) {
                     return exhausted ? Optional.empty() : Optional.of(false);
@@ -86,22 +102,23 @@ final class Simulation {
         return Optional.of(true);
     }
 
-    private int explore(int left, int right) {
-        int first = lefts.size();
-        int pair = pair(left, right);
+    /** Until it is known whether the pair has fallen, or patience is lost. */
+    private void explore(int pair, long patience) {
         try {
-            for (int open = first; open < lefts.size() && !exhausted; open++) {
+            while (open < lefts.size() && !refuted.get(pair) && work < patience && !exhausted) {
                 exhausted = lefts.size() > MOST_PAIRS || budget.exhausted(lefts.size()) != null;
-                demand(open);
+                if (!refuted.get(open)) {
+                    demand(open);
+                }
+                open++;
+                refute();
             }
         } catch (GivenUp inTheMiddle) {
             exhausted = true;
         }
-        if (!exhausted) {
-            refute();
-            closed = lefts.size();
+        if (open == lefts.size() && !exhausted) {
+            closed = open;
         }
-        return pair;
     }
 
     private int pair(int left, int right) {
@@ -125,6 +142,7 @@ final class Simulation {
         Steps[] own = pairing.leftSteps(left, alphabet);
         Steps[] other = pairing.rightSteps(set, right, alphabet);
         for (int letter = 0; letter < alphabet.size(); letter++) {
+            work++;
             Steps mine = own[letter];
             Steps theirs = other[letter];
             for (int step = 0; step < mine.size(); step++) {

@@ -39,11 +39,11 @@ final class SliceUnfolding implements Unfolding {
 
     /** A message that passes through to the outside matters as a whole. */
     @Override
-    public Attention attention(Whole whole) {
+    public Attention attention(Whole whole, StandIns standIns) {
         Look[] looks = new Look[network.inputs().size()];
         for (int i = 0; i < looks.length; i++) {
             int signal = network.inputs().get(i).signal();
-            looks[i] = wiring.observed[signal] ? new Attention.Whole() : new Attention.Unseen();
+            looks[i] = wiring.observed[signal] ? new Attention.Copied() : new Attention.Unseen();
             for (Wiring.Reader reader : wiring.readers.get(signal)) {
                 looks[i] = looks[i].and(parts.look(whole, reader.part(), reader.port()));
             }
@@ -85,6 +85,11 @@ final class SliceUnfolding implements Unfolding {
         return wiring.delayed[port.signal()]
                 ? slice.registers[port.signal()]
                 : slice.visible[port.signal()];
+    }
+
+    @Override
+    public int signal(int register) {
+        return register;
     }
 
     @Override

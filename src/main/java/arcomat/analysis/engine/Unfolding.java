@@ -15,8 +15,12 @@ interface Unfolding {
     /** All ways to begin. */
     List<Outcome> beginnings();
 
-    /** What the reactions look at, external input by external input. */
-    Attention attention(Whole whole);
+    /**
+     * What the reactions look at, external input by external input.
+     *
+     * @param standIns for data of this side of which it only matters which are the same
+     */
+    Attention attention(Whole whole, StandIns standIns);
 
     /**
      * All ways to react.
@@ -24,6 +28,9 @@ interface Unfolding {
      * @param letter messages by position of the external input, null for silence
      */
     List<Outcome> reactions(Whole before, Value[] letter);
+
+    /** The signal whose message a register of a {@link Whole} keeps. */
+    int signal(int register);
 
     /** Why some ways have been left out; empty where none has been so far. */
     Optional<String> leftOut();
