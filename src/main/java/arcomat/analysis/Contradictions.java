@@ -19,6 +19,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Whether some requirements on a component contradict each other: whether there is no
@@ -31,7 +32,7 @@ public final class Contradictions {
     private final boolean all;
     private final Budget budget;
     private final Choices choices;
-    private final List<Requirement> requirements = new ArrayList<>();
+    private final List<AtomicSide> sides = new ArrayList<>();
     private final List<Cores> played = new ArrayList<>();
 
     private Contradictions(Promise promise, boolean all, Budget budget) {
@@ -42,15 +43,8 @@ public final class Contradictions {
         List<String> names = outputs.stream().map(Port::name).toList();
         Outputs numbers = new Outputs();
         this.choices = new Choices(outputs, numbers, budget);
-        boolean errors = promise.automata().stream().anyMatch(RunErrors::arePossible);
         for (Promise each : promise.each()) {
-            requirements.add(
-                    new Requirement(
-                            new AtomicSide(each.behaviour(), names, numbers, budget),
-                            each.automata().get(0),
-                            errors,
-                            choices,
-                            budget));
+            sides.add(new AtomicSide(each.behaviour(), names, numbers, budget));
         }
     }
 
@@ -83,19 +77,47 @@ public final class Contradictions {
         return played.stream().mapToLong(Cores::explored).sum();
     }
 
+    /**
+     * A system that never errs is wanted first. Where there is none, one that errs will do, if it
+     * errs only where each requirement may: an error concerns all of them, whatever they write.
+     */
     private Consistency search() {
-        Groups apart = Groups.byOutputs(decided());
-        Groups together = Groups.one(requirements.size());
-        boolean mayErr =
-                promise.automata().stream()
-                        .anyMatch(a -> a.completion() == Automaton.Completion.ERROR);
-        Consistency found = search(cores(mayErr ? together : apart));
-        boolean erred = requirements.stream().anyMatch(Requirement::errs);
-        return erred && !mayErr ? search(cores(together)) : found;
+        Cores unerring = cores(Groups.byOutputs(decided()), false);
+        List<BitSet> found = contradicting(unerring);
+        boolean kept = found.isEmpty() && unerring.stopped().isEmpty();
+        if (kept || !errorsMatter(found)) {
+            return told(unerring, found);
+        }
+        Cores erring = cores(Groups.one(sides.size()), true);
+        return told(erring, contradicting(erring));
     }
 
-    private Cores cores(Groups groups) {
+    private List<BitSet> contradicting(Cores cores) {
+        return all ? cores.every() : cores.first().map(List::of).orElse(List.of());
+    }
+
+    /** Whether some contradiction may be none because all of its requirements allow an error. */
+    private boolean errorsMatter(List<BitSet> contradicting) {
+        return contradicting.isEmpty()
+                ? promise.automata().stream().anyMatch(RunErrors::arePossible)
+                : contradicting.stream()
+                        .anyMatch(each -> members(each).allMatch(RunErrors::arePossible));
+    }
+
+    private Stream<Automaton> members(BitSet set) {
+        return set.stream().mapToObj(promise.automata()::get);
+    }
+
+    /**
+     * @param ends whether an error is a way to keep what allows it
+     */
+    private Cores cores(Groups groups, boolean ends) {
         Component.Profile profile = promise.component().profile();
+        List<Requirement> requirements = new ArrayList<>();
+        for (int i = 0; i < sides.size(); i++) {
+            Automaton automaton = promise.automata().get(i);
+            requirements.add(new Requirement(sides.get(i), automaton, ends, choices, budget));
+        }
         Cores cores = new Cores(requirements, groups, choices, profile, budget);
         played.add(cores);
         return cores;
@@ -124,19 +146,17 @@ public final class Contradictions {
         return sends.stream().anyMatch(send -> send.port().name().equals(port));
     }
 
-    private Consistency search(Cores cores) {
-        List<BitSet> found = all ? cores.every() : cores.first().map(List::of).orElse(List.of());
+    private Consistency told(Cores cores, List<BitSet> found) {
         List<String> notes = new ArrayList<>();
         if (!found.isEmpty()) {
             List<Contradiction> told = found.stream().map(core -> tell(cores, core)).toList();
             if (all && cores.stopped().isPresent()) {
                 notes.add("there may be more contradictions: " + cores.stopped().get());
             }
-            return new Consistency(
-                    Answer.FAILS, "", told, Optional.empty(), notes, cores.explored());
+            return new Consistency(Answer.FAILS, "", told, Optional.empty(), notes, explored());
         }
         if (cores.stopped().isPresent()) {
-            return unknown(cores.stopped().get(), cores.explored());
+            return unknown(cores.stopped().get(), explored());
         }
         boolean events = promise.component().profile() == Component.Profile.EVENT_DRIVEN;
         Optional<Component> controller = events ? Optional.empty() : controller(cores);
@@ -145,7 +165,7 @@ public final class Contradictions {
         } else if (controller.isEmpty()) {
             notes.add("a controller has too many states or inputs to be written down");
         }
-        return new Consistency(Answer.HOLDS, "", List.of(), controller, notes, cores.explored());
+        return new Consistency(Answer.HOLDS, "", List.of(), controller, notes, explored());
     }
 
     private Optional<Component> controller(Cores cores) {

@@ -58,22 +58,23 @@ public final class Behaviour {
     /**
      * Names of the outputs that an automaton decides about: those that it writes, and those that no
      * automaton of the component writes, which belong to all of them. Where all take part, such a
-     * port is open only if each of them leaves it open, so one more automaton never allows more. A
-     * sole automaton on a decomposed component is a requirement about what it writes.
+     * port is open only if each of them leaves it open, so one more automaton never allows more;
+     * one that is total has a message in every slice, and nobody says which. A sole automaton on a
+     * decomposed component is a requirement about what it writes.
      */
     public static Set<String> owned(Component component, Automaton automaton) {
         Set<String> owned = written(automaton);
         boolean atomic = component.body() instanceof Component.Atomic;
         if (atomic || component.automata().size() > 1) {
-            Set<String> unwritten = names(component.outputs());
+            Set<String> unwritten =
+                    component.outputs().stream()
+                            .filter(port -> !port.total())
+                            .map(Port::name)
+                            .collect(Collectors.toCollection(HashSet::new));
             component.automata().forEach(each -> unwritten.removeAll(written(each)));
             owned.addAll(unwritten);
         }
         return owned;
-    }
-
-    private static Set<String> names(List<Port> ports) {
-        return ports.stream().map(Port::name).collect(Collectors.toCollection(HashSet::new));
     }
 
     private static Set<String> written(Automaton automaton) {

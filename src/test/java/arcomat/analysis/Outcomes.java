@@ -6,7 +6,6 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
@@ -14,27 +13,45 @@ import arcomat.semantics.Sent;
 import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
+import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
 
 /**
  * The meaning of requirement sets, step by step and letter by letter, with all inputs and outputs
- * written out: slow, and without any code of the engine.
+ * written out: slow, and without any code of the engine. Positions are numbered as they are met.
  */
 final class Outcomes {
-    /** What the requirements may be in; the run's end is an empty list of sets. */
-    private record Position(List<Set<Configuration>> sets) {
-        private static final Position END = new Position(List.of());
-    }
+    /** The position behind an error that all requirements allow. */
+    static final int END = 0;
 
-    private final List<StepRelation> relations = new ArrayList<>();
-    private List<Output> outputs;
-    private final List<Value[]> inputs;
+    /** In place of a position: this does not comply. */
+    static final int BROKEN = -1;
+
+    /**
+     * What the requirements may be in, given what was observed.
+     *
+     * @param held which latched ports have got a message: they never lose it
+     */
+    private record Position(List<Set<Configuration>> sets, List<Boolean> held) {}
+
+    private static final int MOST_ANSWERS = 200_000;
+
+    private record Asked(int position, Input input) {}
+
     private final Component component;
+    private final List<StepRelation> relations = new ArrayList<>();
+    private final List<Output> outputs;
+    private final List<Value[]> inputs;
+    private final List<Position> positions = new ArrayList<>();
+    private final Map<Position, Integer> numbers = new HashMap<>();
+    private final Map<Asked, int[]> answers = new HashMap<>();
 
     Outcomes(List<Promise> requirements) {
         component = requirements.get(0).component();
@@ -42,30 +59,39 @@ final class Outcomes {
             relations.addAll(
                     Behaviour.of(component, each.automata(), each.arguments()).relations());
         }
-        outputs = new ArrayList<>(List.of(new Output(List.of())));
+        outputs = everyOutput();
+        inputs = letters(component.inputs()).stream().filter(this::mayCome).toList();
+        number(new Position(List.of(), List.of()));
+    }
+
+    private List<Output> everyOutput() {
+        List<Output> all = List.of(new Output(List.of()));
         for (Port port : component.outputs()) {
             List<Output> longer = new ArrayList<>();
-            for (Output output : outputs) {
+            for (Output output : all) {
                 for (Sent sent : sent(port)) {
                     List<Sent> ports = new ArrayList<>(output.ports());
                     ports.add(sent);
                     longer.add(new Output(ports));
                 }
             }
-            outputs = longer;
+            all = longer;
         }
-        inputs =
-                letters(component.inputs()).stream()
-                        .filter(letter -> !isEventDriven() || events(letter) == 1)
-                        .toList();
+        return all;
     }
 
     private boolean isEventDriven() {
         return component.profile() == Component.Profile.EVENT_DRIVEN;
     }
 
-    private static long events(Value[] letter) {
-        return java.util.Arrays.stream(letter).filter(Objects::nonNull).count();
+    /** One event at a time; what latched ports hold is none. */
+    private boolean mayCome(Value[] letter) {
+        return !isEventDriven()
+                || IntStream.range(0, letter.length)
+                                .filter(i -> letter[i] != null)
+                                .filter(i -> !component.inputs().get(i).latched())
+                                .count()
+                        == 1;
     }
 
     /** In answer to an event, up to two messages. */
@@ -73,7 +99,7 @@ final class Outcomes {
         List<Sent> sent = new ArrayList<>();
         List<Value> values = values(port);
         for (Value one : values) {
-            sent.add(sent(one));
+            sent.add(Sent.of(one));
             for (Value two : isEventDriven() && one != null ? values : List.<Value>of()) {
                 if (two != null) {
                     sent.add(new Sent.Messages(List.of(one, two)));
@@ -81,10 +107,6 @@ final class Outcomes {
             }
         }
         return sent;
-    }
-
-    private static Sent sent(Value message) {
-        return message == null ? Sent.SILENCE : new Sent.Messages(List.of(message));
     }
 
     /** All letters, messages by position. */
@@ -114,123 +136,202 @@ final class Outcomes {
         return values;
     }
 
-    /** Whether some outputs comply after a word. */
-    boolean somethingComplies(List<Letter> word) {
-        Set<Position> positions = new LinkedHashSet<>(openings());
-        for (Letter letter : word) {
-            Set<Position> next = new LinkedHashSet<>();
-            for (Position position : positions) {
-                Input input = Input.of(component, letter);
-                next.addAll(answers(position, input));
-            }
-            positions = next;
-        }
-        return !positions.isEmpty();
+    List<Value[]> inputs() {
+        return inputs;
     }
 
-    /** Whether the environment can make every system break a requirement with so many inputs. */
-    boolean isLost(int inputsLeft) {
-        Map<Position, Map<Integer, Boolean>> known = new LinkedHashMap<>();
-        for (Position opening : openings()) {
-            if (!isLost(opening, inputsLeft, known)) {
-                return false;
-            }
+    private int number(Position position) {
+        Integer known = numbers.putIfAbsent(position, positions.size());
+        if (known == null) {
+            positions.add(position);
         }
-        return true;
+        return known == null ? positions.size() - 1 : known;
     }
 
-    private boolean isLost(
-            Position position, int left, Map<Position, Map<Integer, Boolean>> known) {
-        if (left == 0 || position.equals(Position.END)) {
-            return false;
-        }
-        Map<Integer, Boolean> own = known.computeIfAbsent(position, p -> new LinkedHashMap<>());
-        Boolean before = own.get(left);
-        if (before == null) {
-            before = false;
-            for (Value[] letter : inputs) {
-                Set<Position> answers = answers(position, Input.of(letter));
-                before |= answers.stream().allMatch(each -> isLost(each, left - 1, known));
-            }
-            own.put(left, before);
-        }
-        return before;
+    /** Per output that there is where it leads before anything is read. */
+    int[] openings() {
+        List<Boolean> held = held(new Value[component.inputs().size()]);
+        return outputs.stream().mapToInt(output -> opening(output, held)).toArray();
     }
 
-    private Set<Position> openings() {
-        Set<Position> positions = new LinkedHashSet<>();
-        for (Output output : outputs) {
-            List<Set<Configuration>> sets = new ArrayList<>();
-            for (StepRelation relation : relations) {
-                Set<Configuration> set = new LinkedHashSet<>();
-                relation.starts().stream()
-                        .filter(start -> start.output().meet(output).isPresent())
-                        .forEach(start -> set.add(start.configuration()));
-                sets.add(set);
-            }
-            if (sets.stream().noneMatch(Set::isEmpty)) {
-                positions.add(new Position(sets));
-            }
+    private int opening(Output output, List<Boolean> held) {
+        List<Set<Configuration>> sets = new ArrayList<>();
+        for (StepRelation relation : relations) {
+            Set<Configuration> set = new LinkedHashSet<>();
+            relation.starts().stream()
+                    .filter(start -> start.output().meet(output).isPresent())
+                    .forEach(start -> set.add(start.configuration()));
+            sets.add(set);
         }
-        return positions;
+        return numbered(sets, held);
     }
 
-    private Set<Position> answers(Position position, Input input) {
-        Set<Position> answers = new LinkedHashSet<>();
-        if (position.equals(Position.END)) {
-            return Set.of(Position.END);
+    private int numbered(List<Set<Configuration>> sets, List<Boolean> held) {
+        return sets.stream().anyMatch(Set::isEmpty) ? BROKEN : number(new Position(sets, held));
+    }
+
+    private List<Boolean> held(Value[] letter) {
+        return IntStream.range(0, letter.length)
+                .mapToObj(i -> letter[i] != null && component.inputs().get(i).latched())
+                .toList();
+    }
+
+    /** Whether latched ports keep what they have got. */
+    boolean isPossible(int position, Value[] letter) {
+        List<Boolean> before = positions.get(position).held();
+        List<Boolean> after = held(letter);
+        return IntStream.range(0, before.size()).noneMatch(i -> before.get(i) && !after.get(i));
+    }
+
+    /** Per output that there is where it leads; behind them where an error does. */
+    int[] answers(int position, Value[] letter) {
+        return answers.computeIfAbsent(
+                new Asked(position, Input.of(letter)), asked -> compute(asked, held(letter)));
+    }
+
+    private int[] compute(Asked asked, List<Boolean> held) {
+        int[] found = new int[outputs.size() + 1];
+        Arrays.fill(found, BROKEN);
+        if (asked.position == END) {
+            found[outputs.size()] = END;
+            return found;
         }
-        for (Output output : outputs) {
-            List<Set<Configuration>> sets = new ArrayList<>();
-            for (int i = 0; i < relations.size(); i++) {
-                sets.add(after(relations.get(i), position.sets().get(i), input, output));
-            }
-            if (sets.stream().noneMatch(Set::isEmpty)) {
-                answers.add(new Position(sets));
-            }
-        }
+        List<List<Reaction>> reactions = new ArrayList<>();
         boolean ends = true;
         for (int i = 0; i < relations.size(); i++) {
-            ends &= mayEnd(relations.get(i), position.sets().get(i), input);
+            List<Reaction> own = new ArrayList<>();
+            boolean mayEnd = false;
+            for (Configuration each : positions.get(asked.position).sets().get(i)) {
+                StepRelation.Prospect prospect = relations.get(i).prospect(each, asked.input);
+                own.addAll(prospect.reactions());
+                mayEnd |= !prospect.errors().isEmpty();
+            }
+            reactions.add(own);
+            ends &= mayEnd;
         }
-        if (ends) {
-            answers.add(Position.END);
+        for (int output = 0; output < outputs.size(); output++) {
+            Output sent = outputs.get(output);
+            found[output] = numbered(reactions.stream().map(r -> after(r, sent)).toList(), held);
         }
-        return answers;
+        found[outputs.size()] = ends ? END : BROKEN;
+        return found;
     }
 
-    private static List<Reaction> reactions(
-            StepRelation relation, Configuration before, Input input) {
-        try {
-            return relation.reactions(before, input);
-        } catch (Fault fault) {
-            return List.of();
-        }
-    }
-
-    private static Set<Configuration> after(
-            StepRelation relation, Set<Configuration> before, Input input, Output output) {
+    private static Set<Configuration> after(List<Reaction> reactions, Output sent) {
         Set<Configuration> after = new LinkedHashSet<>();
-        for (Configuration each : before) {
-            for (Reaction reaction : reactions(relation, each, input)) {
-                if (reaction.next() != Configuration.ERROR
-                        && reaction.output().meet(output).isPresent()) {
-                    after.add(reaction.next());
-                }
+        for (Reaction reaction : reactions) {
+            if (reaction.output().meet(sent).isPresent()) {
+                after.add(reaction.next());
             }
         }
         return after;
     }
 
-    /** In the distinguished error, or in a fault. */
-    private static boolean mayEnd(StepRelation relation, Set<Configuration> before, Input input) {
-        for (Configuration each : before) {
-            List<Reaction> reactions = reactions(relation, each, input);
-            if (reactions.isEmpty()
-                    || reactions.stream().anyMatch(r -> r.next() == Configuration.ERROR)) {
-                return true;
+    /** Where an answer leads; null is an error. */
+    int after(int position, Value[] letter, Output sent) {
+        int[] all = answers(position, letter);
+        return all[sent == null ? outputs.size() : outputs.indexOf(sent)];
+    }
+
+    /** Where a beginning leads. */
+    int opening(Output sent) {
+        return openings()[outputs.indexOf(sent)];
+    }
+
+    private static int[] distinct(int[] answers) {
+        return Arrays.stream(answers).filter(each -> each != BROKEN).distinct().toArray();
+    }
+
+    Value[] letter(Letter input) {
+        return component.inputs().stream()
+                .map(port -> input.message(port.name()).orElse(null))
+                .toArray(Value[]::new);
+    }
+
+    /** Whether some outputs comply after a word. */
+    boolean somethingComplies(List<Letter> word) {
+        Set<Integer> reached = new TreeSet<>();
+        Arrays.stream(distinct(openings())).forEach(reached::add);
+        for (Letter letter : word) {
+            Set<Integer> next = new TreeSet<>();
+            for (int each : reached) {
+                Arrays.stream(distinct(answers(each, letter(letter)))).forEach(next::add);
+            }
+            reached = next;
+        }
+        return !reached.isEmpty();
+    }
+
+    /** Whether the environment can make every system break a requirement with so many inputs. */
+    boolean isLost(int inputsLeft) {
+        Map<List<Integer>, Boolean> known = new HashMap<>();
+        return Arrays.stream(distinct(openings()))
+                .allMatch(each -> isLost(each, inputsLeft, known));
+    }
+
+    private boolean isLost(int position, int left, Map<List<Integer>, Boolean> known) {
+        if (left == 0 || position == END) {
+            return false;
+        }
+        Boolean before = known.get(List.of(position, left));
+        if (before == null) {
+            before =
+                    inputs.stream()
+                            .filter(letter -> isPossible(position, letter))
+                            .map(letter -> distinct(answers(position, letter)))
+                            .anyMatch(
+                                    next ->
+                                            Arrays.stream(next)
+                                                    .allMatch(n -> isLost(n, left - 1, known)));
+            known.put(List.of(position, left), before);
+        }
+        return before;
+    }
+
+    /**
+     * Whether the environment can make every system break a requirement, however long that takes.
+     *
+     * @param errs whether a system may err where all requirements allow it
+     * @return empty where there are too many positions
+     */
+    Optional<Boolean> isEverLost(boolean errs) {
+        int[] first = distinct(openings());
+        return lost(errs).map(lost -> Arrays.stream(first).allMatch(lost::contains));
+    }
+
+    /** All positions from which it can. */
+    Optional<Set<Integer>> lost(boolean errs) {
+        openings();
+        Set<Integer> lost = new TreeSet<>();
+        for (int position = 1; position < positions.size(); position++) {
+            if (positions.size() * inputs.size() * outputs.size() > MOST_ANSWERS) {
+                return Optional.empty();
+            }
+            for (Value[] letter : inputs) {
+                if (isPossible(position, letter)) {
+                    answers(position, letter);
+                }
             }
         }
-        return false;
+        for (boolean again = true; again; ) {
+            again = false;
+            for (int position = 1; position < positions.size(); position++) {
+                again |=
+                        !lost.contains(position)
+                                && falls(position, lost, errs)
+                                && lost.add(position);
+            }
+        }
+        return Optional.of(lost);
+    }
+
+    private boolean falls(int position, Set<Integer> lost, boolean errs) {
+        return inputs.stream()
+                .filter(letter -> isPossible(position, letter))
+                .anyMatch(
+                        letter ->
+                                Arrays.stream(distinct(answers(position, letter)))
+                                        .allMatch(
+                                                next -> next == END ? !errs : lost.contains(next)));
     }
 }

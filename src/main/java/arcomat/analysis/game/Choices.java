@@ -28,7 +28,7 @@ public final class Choices {
     /**
      * One output.
      *
-     * @param sent a cube: where a port is left open, every message will do; null where the run ends
+     * @param sent a cube: where a port is left open, every message will do
      * @param allowed per list of cubes the positions of those that allow it
      */
     record Choice(Output sent, int[][] allowed) {}
@@ -55,6 +55,12 @@ public final class Choices {
 
     Output cube(int number) {
         return outputs.cube(number);
+    }
+
+    /** Whether each list allows an error. */
+    boolean mayEnd(int[] demands) {
+        return Arrays.stream(demands)
+                .allMatch(each -> Arrays.stream(list(each)).anyMatch(c -> !outputs.isLetter(c)));
     }
 
     /** The number of a list of cubes. */
@@ -86,7 +92,7 @@ public final class Choices {
 
     /**
      * All outputs that matter, in the order in which they are mentioned; none where the
-     * requirements contradict each other.
+     * requirements contradict each other, unless all of them allow an error.
      *
      * @param demands numbers of lists of cubes, one per requirement
      */
@@ -103,26 +109,20 @@ public final class Choices {
     private List<Choice> compute(int[] demands) {
         List<Choice> found = new ArrayList<>();
         int[][] letters = new int[demands.length][];
-        int[][] errors = new int[demands.length][];
         for (int i = 0; i < demands.length; i++) {
-            int[] cubes = list(demands[i]);
-            letters[i] = positions(cubes, true);
-            errors[i] = positions(cubes, false);
+            letters[i] = letters(list(demands[i]));
         }
         if (allPossible(letters)) {
             choose(demands, letters, new ArrayList<>(), found, new HashSet<>());
         }
-        if (demands.length > 0 && allPossible(errors)) {
-            found.add(new Choice(null, errors));
-        }
         return List.copyOf(found);
     }
 
-    private int[] positions(int[] cubes, boolean letters) {
+    private int[] letters(int[] cubes) {
         int[] all = new int[cubes.length];
         int count = 0;
         for (int i = 0; i < cubes.length; i++) {
-            if (outputs.isLetter(cubes[i]) == letters) {
+            if (outputs.isLetter(cubes[i])) {
                 all[count++] = i;
             }
         }

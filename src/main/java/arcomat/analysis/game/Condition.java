@@ -33,12 +33,10 @@ final class Condition {
     private final List<Value> wanted = new ArrayList<>();
     private boolean absentWanted;
 
-    /**
-     * Whether it matters that a message is no number: the comparisons with numbers leave it out.
-     */
-    private boolean unordered;
+    /** What is no number, if it is told apart from others: it has no place in their order. */
+    private final boolean noNumberPossible;
 
-    private boolean unorderedWanted;
+    private boolean noNumberWanted;
 
     /**
      * @param samples of all kinds
@@ -47,17 +45,17 @@ final class Condition {
     Condition(Port port, Look look, List<Value> samples, int[] group) {
         this.port = port;
         this.look = look;
+        this.noNumberPossible = samples.stream().anyMatch(Condition::isNoNumber);
         samples.stream()
-                .filter(sample -> sample != null)
+                .filter(sample -> sample != null && !isNoNumber(sample))
                 .sorted(ValueOrder.NATURAL)
                 .forEach(present::add);
-        unordered = present.removeIf(Condition::isNoNumber);
         for (int position : group) {
             Value sample = samples.get(position);
             if (sample == null) {
                 absentWanted = true;
             } else if (isNoNumber(sample)) {
-                unorderedWanted = true;
+                noNumberWanted = true;
             } else {
                 wanted.add(sample);
             }
@@ -71,7 +69,7 @@ final class Condition {
 
     /** The condition as an item of an input block, where it can be one. */
     Optional<Match> match() {
-        if (wanted.isEmpty() && !unorderedWanted) {
+        if (wanted.isEmpty() && !noNumberWanted) {
             return Optional.of(new Match(port, new Absent()));
         }
         return absentWanted ? Optional.empty() : pattern().map(p -> new Match(port, p));
@@ -93,10 +91,11 @@ final class Condition {
 
     /** Of the messages that are wanted. */
     private Optional<Pattern> pattern() {
-        if (wanted.size() == present.size() && unorderedWanted == unordered) {
+        boolean numbers = wanted.size() == present.size();
+        if (numbers && noNumberWanted == noNumberPossible) {
             return Optional.of(new Present());
         }
-        if (unorderedWanted || wanted.size() == present.size()) {
+        if (numbers || noNumberWanted) {
             return Optional.empty();
         }
         if (isOrdered() && port.type() instanceof Type.IntegerType) {
@@ -136,10 +135,10 @@ final class Condition {
 
     private Expression comparison() {
         if (wanted.size() == present.size()) {
-            return withItself(BinaryOperator.EQUAL);
+            return isNumber();
         }
         if (isOrdered()) {
-            Expression any = unorderedWanted ? withItself(BinaryOperator.NOT_EQUAL) : null;
+            Expression any = noNumberWanted ? not(isNumber()) : null;
             for (Interval interval : intervals()) {
                 Expression inside = inside(interval);
                 any = any == null ? inside : binary(BinaryOperator.OR, any, inside);
@@ -153,12 +152,6 @@ final class Condition {
             }
         }
         return all;
-    }
-
-    /** Only what is no number differs from itself. */
-    private Expression withItself(BinaryOperator operator) {
-        Expression read = new Expression.PortRead(port, port.span());
-        return binary(operator, read, read);
     }
 
     /** Neighbouring samples, by their positions. */
@@ -243,6 +236,20 @@ final class Condition {
                 operator,
                 new Expression.PortRead(port, port.span()),
                 constants(List.of(value)).get(0));
+    }
+
+    /** What is no number is neither less nor greater than one, nor equal to it. */
+    private Expression isNumber() {
+        Value some = ((Compared) look).values().get(0);
+        return binary(
+                BinaryOperator.OR,
+                compare(BinaryOperator.LESS_OR_EQUAL, some),
+                compare(BinaryOperator.GREATER, some));
+    }
+
+    private static Expression not(Expression condition) {
+        return new Expression.Unary(
+                Expression.UnaryOperator.NOT, condition, condition.type(), condition.span());
     }
 
     private List<Expression> constants(List<Value> values) {

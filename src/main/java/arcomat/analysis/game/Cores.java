@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -80,10 +81,14 @@ public final class Cores {
     }
 
     private Optional<BitSet> in(BitSet candidates) {
+        Optional<BitSet> alone = contradicting(singles(candidates), SMALL);
+        if (alone.isPresent()) {
+            return alone;
+        }
         for (BitSet group : groups.of(candidates)) {
             Optional<BitSet> pair = contradicting(pairs(group), SMALL);
             if (pair.isPresent()) {
-                return pair;
+                return pair.map(set -> MinimalSets.of(set, this::contradicts));
             }
         }
         for (BitSet group : groups.of(candidates)) {
@@ -95,6 +100,10 @@ public final class Cores {
         return Optional.empty();
     }
 
+    private static Stream<BitSet> singles(BitSet group) {
+        return group.stream().mapToObj(Cores::set);
+    }
+
     private Stream<BitSet> pairs(BitSet group) {
         return group.stream()
                 .boxed()
@@ -103,14 +112,13 @@ public final class Cores {
                                 group.stream()
                                         .filter(other -> one < other)
                                         .filter(other -> groups.areNeighbours(one, other))
-                                        .mapToObj(other -> pair(one, other)));
+                                        .mapToObj(other -> set(one, other)));
     }
 
-    private static BitSet pair(int one, int other) {
-        BitSet pair = new BitSet();
-        pair.set(one);
-        pair.set(other);
-        return pair;
+    private static BitSet set(int... members) {
+        BitSet set = new BitSet();
+        IntStream.of(members).forEach(set::set);
+        return set;
     }
 
     private Optional<BitSet> inGroup(BitSet group) {
@@ -169,9 +177,10 @@ public final class Cores {
         return true;
     }
 
-    /** One requirement alone never contradicts itself: every input has a reaction. */
+    /** One requirement alone never contradicts itself, unless it may not react to an input. */
     private Game.Winner play(BitSet group, long most) {
-        if (group.cardinality() < 2) {
+        boolean alone = group.cardinality() < 2;
+        if (alone && group.stream().noneMatch(each -> requirements.get(each).mayFail())) {
             return Game.Winner.SYSTEM;
         }
         Game.Winner winner = known.get(group);
@@ -214,13 +223,19 @@ public final class Cores {
         return game;
     }
 
-    /** The games of all groups, which the system wins; those that need no search are not played. */
+    /**
+     * The games of all groups, which the system wins. Those that need no search are only played to
+     * tell where errors can be avoided.
+     */
     public List<Game> won() {
         List<Game> games = new ArrayList<>();
         for (BitSet group : groups.of(all())) {
             Game game = won.get(group);
             if (game == null) {
-                game = game(group, ALL);
+                game = game(group, SMALL);
+                if (group.stream().allMatch(each -> requirements.get(each).mayEnd())) {
+                    game.play();
+                }
             }
             games.add(game);
         }

@@ -35,7 +35,8 @@ public final class Game {
     private final Budget budget;
     private final long mostMoves;
     private long moves;
-    private final BitSet lost = new BitSet();
+    private BitSet lost = new BitSet();
+    private BitSet erring = new BitSet();
     private final List<Demand> demands = new ArrayList<>();
     private final IntArrayList alive = new IntArrayList();
 
@@ -44,7 +45,7 @@ public final class Game {
 
     private final IntArrayList levels = new IntArrayList();
     private final IntArrayList fallen = new IntArrayList();
-    private int explored = Rules.FREE + 1;
+    private int explored = Rules.END + 1;
     private String stopped;
 
     /**
@@ -101,7 +102,7 @@ public final class Game {
             return "more than %d inputs to try at once"
                     .formatted(Math.min(MOST_LETTERS, mostMoves));
         }
-        return budget.exhausted(explored);
+        return budget.exhausted(explored());
     }
 
     /** With how many inputs a position is first reached. */
@@ -117,9 +118,9 @@ public final class Game {
         return Optional.ofNullable(stopped);
     }
 
-    /** How many positions were explored. */
+    /** How many positions were explored; that the run has ended is none. */
     public int explored() {
-        return explored;
+        return explored - Rules.END;
     }
 
     /** Whether each beginning is lost. */
@@ -140,7 +141,25 @@ public final class Game {
     /** Whether it is known that the system wins from here. */
     boolean isWon(int position) {
         return position == Rules.FREE
+                || position == Rules.END
                 || stopped == null && explored == rules.size() && !lost.get(position);
+    }
+
+    /**
+     * Finds out from where the system can be made to err. To be called after the game was played,
+     * which is not played on then.
+     */
+    void lookForErrors() {
+        BitSet known = (BitSet) lost.clone();
+        lose(Rules.END);
+        carryBack();
+        erring = lost;
+        lost = known;
+    }
+
+    /** Whether it is known that every system errs or loses from here, or has done so. */
+    boolean errs(int position) {
+        return erring.get(position);
     }
 
     private void expand(int position) {

@@ -7,6 +7,7 @@ import arcomat.model.Value;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.LinkedHashSet;
@@ -51,7 +52,7 @@ final class Projections {
     }
 
     private boolean mayContradict(int[] members, int[] chosen) {
-        if (combinations++ > MOST_COMBINATIONS || choices.of(chosen).isEmpty()) {
+        if (combinations++ > MOST_COMBINATIONS || !canAnswer(chosen)) {
             return true;
         }
         if (chosen.length == members.length) {
@@ -61,7 +62,7 @@ final class Projections {
         if (lists.isEmpty()) {
             return true;
         }
-        int[] longer = java.util.Arrays.copyOf(chosen, chosen.length + 1);
+        int[] longer = Arrays.copyOf(chosen, chosen.length + 1);
         for (int list : lists.get()) {
             longer[chosen.length] = list;
             if (mayContradict(members, longer.clone())) {
@@ -69,6 +70,14 @@ final class Projections {
             }
         }
         return false;
+    }
+
+    /**
+     * With an output, or with an error. Chaos forbids errors, but is not asked: it is only reached
+     * by a step that forbids them, too.
+     */
+    private boolean canAnswer(int[] chosen) {
+        return !choices.of(chosen).isEmpty() || choices.mayEnd(chosen);
     }
 
     /**

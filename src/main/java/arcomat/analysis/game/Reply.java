@@ -1,7 +1,9 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.Steps;
 
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -14,6 +16,11 @@ import java.util.List;
  * @param next per cube the configurations afterwards
  */
 record Reply(int number, List<Part> before, int[] cubes, int list, int[][] next) {
+
+    /** Whether the run may end here, in an error. */
+    boolean mayEnd() {
+        return Arrays.stream(cubes).anyMatch(cube -> cube == Outputs.ERROR);
+    }
 
     /** The steps of one member of the set. */
     record Part(int configuration, Steps steps) {}

@@ -5,6 +5,7 @@ import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.AtomicSide;
 import arcomat.analysis.engine.Focus;
 import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.engine.RunErrors;
 import arcomat.analysis.engine.Sets;
 import arcomat.analysis.engine.Side;
 import arcomat.analysis.engine.Steps;
@@ -32,12 +33,13 @@ import java.util.stream.IntStream;
  * any more. Sets are numbered, and replies are remembered.
  */
 public final class Requirement {
-    /** In place of the number of a set: everything is allowed from here on. */
+    /** In place of the number of a set: every output is allowed from here on, but no error. */
     static final int CHAOS = -1;
 
     private final AtomicSide side;
     private final Automaton automaton;
-    private final boolean errors;
+    private final boolean mayErr;
+    private final boolean ends;
     private final Choices choices;
     private final Budget budget;
     private final int[] positions;
@@ -47,20 +49,20 @@ public final class Requirement {
     private final Map<Attention, Focus> foci = new HashMap<>();
     private final Map<List<Object>, Integer> contents = new HashMap<>();
     private Reply opening;
-    private boolean errs;
 
     /**
      * @param side what the automaton asks for
-     * @param errors whether a run may end in an error by any of the requirements of a game
+     * @param ends whether an error is a way to keep it, where it may err itself
      * @param choices shared by all requirements of a game
      * @param budget of time and memory
      */
     public Requirement(
-            AtomicSide side, Automaton automaton, boolean errors, Choices choices, Budget budget) {
+            AtomicSide side, Automaton automaton, boolean ends, Choices choices, Budget budget) {
         this.budget = budget;
         this.side = side;
         this.automaton = automaton;
-        this.errors = errors;
+        this.mayErr = RunErrors.arePossible(automaton);
+        this.ends = ends;
         this.choices = choices;
         this.positions = IntStream.range(0, side.inputs().size()).toArray();
     }
@@ -85,9 +87,14 @@ public final class Requirement {
         return choices.cube(cube);
     }
 
-    /** Whether a step was met in which the run ends: all requirements have to agree on that. */
-    public boolean errs() {
-        return errs;
+    /** Whether an error may be a way to keep it; yes where that is unsure. */
+    boolean mayEnd() {
+        return mayErr && ends;
+    }
+
+    /** Whether there may be inputs that it does not answer at all; yes where that is unsure. */
+    boolean mayFail() {
+        return mayErr && !ends;
     }
 
     /** What may be sent before anything is read. */
@@ -155,12 +162,14 @@ public final class Requirement {
             Steps steps = part.steps();
             for (int step = 0; step < steps.size(); step++) {
                 budget.insist();
+                if (steps.outputs()[step] == Outputs.ERROR && !ends) {
+                    continue;
+                }
                 int position = cubes.indexOf(steps.outputs()[step]);
                 if (position < 0) {
                     position = cubes.size();
                     cubes.add(steps.outputs()[step]);
                     next.add(new IntArrayList(1));
-                    errs |= steps.outputs()[step] == Outputs.ERROR;
                 }
                 if (!next.get(position).contains(steps.next()[step])) {
                     next.get(position).add(steps.next()[step]);
@@ -176,14 +185,14 @@ public final class Requirement {
         return new Reply(number, parts, all, list, lists);
     }
 
-    /** Chaos allows all outputs, but no error. */
-    private boolean isFree(int configuration) {
-        return !errors && side.isChaos(configuration);
-    }
-
     /** The set of one configuration. */
     int alone(int configuration) {
-        return isFree(configuration) ? CHAOS : sets.singleton(configuration);
+        return side.isChaos(configuration) ? CHAOS : sets.singleton(configuration);
+    }
+
+    /** Chaos allows all outputs, but no error: others beside it may be what allows one. */
+    private boolean isFree(int configuration) {
+        return side.isChaos(configuration) && !mayEnd();
     }
 
     /**

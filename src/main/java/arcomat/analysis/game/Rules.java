@@ -31,6 +31,9 @@ public final class Rules {
     /** The position in which no requirement asks for anything any more. */
     static final int FREE = 0;
 
+    /** The position in which the run has ended in an error that all requirements allow. */
+    static final int END = 1;
+
     /** Larger alphabets are not kept. */
     private static final int WORTH_MAKING_AGAIN = 10_000;
 
@@ -39,7 +42,13 @@ public final class Rules {
      *
      * @param sent null where the run ends
      */
-    record Option(Output sent, int position) {}
+    record Option(Output sent, int position) {
+        private static final Option ERROR = new Option(null, END);
+
+        boolean ends() {
+            return position == END;
+        }
+    }
 
     private final List<Requirement> requirements;
     private final Choices choices;
@@ -47,6 +56,7 @@ public final class Rules {
     private final Component.Profile profile;
     private final List<Port> inputs;
     private final int[] identity;
+    private final Held held;
     private List<Option> openings;
     private final Numbering<IntKey> positions = new Numbering<>();
     private final Map<List<Integer>, Alphabet> alphabets = new HashMap<>();
@@ -67,9 +77,11 @@ public final class Rules {
         this.choices = choices;
         this.inputs = requirements.get(0).side().inputs();
         this.identity = IntStream.range(0, inputs.size()).toArray();
-        int[] free = new int[requirements.size()];
+        this.held = Held.of(profile, inputs);
+        int[] free = new int[requirements.size() + 1];
         Arrays.fill(free, Requirement.CHAOS);
         positions.number(new IntKey(free));
+        positions.number(new IntKey(new int[0]));
     }
 
     List<Requirement> requirements() {
@@ -89,9 +101,13 @@ public final class Rules {
         return positions.size();
     }
 
-    /** The sets that the requirements are in, one per requirement. */
+    /** The sets that the requirements are in, one per requirement; behind them what is held. */
     private int[] sets(int position) {
         return positions.get(position).all();
+    }
+
+    private int held(int position) {
+        return sets(position)[requirements.size()];
     }
 
     /** How many letters matter in a position. */
@@ -118,7 +134,7 @@ public final class Rules {
         List<Integer> key = new ArrayList<>();
         for (int position : some) {
             int[] sets = sets(position);
-            for (int i = 0; i < sets.length; i++) {
+            for (int i = 0; i < requirements.size(); i++) {
                 if (sets[i] != Requirement.CHAOS) {
                     Focus focus = requirements.get(i).focus(sets[i]);
                     foci.add(focus);
@@ -129,6 +145,7 @@ public final class Rules {
         }
         Alphabet known = alphabets.get(key);
         if (known == null) {
+            foci.add(held.focus());
             List<int[]> places = java.util.Collections.nCopies(foci.size(), identity);
             known = new Alphabet(profile, inputs, foci, places);
             if (known.size() < WORTH_MAKING_AGAIN) {
@@ -142,19 +159,27 @@ public final class Rules {
     List<String> states(int position) {
         List<String> names = new ArrayList<>();
         int[] sets = sets(position);
-        for (int i = 0; i < sets.length; i++) {
+        for (int i = 0; i < requirements.size(); i++) {
             requirements.get(i).state(sets[i]).ifPresent(names::add);
         }
         return names;
     }
 
-    /** Of letters with the same consequences the first one, by its place in the alphabet. */
+    /**
+     * Of letters with the same consequences the first one, by its place in the alphabet.
+     *
+     * @param some positions after the same inputs
+     */
     int[] different(Alphabet alphabet, int... some) {
         Set<List<Integer>> met = new HashSet<>();
         int[] different = new int[alphabet.size()];
         int count = 0;
         for (int letter = 0; letter < alphabet.size(); letter++) {
-            List<Integer> consequences = new ArrayList<>(some.length * requirements.size());
+            if (!held.isPossible(held(some[0]), alphabet.letter(letter))) {
+                continue;
+            }
+            List<Integer> consequences = new ArrayList<>(some.length * requirements.size() + 1);
+            consequences.add(held.after(alphabet.letter(letter)));
             for (int position : some) {
                 for (Reply reply : replies(position, alphabet.letter(letter))) {
                     consequences.add(reply == null ? -1 : reply.number());
@@ -170,8 +195,8 @@ public final class Rules {
     /** What matters in a position. */
     Attention attention(int position) {
         int[] sets = sets(position);
-        Attention all = Attention.none(inputs.size());
-        for (int i = 0; i < sets.length; i++) {
+        Attention all = held.focus().attention();
+        for (int i = 0; i < requirements.size(); i++) {
             if (sets[i] != Requirement.CHAOS) {
                 all = all.and(requirements.get(i).focus(sets[i]).attention());
             }
@@ -192,20 +217,20 @@ public final class Rules {
         for (int i = 0; i < replies.length; i++) {
             replies[i] = requirements.get(i).opening();
         }
-        return options(replies);
+        return options(replies, held.atFirst());
     }
 
-    /** The system's moves after an input. */
+    /** The system's moves after an input; the last one is to err, where all allow that. */
     List<Option> options(int position, Value[] letter) {
-        return options(replies(position, letter));
+        return options(replies(position, letter), held.after(letter));
     }
 
-    /** What each requirement allows; null where it allows everything. */
+    /** What each requirement allows; null where it allows every output, but no error. */
     Reply[] replies(int position, Value[] letter) {
         budget.insist();
         int[] sets = sets(position);
-        Reply[] replies = new Reply[sets.length];
-        for (int i = 0; i < sets.length; i++) {
+        Reply[] replies = new Reply[requirements.size()];
+        for (int i = 0; i < requirements.size(); i++) {
             if (sets[i] != Requirement.CHAOS) {
                 replies[i] = requirements.get(i).reply(sets[i], letter);
             }
@@ -213,7 +238,10 @@ public final class Rules {
         return replies;
     }
 
-    private List<Option> options(Reply[] replies) {
+    /**
+     * @param holding what latched ports hold
+     */
+    private List<Option> options(Reply[] replies, int holding) {
         int[] demands = new int[replies.length];
         int count = 0;
         for (Reply reply : replies) {
@@ -224,23 +252,26 @@ public final class Rules {
         List<Choices.Choice> possible = choices.of(Arrays.copyOf(demands, count));
         List<Option> options = new ArrayList<>(possible.size());
         for (Choices.Choice choice : possible) {
-            options.add(new Option(choice.sent(), after(replies, choice)));
+            options.add(new Option(choice.sent(), after(replies, choice, holding)));
+        }
+        if (count == replies.length && Arrays.stream(replies).allMatch(Reply::mayEnd)) {
+            options.add(Option.ERROR);
         }
         return options;
     }
 
-    private int after(Reply[] replies, Choices.Choice choice) {
-        if (choice.sent() == null) {
-            return FREE;
-        }
-        int[] next = new int[replies.length];
+    private int after(Reply[] replies, Choices.Choice choice, int holding) {
+        int[] next = new int[replies.length + 1];
         int asked = 0;
-        for (int i = 0; i < next.length; i++) {
+        boolean free = true;
+        for (int i = 0; i < replies.length; i++) {
             next[i] =
                     replies[i] == null
                             ? Requirement.CHAOS
                             : requirements.get(i).successor(replies[i], choice.allowed()[asked++]);
+            free &= next[i] == Requirement.CHAOS;
         }
-        return positions.number(new IntKey(next));
+        next[replies.length] = holding;
+        return free ? FREE : positions.number(new IntKey(next));
     }
 }

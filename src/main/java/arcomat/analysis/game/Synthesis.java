@@ -32,6 +32,7 @@ public final class Synthesis {
     private final Numbering<List<Integer>> states = new Numbering<>();
 
     private Synthesis(List<Game> games, Budget budget) {
+        games.forEach(Game::lookForErrors);
         this.games = games;
         this.budget = budget;
         this.inputs = games.get(0).rules().inputs();
@@ -71,11 +72,14 @@ public final class Synthesis {
         return sent(openings, port -> port.total() && port.delay() > 0);
     }
 
+    /** Better not to err; where it cannot be avoided for ever, later is better than now. */
     private static Rules.Option best(Game game, List<Rules.Option> options) {
-        return options.stream()
-                .filter(option -> !game.isLost(option.position()))
+        List<Rules.Option> safe =
+                options.stream().filter(option -> !game.isLost(option.position())).toList();
+        return safe.stream()
+                .filter(option -> !game.errs(option.position()))
                 .findFirst()
-                .orElseThrow();
+                .orElseGet(() -> safe.get(0));
     }
 
     private int number(List<Rules.Option> options) {
