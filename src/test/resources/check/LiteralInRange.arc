@@ -85,3 +85,33 @@ testsuite SpokenTest for Spoken {
     expect { heard: <Tk, true, Tk, Tk, Tk>; }
   }
 }
+
+//// Sized.arc
+component Sized(Integer[1..5] size) {
+  port in Integer[0..9] speed, out Integer[0..3] cmd;
+
+  automaton {
+    state running;
+    initial running;
+    running {speed == ?} / {cmd = 3};
+  }
+}
+
+//// BadSizedTest.mt
+testsuite BadSizedTest for Sized(6) {
+//                               ~ error ARC0322: 6 lies outside of Integer[1..5]; write a number from 1 to 5 or widen the range
+  test limits {
+    input { speed: <9, Tk, 10>; }
+//                         ~~ error ARC0322: 10 lies outside of Integer[0..9]; write a number from 0 to 9 or widen the range
+    expect { cmd: <Tk, 3, Tk, -1>; }
+//                            ~~ error ARC0322: -1 lies outside of Integer[0..3]; write a number from 0 to 3 or widen the range
+  }
+}
+
+//// GoodSizedTest.mt
+testsuite GoodSizedTest for Sized(5) {
+  test limits {
+    input { speed: <9, Tk, 0>; }
+    expect { cmd: <Tk, 3, Tk, 0>; }
+  }
+}

@@ -2,17 +2,23 @@ package arcomat.analysis;
 
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
 
 /**
- * How much may be explored before the answer is unknown. Searches ask before each state; long steps
- * ask on the way, so that no single one outlasts the time by much.
+ * How much may be explored before the answer is unknown, and what may be left out. Searches ask
+ * before each state; long steps ask on the way, so that no single one outlasts the time by much.
  *
  * @param timeIsUp asked very often
  * @param memoryIsFull asked very often; there is still enough left to end with an answer
  * @param states the most configurations, or pairs of them
+ * @param shortcuts whether a shortcut may be taken, asked each time
  */
-public record Budget(BooleanSupplier timeIsUp, BooleanSupplier memoryIsFull, long states) {
+public record Budget(
+        BooleanSupplier timeIsUp,
+        BooleanSupplier memoryIsFull,
+        long states,
+        Predicate<Shortcut> shortcuts) {
     static final String TIME = "the time is up";
     static final String MEMORY = "memory is full";
 
@@ -20,6 +26,11 @@ public record Budget(BooleanSupplier timeIsUp, BooleanSupplier memoryIsFull, lon
     private static final long PER_STATE = 400;
 
     private static final long FEW_STATES = 100_000;
+
+    /** With all shortcuts. */
+    public Budget(BooleanSupplier timeIsUp, BooleanSupplier memoryIsFull, long states) {
+        this(timeIsUp, memoryIsFull, states, each -> true);
+    }
 
     /** Without an eye on memory. */
     public Budget(BooleanSupplier timeIsUp, long states) {
@@ -38,14 +49,27 @@ public record Budget(BooleanSupplier timeIsUp, BooleanSupplier memoryIsFull, lon
 
     /** The same time and memory for fewer states. */
     public Budget atMost(long fewer) {
-        return new Budget(timeIsUp, memoryIsFull, Math.min(states, fewer));
+        return new Budget(timeIsUp, memoryIsFull, Math.min(states, fewer), shortcuts);
+    }
+
+    /** The same with those shortcuts that may be taken. */
+    Budget with(Predicate<Shortcut> allowed) {
+        return new Budget(timeIsUp, memoryIsFull, states, allowed);
+    }
+
+    /** Whether to leave work out now; to be asked when there is some that could be. */
+    public boolean takes(Shortcut shortcut) {
+        return shortcuts.test(shortcut);
     }
 
     /** The same until it has been asked so many times: a bound that is equal on every machine. */
     public Budget patient(long times) {
         long[] asked = {0};
         return new Budget(
-                () -> ++asked[0] > times || timeIsUp.getAsBoolean(), memoryIsFull, states);
+                () -> ++asked[0] > times || timeIsUp.getAsBoolean(),
+                memoryIsFull,
+                states,
+                shortcuts);
     }
 
     /** Why to stop now, or null. */

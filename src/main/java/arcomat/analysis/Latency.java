@@ -38,7 +38,7 @@ final class Latency {
                         && left.isComposition()
                         && left.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         return late
-                ? slices(left, right, budget.atMost(MOST_PAIRS).patient(PATIENCE))
+                ? slices(left, right, budget)
                         .map(slices -> verdict.with(note(left, right, slices)))
                         .orElse(verdict)
                 : verdict;
@@ -56,16 +56,25 @@ final class Latency {
      */
     private static Optional<Integer> slices(Promise left, Promise right, Budget budget) {
         int parts = Network.of(left.component(), left.arguments()).instances().size();
-        Sides sides = Sides.of(left, right, budget);
-        for (int slices = 1; slices <= Math.min(parts, MOST_SLICES); slices++) {
-            int late = slices;
-            Answer answer =
-                    Budget.within(() -> refines(sides, late, budget), unknown -> Answer.UNKNOWN);
+        Budget hasty = budget.atMost(MOST_PAIRS).patient(PATIENCE);
+        Sides sides = Sides.of(left, right, hasty);
+        for (int slices = 1; slices <= parts; slices++) {
+            if (slices > MOST_SLICES && budget.takes(Shortcut.LONG_PIPELINE)) {
+                return Optional.empty();
+            }
+            Answer answer = answer(sides, slices, hasty);
+            if (answer == Answer.UNKNOWN && !budget.takes(Shortcut.IMPATIENCE)) {
+                answer = answer(Sides.of(left, right, budget), slices, budget);
+            }
             if (answer != Answer.FAILS) {
                 return answer == Answer.HOLDS ? Optional.of(slices) : Optional.empty();
             }
         }
         return Optional.empty();
+    }
+
+    private static Answer answer(Sides sides, int slices, Budget budget) {
+        return Budget.within(() -> refines(sides, slices, budget), unknown -> Answer.UNKNOWN);
     }
 
     private static Answer refines(Sides sides, int slices, Budget budget) {

@@ -69,7 +69,9 @@ final class PartByPart {
             budget = most.atMost(states);
             Answer parts = all();
             if (parts != Answer.UNKNOWN) {
-                return parts == Answer.HOLDS ? Optional.of(verdict()) : Optional.empty();
+                return parts == Answer.HOLDS && most.takes(Shortcut.PART_BY_PART)
+                        ? Optional.of(verdict())
+                        : Optional.empty();
             }
             Verdict verdict = whole.apply(budget);
             boolean end = states >= most.states() || most.isSpent();

@@ -73,6 +73,6 @@ final class Exclusion {
                     && two.constant().isPresent()
                     && differ(one.constant().get(), two.constant().get());
         }
-        return one.equal() != two.equal() && one.text().equals(two.negated());
+        return one.text().equals(two.negated());
     }
 }

@@ -22,7 +22,6 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /** Components, each instantiation once, parts before wholes. */
 final class ComponentLowering {
@@ -195,9 +194,6 @@ final class ComponentLowering {
     private static String fileName(AutomatonSymbol symbol) {
         String path = symbol.unit().file().path();
         String name = path.substring(path.lastIndexOf('/') + 1);
-        return Optional.of(name.indexOf('.'))
-                .filter(dot -> dot > 0)
-                .map(dot -> name.substring(0, dot))
-                .orElse(name);
+        return name.substring(0, name.indexOf('.'));
     }
 }

@@ -89,7 +89,7 @@ final class Attentions {
         }
     }
 
-    private void condition(Expression e) {
+    void condition(Expression e) {
         if (e instanceof Expression.PortMatches matches) {
             matches(matches);
         } else if (e instanceof Expression.Unary unary) {
@@ -142,7 +142,7 @@ final class Attentions {
         seen.add(scope.port(port));
         if (port.type() instanceof Type.RealType) {
             Value zero = new Value.RealValue(0);
-            probes.add(new Probe(port, (ports, variables) -> zero, true, true));
+            probes.add(new Probe(port, null, (ports, variables) -> zero, true, true));
         }
     }
 

@@ -26,12 +26,16 @@ final class Verdicts {
         String notes = String.join("; ", verdict.notes());
         String more =
                 switch (verdict.answer()) {
-                    case HOLDS -> notes;
+                    case HOLDS -> simulation(verdict) + "; " + notes;
                     case FAILS -> verdict.reason() + ", " + (notes.isEmpty() ? "not late" : notes);
                     case UNKNOWN -> verdict.reason();
                 };
         String wanted = expected.substring(Math.min(expected.length(), answer.length() + 1));
         return answer + " " + (more.contains(wanted) ? wanted : more);
+    }
+
+    private static String simulation(Verdict verdict) {
+        return verdict.simulation().map(s -> s ? "simulates" : "does not simulate").orElse("");
     }
 
     static String trace(List<Moment> trace) {

@@ -50,6 +50,9 @@ final class ModelText {
         if (component.profile() == Component.Profile.EVENT_DRIVEN) {
             head.add("event-driven, capacity " + component.queueCapacity());
         }
+        if (component.cycle() != Stereotypes.DEFAULT_CYCLE) {
+            head.add("cycle " + component.cycle());
+        }
         if (!component.refines().isEmpty()) {
             head.add("refines " + String.join(" ", component.refines()));
         }

@@ -37,7 +37,7 @@ public final class AtomicSide implements Side {
 
     private final Numbering<List<Configuration>> configurations = new Numbering<>();
     private final BitSet chaotic = new BitSet();
-    private final Map<Attention, Focus> foci = new HashMap<>();
+    private final Foci foci;
     private final List<Focus> focus = new ArrayList<>();
     private final List<KnownSteps> steps = new ArrayList<>();
 
@@ -48,6 +48,7 @@ public final class AtomicSide implements Side {
         this.budget = budget;
         this.behaviour = behaviour;
         this.inputs = behaviour.component().inputs();
+        this.foci = new Foci(inputs, budget);
         this.outputs = outputs;
         List<String> names = behaviour.component().outputs().stream().map(Port::name).toList();
         this.observed = observed.stream().mapToInt(names::indexOf).toArray();
@@ -94,7 +95,7 @@ public final class AtomicSide implements Side {
         Focus known = focus.get(configuration);
         if (known == null) {
             Attention attention = behaviour.attention(configurations.get(configuration));
-            known = foci.computeIfAbsent(attention, each -> new Focus(foci.size(), each, inputs));
+            known = foci.of(attention);
             focus.set(configuration, known);
         }
         return known;

@@ -32,7 +32,7 @@ public final class CompositeSide implements Side {
     private final Outputs outputs;
 
     private final Numbering<Whole> wholes = new Numbering<>();
-    private final Map<Attention, Focus> foci = new HashMap<>();
+    private final Foci foci;
     private final List<Focus> focus = new ArrayList<>();
     private final List<KnownSteps> steps = new ArrayList<>();
 
@@ -56,6 +56,7 @@ public final class CompositeSide implements Side {
                         : new SliceUnfolding(network, compared, budget);
         this.outputs = outputs;
         this.inputs = network.inputs().stream().map(CompositeSide::named).toList();
+        this.foci = new Foci(inputs, budget);
         List<String> names = network.outputs().stream().map(Network.External::name).toList();
         this.observed = compared.stream().mapToInt(names::indexOf).toArray();
     }
@@ -134,7 +135,7 @@ public final class CompositeSide implements Side {
         Focus known = focus.get(configuration);
         if (known == null) {
             Attention attention = attention(configuration);
-            known = foci.computeIfAbsent(attention, each -> new Focus(foci.size(), each, inputs));
+            known = foci.of(attention);
             focus.set(configuration, known);
         }
         return known;

@@ -2,6 +2,7 @@ package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
 import arcomat.analysis.GivenUp;
+import arcomat.analysis.Shortcut;
 import arcomat.model.Trace;
 
 import com.carrotsearch.hppc.IntArrayList;
@@ -167,7 +168,9 @@ public final class Inclusion {
                         ? Optional.empty()
                         : best != null
                                 ? Optional.of(false)
-                                : determined ? Optional.of(true) : simulation.verdict();
+                                : determined && budget.takes(Shortcut.DETERMINED)
+                                        ? Optional.of(true)
+                                        : simulation.verdict();
         return new Result(
                 Optional.ofNullable(best),
                 stopped,
@@ -280,10 +283,10 @@ public final class Inclusion {
             }
             return;
         }
-        if (pairing.sets.members(set).length > 1 && isCovered(left, set)) {
+        chaosReached = chaosReached || isInChaos(set);
+        if (pairing.sets.members(set).length > 1 && isCovered(left, set, cost, levelEnd)) {
             return;
         }
-        chaosReached = chaosReached || isInChaos(set);
         nodes.indexInsert(slot, key, lefts.size());
         lefts.add(left);
         sets.add(set);
@@ -301,23 +304,36 @@ public final class Inclusion {
     }
 
     /** Whether a smaller set, or a member that simulates the configuration, settles the pair. */
-    private boolean isCovered(int left, int set) {
+    private boolean isCovered(int left, int set, int cost, int levelEnd) {
         determined = false;
         long patience = Math.max(LITTLE_WORK, FACTOR * tried);
         for (int member : pairing.sets.members(set)) {
-            if (nodes.containsKey((long) left << 32 | pairing.sets.singleton(member))
-                    || simulation.holds(left, member, patience)) {
+            int alone = pairing.sets.singleton(member);
+            if (isMet(left, alone, cost, levelEnd) && budget.takes(Shortcut.MET_ALONE)
+                    || simulation.holds(left, member, patience)
+                            && budget.takes(Shortcut.SIMULATED)) {
                 return true;
             }
         }
         IntArrayList met = largeSets.computeIfAbsent(left, each -> new IntArrayList());
         for (int i = 0; i < met.size(); i++) {
-            if (pairing.sets.isSubset(met.get(i), set)) {
+            if (pairing.sets.isSubset(met.get(i), set)
+                    && isMet(left, met.get(i), cost, levelEnd)
+                    && budget.takes(Shortcut.MET_SMALLER)) {
                 return true;
             }
         }
         met.add(set);
         return false;
+    }
+
+    /**
+     * Whether a pair has been met after fewer inputs, or after as many and no more messages:
+     * otherwise a failure behind it is not the one that is looked for.
+     */
+    private boolean isMet(int left, int set, int cost, int levelEnd) {
+        int node = nodes.getOrDefault((long) left << 32 | set, NO_PARENT);
+        return node != NO_PARENT && (node < levelEnd || costs.get(node) <= cost);
     }
 
     /** The pairs that show the inclusion, of a search that ended without failure. */

@@ -1,6 +1,7 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
+import arcomat.analysis.Shortcut;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -59,7 +60,7 @@ final class Pairing {
 
     /** Whether nothing can be forbidden any more: chaos allows all outputs, but no error. */
     boolean isSettled(int rightConfiguration) {
-        return !mayErr && right.isChaos(rightConfiguration);
+        return !mayErr && right.isChaos(rightConfiguration) && budget.takes(Shortcut.CHAOS);
     }
 
     private final Rows leftRows = new Rows();

@@ -129,4 +129,22 @@ class OutputFolderTest {
             assertThat(left).containsExactly(temporary.resolve("out"));
         }
     }
+
+    /** Somebody else is writing, or moving, at the same time. */
+    @Test
+    void leavesTheFoldersOfLiveRunsAlone() throws Exception {
+        long alive = ProcessHandle.current().parent().orElseThrow().pid();
+        Path fresh = temporary.resolve(".out.arcomat-new-" + alive);
+        Path retired = temporary.resolve(".out.arcomat-old-" + alive);
+        Path other = temporary.resolve(".out.arcomat-new-backup");
+        List<Path> theirs = List.of(fresh, other, retired);
+        for (Path folder : theirs) {
+            Files.createDirectories(folder);
+            Files.writeString(folder.resolve("A.java"), "theirs");
+        }
+        replace(Map.of("A.java", "1"));
+        replace(Map.of("A.java", "2"));
+        assertThat(theirs).allSatisfy(each -> assertThat(each.resolve("A.java")).exists());
+        assertThat(temporary.resolve("out/A.java")).hasContent("2");
+    }
 }

@@ -1,0 +1,45 @@
+package arcomat.analysis.engine;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.Shortcut;
+import arcomat.model.Port;
+import arcomat.semantics.Attention;
+import arcomat.semantics.Attention.Look;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The foci of one side, numbered; there is one for all configurations that look at the same. */
+final class Foci {
+    private final List<Port> inputs;
+    private final Budget budget;
+    private final Map<Attention, Focus> known = new HashMap<>();
+
+    Foci(List<Port> inputs, Budget budget) {
+        this.inputs = inputs;
+        this.budget = budget;
+    }
+
+    Focus of(Attention attention) {
+        return known.computeIfAbsent(
+                attention, each -> new Focus(known.size(), paid(each), inputs));
+    }
+
+    private Attention paid(Attention attention) {
+        Attention all = new Attention(all(attention));
+        boolean alike = !attention.equals(all) && budget.takes(Shortcut.ALIKE);
+        return alike ? attention : all;
+    }
+
+    /** A look at every single message, where these can be tried. */
+    private List<Look> all(Attention attention) {
+        List<Look> looks = new ArrayList<>();
+        for (int port = 0; port < inputs.size(); port++) {
+            boolean few = SmallType.values(inputs.get(port).type()).isPresent();
+            looks.add(few ? new Attention.Whole() : attention.looks().get(port));
+        }
+        return looks;
+    }
+}
