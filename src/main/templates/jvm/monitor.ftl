@@ -10,6 +10,17 @@ ${indent}        ${promise}</#list>);
 <#if way.comment != "">
 ${indent}// ${way.comment}
 </#if>
+<#if way.checked>
+${indent}try {
+<@unchecked way indent + "    "/>
+${indent}} catch (ModelError ${problem}) {
+${indent}    goesWrong(${problem});
+${indent}}
+<#else>
+<@unchecked way indent/>
+</#if>
+</#macro>
+<#macro unchecked way indent>
 <#if way.condition != "">
 ${indent}if (${way.condition}) {
 <@call way indent + "    "/>
@@ -45,17 +56,27 @@ import ${type};
 /**
  * Watches what component ${title} receives and sends.
  *
+<#if events?has_content>
+ * <p>Put the {@link #border} into what is watched. Call {@link #slice} after that has started, and
+ * after each event, with the message of the event on its port; {@link #violation} says what was
+ * not allowed.
+<#else>
  * <p>Set the ports to what a slice shows, then call {@link #slice}; {@link #violation} says what
  * was not allowed.
+</#if>
  */
-public final class ${head.name} extends arcomat.rt.Monitor {
+public final class ${head.name} extends arcomat.rt.<#if events?has_content>EventMonitor<#else>Monitor</#if> {
 <#list states as name>
     private static final int ${name.constant} = ${name.code};
 </#list>
 <#if states?has_content>
 
 </#if>
+<#if events?has_content>
+<@parts.inputs head/>
+<#else>
 <@parts.ports head/>
+</#if>
 <#list head.parameters as parameter>
     private final ${parameter.type} ${parameter.name};
 </#list>
@@ -73,8 +94,8 @@ public final class ${head.name} extends arcomat.rt.Monitor {
         super(
                 ${requirement},
                 new String[] {<#list stateNames as name>${name}<#sep>, </#list>},
-                new String[] {<#list outputs as output>${output.literal}<#sep>, </#list>},
-                new boolean[] {<#list outputs as output>${output.delayed?c}<#sep>, </#list>});
+                new String[] {<#list outputs as output>${output.literal}<#sep>, </#list>}<#if events?has_content>);<#else>,
+                new boolean[] {<#list outputs as output>${output.delayed?c}<#sep>, </#list>});</#if>
 <#list head.parameters as parameter>
         this.${parameter.name} = ${parameter.name};
 </#list>
@@ -89,6 +110,26 @@ public final class ${head.name} extends arcomat.rt.Monitor {
 </#list>
     }
 
+<#list events as event>
+    @Override
+    protected boolean hasEvent() {
+        return ${event.present};
+    }
+<#if event.messages?has_content>
+
+    @Override
+    protected Object message(int ${event.position}, Object ${event.message}) {
+        switch (${event.position}) {
+<#list event.messages as message>
+            case ${message.port}:
+                return ${message.value};
+</#list>
+            default:
+                return ${event.message};
+        }
+    }
+</#if>
+<#else>
     @Override
     protected Object[] seen() {
         return new Object[] {
@@ -97,6 +138,7 @@ public final class ${head.name} extends arcomat.rt.Monitor {
 </#list>
         };
     }
+</#list>
 
     @Override
     protected void react(int ${state}, Object[] ${values}) {

@@ -46,7 +46,13 @@ import ${type.packageName}.${type.name};
 </#if>
 </#macro>
 <#macro ports head>
-<#list head.inputs + head.outputs as port>
+<@fields head.inputs + head.outputs/>
+</#macro>
+<#macro inputs head>
+<@fields head.inputs/>
+</#macro>
+<#macro fields ports>
+<#list ports as port>
     /** ${port.comment} */
     public ${port.type} ${port.name};
 <#if port.flag != "">

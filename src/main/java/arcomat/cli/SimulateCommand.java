@@ -163,22 +163,40 @@ final class SimulateCommand extends Command {
     /** What fails the command: a model that goes wrong, a requirement that is violated. */
     private int report(SimulationResult result) {
         if (trace == TraceFormat.table) {
-            print(WatchedText.render(result.watched(), console.style()));
+            print(WatchedText.render(result.trace().get(), result.watched(), console.style()));
         }
         boolean violated = false;
+        boolean unknown = false;
         for (Watched watched : result.watched()) {
             violated |= watched.violation().isPresent();
-            if (trace != TraceFormat.table && watched.violation().isPresent()) {
-                String message = watched.violation().get().message();
-                console.err().println("violated: " + Printable.escape(message));
+            unknown |= watched.unknown().isPresent();
+            if (trace != TraceFormat.table) {
+                complain(watched);
             }
         }
-
         Optional<String> failure = result.trace().orElseThrow().failure();
         if (failure.isPresent() && trace == TraceFormat.csv) {
             console.err().println("stopped: " + failure.get());
         }
-        return failure.isPresent() || violated ? ExitStatus.FINDINGS : ExitStatus.FINE;
+        if (failure.isPresent() || violated) {
+            return ExitStatus.FINDINGS;
+        }
+        return unknown ? ExitStatus.UNKNOWN : ExitStatus.FINE;
+    }
+
+    private void complain(Watched watched) {
+        watched.violation()
+                .ifPresent(
+                        v -> console.err().println("violated: " + Printable.escape(v.message())));
+        watched.unknown()
+                .ifPresent(
+                        why ->
+                                console.err()
+                                        .println(
+                                                "unknown: "
+                                                        + Printable.escape(watched.requirement())
+                                                        + ": "
+                                                        + why));
     }
 
     private SimulationRequest request() {

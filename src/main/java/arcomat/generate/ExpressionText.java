@@ -33,8 +33,8 @@ final class ExpressionText {
     /** Where an expression stands, for the message of an error: transition or declaration. */
     private String place = "";
 
-    /** Whether an operation that may go wrong has been written. */
-    private boolean checks;
+    /** How many operations that may go wrong have been written. */
+    private int checks;
 
     ExpressionText(Names names, References references, Members members) {
         this.names = names;
@@ -45,6 +45,11 @@ final class ExpressionText {
     }
 
     boolean checks() {
+        return checks > 0;
+    }
+
+    /** How many operations that may go wrong have been written so far. */
+    int checksSoFar() {
         return checks;
     }
 
@@ -110,7 +115,7 @@ final class ExpressionText {
         String key = binary.operator().name().toLowerCase(Locale.ROOT);
         Type type = binary.left().type();
         if (divides(binary)) {
-            checks = true;
+            checks++;
             String checked = "checked." + key;
             return language.express(checked, type, Map.of("place", literal(place)), operands);
         }
@@ -195,6 +200,12 @@ final class ExpressionText {
         return object(named("port", port.type(), members.of(port)), port.type());
     }
 
+    /** What a message that a border is told is as an object. */
+    String received(String message, Type type) {
+        Map<String, String> filled = Map.of("type", reference(type));
+        return language.express("received", type, filled, List.of(Text.primary(message))).text();
+    }
+
     private String object(Text value, Type type) {
         Map<String, String> filled = Map.of("type", reference(type));
         return language.express("object", type, filled, List.of(value)).text();
@@ -219,7 +230,7 @@ final class ExpressionText {
         if (!(wanted instanceof Type.IntegerType range) || !range.ranged() || fits(value, range)) {
             return text;
         }
-        checks = true;
+        checks++;
         return language.express(
                 "checked.range",
                 wanted,

@@ -78,7 +78,8 @@ final class MonitorSteps {
                             text.literal(cause),
                             label(initial.state()),
                             values(initial.assignments(), true),
-                            promises(initial.sends())));
+                            promises(initial.sends()),
+                            false));
         }
         return initials;
     }
@@ -145,6 +146,7 @@ final class MonitorSteps {
 
     private GoView transition(Automaton.Transition transition) {
         text.at(Fault.place(watched, automaton, transition));
+        int checks = text.checksSoFar();
         Formula condition = formulas.of(guards.enabledWhen(transition));
         String cause =
                 "line "
@@ -153,13 +155,17 @@ final class MonitorSteps {
                         + automaton.states().get(transition.source())
                         + " -> "
                         + automaton.states().get(transition.target());
+        String enabled = condition.equals(Formula.TRUE) ? "" : text.text(condition).text();
+        String values = values(transition.assignments(), false);
+        List<String> promises = promises(transition.sends());
         return new GoView(
                 Places.quote(transition.span()),
-                condition.equals(Formula.TRUE) ? "" : text.text(condition).text(),
+                enabled,
                 text.literal(cause),
                 label(transition.target()),
-                values(transition.assignments(), false),
-                promises(transition.sends()));
+                values,
+                promises,
+                text.checksSoFar() > checks);
     }
 
     private String values(List<Assignment> assignments, boolean first) {
@@ -205,7 +211,13 @@ final class MonitorSteps {
 
     private String promise(Port port, Automaton.Emission emission) {
         if (emission instanceof Automaton.Messages messages) {
-            return text.object(messages.values().get(0), port.type(), port.name());
+            List<String> objects =
+                    messages.values().stream()
+                            .map(value -> text.object(value, port.type(), port.name()))
+                            .toList();
+            return objects.size() == 1
+                    ? objects.get(0)
+                    : objects.isEmpty() ? "SILENCE" : "several(" + String.join(", ", objects) + ")";
         }
         return emission instanceof Automaton.Silence ? "SILENCE" : "ANY_MESSAGE";
     }
@@ -245,7 +257,8 @@ final class MonitorSteps {
 
     private GoView completed(String cause, String target, List<String> promises) {
         List<String> open = watched.outputs().stream().map(MonitorSteps::anything).toList();
-        return new GoView("", "", cause, target, values(), promises.isEmpty() ? open : promises);
+        List<String> all = promises.isEmpty() ? open : promises;
+        return new GoView("", "", cause, target, values(), all, false);
     }
 
     private static void collectReads(Automaton.Transition transition, Set<String> read) {

@@ -4,6 +4,8 @@ import arcomat.generate.language.TypeName;
 import arcomat.generate.view.FieldView;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.MonitorView;
+import arcomat.generate.view.MonitorView.EventsView;
+import arcomat.generate.view.MonitorView.MessageView;
 import arcomat.generate.view.MonitorView.SeenView;
 import arcomat.generate.view.TypeView;
 import arcomat.model.Automaton;
@@ -11,6 +13,7 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
@@ -19,6 +22,8 @@ import java.util.TreeSet;
 final class MonitorViews {
     /** The runtime's operations that look out for what may go wrong. */
     private static final String CHECK = "arcomat.rt.Check";
+
+    private static final String ERROR = "arcomat.rt.ModelError";
 
     /** More names would not fit into one constructor. */
     private static final int MOST_STATE_NAMES = 2000;
@@ -50,7 +55,14 @@ final class MonitorViews {
                 watched.title(automaton) + " (line " + Places.line(automaton.span()) + ")";
         List<MonitorView.GoView> initials = steps.initials();
         List<MonitorView.SectionView> sections = steps.sections();
-        List<String> imports = imports(head); // known only after everything is written
+        List<EventsView> events =
+                watched.profile() == Component.Profile.EVENT_DRIVEN ? List.of(events()) : List.of();
+        boolean checked =
+                sections.stream()
+                        .flatMap(section -> section.states().stream())
+                        .flatMap(state -> state.transitions().stream())
+                        .anyMatch(MonitorView.GoView::checked);
+        List<String> imports = imports(head, checked); // known only after everything is written
         return new MonitorView(
                 head,
                 imports,
@@ -68,7 +80,32 @@ final class MonitorViews {
                 sections,
                 steps.completion(),
                 context.members().state(),
-                steps.values());
+                steps.values(),
+                context.members().local("problem", ""),
+                events);
+    }
+
+    private EventsView events() {
+        ExpressionText text = context.expressions();
+        Formula present =
+                new Formula.Or(
+                        watched.inputs().stream()
+                                .filter(port -> !port.latched())
+                                .map(port -> (Formula) new Formula.Carries(port, true))
+                                .toList());
+        String message = context.members().local("sent", "");
+        List<MessageView> messages = new ArrayList<>();
+        for (int port = 0; port < watched.outputs().size(); port++) {
+            String value = text.received(message, watched.outputs().get(port).type());
+            if (!value.equals(message)) {
+                messages.add(new MessageView(port, value));
+            }
+        }
+        return new EventsView(
+                text.text(present).text(),
+                messages,
+                context.members().local("position", ""),
+                message);
     }
 
     private SeenView seen(Port port) {
@@ -81,7 +118,7 @@ final class MonitorViews {
     }
 
     /** Codes of enums, and the enums themselves where they are sent. */
-    private List<String> imports(HeadView head) {
+    private List<String> imports(HeadView head, boolean checked) {
         Set<String> sent = new TreeSet<>();
         for (Port port : watched.outputs()) {
             if (port.type() instanceof Type.EnumType) {
@@ -91,6 +128,9 @@ final class MonitorViews {
         Set<String> imports = new TreeSet<>();
         if (context.expressions().checks()) {
             imports.add(CHECK);
+        }
+        if (checked) {
+            imports.add(ERROR);
         }
         for (TypeView type : head.mentions()) {
             TypeName name = new TypeName(type.packageName(), type.name());

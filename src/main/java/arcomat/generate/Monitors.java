@@ -31,7 +31,7 @@ public final class Monitors {
     private final List<Component> classes = new ArrayList<>();
 
     private Monitors(Component watched, List<Automaton> automata) {
-        this.watched = watched;
+        this.watched = watched.asPromised();
         this.automata = automata;
         for (Automaton automaton : automata) {
             boolean sole = watched.automata().size() == 1;
@@ -49,7 +49,7 @@ public final class Monitors {
     }
 
     /**
-     * Generates monitors of a time-synchronous component.
+     * Generates monitors of a component.
      *
      * @param automata some of the component
      * @param target that has templates for monitors
@@ -138,12 +138,15 @@ public final class Monitors {
                                     + Places.line(automata.get(i).span()),
                             copies(field, context.members(), program.members(each))));
         }
-        return new MonitorsView(Heads.of(context, false), watched.qualifiedName(), watchers);
+        boolean events = watched.profile() == Component.Profile.EVENT_DRIVEN;
+        return new MonitorsView(
+                Heads.of(context, false), watched.qualifiedName(), watchers, events);
     }
 
     private List<AssignmentView> copies(String field, Members from, Members to) {
         List<AssignmentView> copies = new ArrayList<>();
-        for (Port port : watched.ports()) {
+        boolean events = watched.profile() == Component.Profile.EVENT_DRIVEN;
+        for (Port port : events ? watched.inputs() : watched.ports()) {
             copies.add(new AssignmentView(field + "." + to.of(port), from.of(port)));
             if (!from.flag(port).isEmpty()) {
                 copies.add(new AssignmentView(field + "." + to.flag(port), from.flag(port)));

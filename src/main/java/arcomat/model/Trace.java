@@ -9,11 +9,30 @@ import java.util.Optional;
  *
  * @param component the component that ran
  * @param failure why the run ended early, if it did
+ * @param opening event-driven, what of the first step was sent before its event; empty where the
+ *     run did not come so far
+ * @param end the step that the run ended in, where that is an error that a model may allow
  */
-public record Trace(Component component, List<Step> steps, Optional<String> failure) {
+public record Trace(
+        Component component,
+        List<Step> steps,
+        Optional<String> failure,
+        Optional<Letter> opening,
+        Optional<End> end) {
     public Trace {
         steps = List.copyOf(steps);
     }
+
+    public Trace(Component component, List<Step> steps, Optional<String> failure) {
+        this(component, steps, failure, Optional.empty(), Optional.empty());
+    }
+
+    /**
+     * The step in which a run goes wrong.
+     *
+     * @param shown what its outputs show in spite of that: what was sent before
+     */
+    public record End(Letter inputs, Letter shown) {}
 
     /**
      * One slice (time-synchronous) or one event (event-driven).

@@ -4,6 +4,8 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 
+import java.util.Optional;
+
 /**
  * One run of one component, interpreted or compiled. It starts initialised: the first step is slice
  * 0 and shows the initial outputs where outputs have delay 1.
@@ -21,4 +23,10 @@ public interface Execution {
      *     absent total port, queue overflow, error completion
      */
     Trace.Step step(Letter input);
+
+    /** See {@link Trace#opening}. */
+    Optional<Letter> opening();
+
+    /** See {@link Trace#end}; of the step that has just failed. */
+    Optional<Trace.End> end();
 }

@@ -119,7 +119,7 @@ final class Actor {
     }
 
     private ModelError contradiction(String when) {
-        return new ModelError(
+        return new Impasse(
                 instance.component().name()
                         + ": its automata contradict each other, no output satisfies all of them "
                         + when);

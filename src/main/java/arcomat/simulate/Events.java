@@ -14,6 +14,7 @@ import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** The event-driven engine: queues, latches, run to completion as {@link Network} describes it. */
 final class Events implements Interpreter.Engine {
@@ -43,6 +44,7 @@ final class Events implements Interpreter.Engine {
     private final List<List<String>> shown = new ArrayList<>();
     private Map<String, List<Value>> outputs = new LinkedHashMap<>();
     private boolean started;
+    private Optional<Letter> opening = Optional.empty();
 
     Events(Network network, List<Actor> actors) {
         this.network = network;
@@ -78,6 +80,7 @@ final class Events implements Interpreter.Engine {
             started = true;
             mailboxes.forEach(this::start);
             runToCompletion(number, activities);
+            opening = Optional.of(new Letter(outputs));
         }
         surroundings.requireKnownPorts(input);
         for (Network.External external : network.inputs()) {
@@ -85,6 +88,17 @@ final class Events implements Interpreter.Engine {
         }
         runToCompletion(number, activities);
         return new Trace.Step(number, input, new Letter(outputs), activities);
+    }
+
+    @Override
+    public Optional<Letter> opening() {
+        return opening;
+    }
+
+    /** After an event that goes wrong, nothing is shown. */
+    @Override
+    public Trace.End end(Letter input) {
+        return new Trace.End(input, Letter.SILENCE);
     }
 
     private void start(Mailbox mailbox) {

@@ -14,6 +14,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Runs any well-formed model, an underspecified one as well: what is left open, a {@link Choice}
@@ -34,11 +35,17 @@ public final class Interpreter implements Execution {
     private final Network network;
     private final Choice choice;
     private Engine engine;
+    private Optional<Trace.End> end = Optional.empty();
     private final List<String> decisions = new ArrayList<>();
 
     /** Time-synchronous or event-driven. */
     interface Engine {
         Trace.Step step(Letter input, int number);
+
+        Optional<Letter> opening();
+
+        /** What is to be seen of a step that goes wrong. */
+        Trace.End end(Letter input);
     }
 
     /**
@@ -94,9 +101,21 @@ public final class Interpreter implements Execution {
         try {
             return engine().step(input, now);
         } catch (ModelError problem) {
+            boolean reacted = engine != null && !(problem instanceof Impasse);
+            end = reacted ? Optional.of(engine.end(input)) : Optional.empty();
             String unit = isTimed() ? "slice " : "step ";
             throw new ModelError(unit + now + ": " + problem.getMessage());
         }
+    }
+
+    @Override
+    public Optional<Letter> opening() {
+        return engine == null ? Optional.empty() : engine.opening();
+    }
+
+    @Override
+    public Optional<Trace.End> end() {
+        return end;
     }
 
     private boolean isTimed() {

@@ -26,14 +26,16 @@ public final class Simulation {
      */
     public static Trace run(Execution execution, List<Letter> letters) {
         List<Trace.Step> steps = new ArrayList<>(letters.size());
-        for (Letter letter : letters) {
+        Optional<String> failure = Optional.empty();
+        for (int i = 0; i < letters.size() && failure.isEmpty(); i++) {
             try {
-                steps.add(execution.step(letter));
+                steps.add(execution.step(letters.get(i)));
             } catch (ModelError error) {
-                return new Trace(execution.component(), steps, Optional.of(error.getMessage()));
+                failure = Optional.of(error.getMessage());
             }
         }
-        return new Trace(execution.component(), steps, Optional.empty());
+        return new Trace(
+                execution.component(), steps, failure, execution.opening(), execution.end());
     }
 
     /**

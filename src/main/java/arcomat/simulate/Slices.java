@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /** The time-synchronous engine: all instances, slice by slice, in schedule order. */
@@ -92,7 +93,8 @@ final class Slices implements Interpreter.Engine {
 
     static ModelError at(Network.Instance instance, RuntimeException problem) {
         String path = instance.path().isEmpty() ? "" : instance.path() + ": ";
-        return new ModelError(path + problem.getMessage());
+        String message = path + problem.getMessage();
+        return problem instanceof Impasse ? new Impasse(message) : new ModelError(message);
     }
 
     private void send(Network.Instance instance, List<List<Value>> messages) {
@@ -104,13 +106,31 @@ final class Slices implements Interpreter.Engine {
     }
 
     private Letter shown() {
+        return shown(network.outputs());
+    }
+
+    private Letter shown(List<Network.External> outputs) {
         Map<String, Value> messages = new LinkedHashMap<>();
-        for (Network.External external : network.outputs()) {
+        for (Network.External external : outputs) {
             int signal = external.signal();
             if (signal != Network.UNCONNECTED && visible[signal] != null) {
                 messages.put(external.name(), visible[signal]);
             }
         }
         return Letter.of(messages);
+    }
+
+    /** Slices have no beginning of their own. */
+    @Override
+    public Optional<Letter> opening() {
+        return Optional.empty();
+    }
+
+    /** What was sent a slice ago is seen, whatever goes wrong in this one. */
+    @Override
+    public Trace.End end(Letter input) {
+        List<Network.External> late =
+                network.outputs().stream().filter(each -> delayed.contains(each.signal())).toList();
+        return new Trace.End(input, shown(late));
     }
 }

@@ -55,7 +55,7 @@ public final class Surroundings {
                         "more than one message in a slice on " + external.name());
             }
             if (messages == 0 && external.port().total()) {
-                throw new ModelError("no message on " + external.name() + ", which is <<total>>");
+                throw new Impasse("no message on " + external.name() + ", which is <<total>>");
             }
         }
     }
@@ -64,7 +64,7 @@ public final class Surroundings {
         if (external.port().type() instanceof Type.IntegerType type
                 && value instanceof Value.IntegerValue number
                 && (number.value() < type.low() || number.value() > type.high())) {
-            throw new ModelError(
+            throw new Impasse(
                     external.name()
                             + " = "
                             + value

@@ -49,6 +49,9 @@ class GoldenTest {
         Path requirements = Path.of("src/test/resources/monitors/requirements.txt");
         Model doors = Lowering.lower(Scenario.read(requirements).workspace());
         tests.addAll(monitor("monitor/door", doors, "p.Door"));
+        Path events = Path.of("src/test/resources/monitors/events.txt");
+        Model bells = Lowering.lower(Scenario.read(events).workspace());
+        tests.addAll(monitor("monitor/bell", bells, "p.Bell"));
         return tests;
     }
 

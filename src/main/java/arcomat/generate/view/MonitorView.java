@@ -18,6 +18,8 @@ import java.util.List;
  * @param completion what happens where no transition is enabled; none where that is forbidden
  * @param state parameter with the code of the state
  * @param values parameter with the values of the variables
+ * @param problem what goes wrong
+ * @param events what it asks where it watches events; none where it watches slices
  */
 public record MonitorView(
         HeadView head,
@@ -34,7 +36,28 @@ public record MonitorView(
         List<SectionView> sections,
         List<GoView> completion,
         String state,
-        String values) {
+        String values,
+        String problem,
+        List<EventsView> events) {
+
+    /**
+     * What is particular about events.
+     *
+     * @param present condition that a port has an event
+     * @param messages what becomes of messages on outputs whose kind a border does not tell
+     * @param position parameter with the position of an output
+     * @param message parameter with a message
+     */
+    public record EventsView(
+            String present, List<MessageView> messages, String position, String message) {}
+
+    /**
+     * Makes what a border is told into what the model means.
+     *
+     * @param port position of the output
+     * @param value of the message
+     */
+    public record MessageView(int port, String value) {}
 
     /**
      * What an output shows.
@@ -54,6 +77,7 @@ public record MonitorView(
      * @param target constant or code of the next state
      * @param values of the variables afterwards
      * @param promises what is to be seen, per output
+     * @param checked whether it may go wrong
      */
     public record GoView(
             String comment,
@@ -61,7 +85,8 @@ public record MonitorView(
             String cause,
             String target,
             String values,
-            List<String> promises) {}
+            List<String> promises,
+            boolean checked) {}
 
     /**
      * Some states with some of their transitions, few enough for a method.

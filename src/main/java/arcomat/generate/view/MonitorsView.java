@@ -6,8 +6,10 @@ import java.util.List;
  * A class that watches the ports of a component for several requirements.
  *
  * @param title the component
+ * @param events whether it watches events, not slices
  */
-public record MonitorsView(HeadView head, String title, List<WatcherView> watchers) {
+public record MonitorsView(
+        HeadView head, String title, List<WatcherView> watchers, boolean events) {
 
     /**
      * The monitor of one requirement.

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Drives event-driven compiled code: one event and all that follows from it. It visits the
@@ -31,6 +32,10 @@ final class CompiledEvents implements CompiledExecution.Engine {
     private final Map<String, Call> senders = new LinkedHashMap<>();
     private final Map<String, List<Value>> shown = new LinkedHashMap<>();
     private boolean started;
+    private Optional<Letter> opening = Optional.empty();
+
+    /** Of the step that is under way. */
+    private Optional<Trace.End> end = Optional.empty();
 
     /** An instance with its queue. */
     private record Waiter(CompiledActor actor, Slot queued, int capacity, Call start, Call react) {}
@@ -91,10 +96,14 @@ final class CompiledEvents implements CompiledExecution.Engine {
         List<Trace.Activity> activities = new ArrayList<>();
         if (!started) {
             started = true;
+            end = Optional.of(new Trace.End(input, Letter.SILENCE));
             waiters.forEach(waiter -> guarded(waiter, waiter.start));
             runToCompletion(activities);
+            opening = Optional.of(new Letter(shown));
+            end = Optional.empty();
         }
         surroundings.requireKnownPorts(input);
+        end = Optional.of(new Trace.End(input, Letter.SILENCE));
         for (Network.External external : network.inputs()) {
             for (Value message : input.messages(external.name())) {
                 Object held = messages.toJava(message, external.port().type());
@@ -102,7 +111,18 @@ final class CompiledEvents implements CompiledExecution.Engine {
             }
         }
         runToCompletion(activities);
+        end = Optional.empty();
         return new Trace.Step(number, input, new Letter(shown), activities);
+    }
+
+    @Override
+    public Optional<Letter> opening() {
+        return opening;
+    }
+
+    @Override
+    public Optional<Trace.End> end() {
+        return end;
     }
 
     private void runToCompletion(List<Trace.Activity> activities) {

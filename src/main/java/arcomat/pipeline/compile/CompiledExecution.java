@@ -9,12 +9,17 @@ import arcomat.semantics.Execution;
 import arcomat.semantics.Network;
 
 import java.util.List;
+import java.util.Optional;
 
 /** One run of compiled code, with the same traces as the interpreter's. */
 public final class CompiledExecution implements Execution {
     /** Time-synchronous or event-driven. */
     interface Engine {
         Trace.Step step(Letter input, int number);
+
+        Optional<Letter> opening();
+
+        Optional<Trace.End> end();
     }
 
     private final CompiledModel model;
@@ -55,6 +60,16 @@ public final class CompiledExecution implements Execution {
             String unit = isTimed() ? "slice " : "step ";
             throw new ModelError(unit + now + ": " + problem.getMessage());
         }
+    }
+
+    @Override
+    public Optional<Letter> opening() {
+        return engine == null ? Optional.empty() : engine.opening();
+    }
+
+    @Override
+    public Optional<Trace.End> end() {
+        return engine == null ? Optional.empty() : engine.end();
     }
 
     private boolean isTimed() {

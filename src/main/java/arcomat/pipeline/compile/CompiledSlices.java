@@ -40,6 +40,7 @@ final class CompiledSlices implements CompiledExecution.Engine {
     private final List<PortSlot> outputs = new ArrayList<>();
     private final Set<String> delayed;
     private final List<CompiledActor> actors = new ArrayList<>();
+    private Optional<Trace.End> end = Optional.empty();
 
     CompiledSlices(CompiledModel model, Network network, List<Value> arguments, int seed) {
         this.model = model;
@@ -117,11 +118,23 @@ final class CompiledSlices implements CompiledExecution.Engine {
         try {
             step.ifPresent(CompiledSlices::call);
         } catch (ModelError problem) {
+            end = Optional.of(new Trace.End(input, Letter.of(inOrder(shown))));
             throw new ModelError(culprit() + problem.getMessage());
         }
         show(false, shown);
         List<Trace.Activity> activities = actors.stream().map(CompiledActor::activity).toList();
         return new Trace.Step(number, input, Letter.of(inOrder(shown)), activities);
+    }
+
+    /** Slices have no beginning of their own. */
+    @Override
+    public Optional<Letter> opening() {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Trace.End> end() {
+        return end;
     }
 
     private void show(boolean before, Map<String, Value> shown) {

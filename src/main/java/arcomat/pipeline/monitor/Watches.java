@@ -28,15 +28,16 @@ public final class Watches {
         List<Watch> watches = new ArrayList<>();
         for (String written : monitors) {
             Promise promise = promise(written, checked, model);
-            requirePorts(promise.component(), running);
+            Component required = promise.component();
+            requirePorts(required, running);
             for (Automaton automaton : promise.automata()) {
-                watches.add(new Watch(promise.component(), automaton, promise.arguments()));
+                watches.add(new Watch(required, automaton, promise.arguments(), running));
             }
         }
         return watches;
     }
 
-    /** What can be watched for: automata over slices. */
+    /** What can be watched for: automata. */
     static Promise promise(String written, CheckedModels checked, Model model) throws WrongUse {
         Promise all = PromiseReference.parse(written).in(checked, model);
         Component component = all.component();
@@ -46,46 +47,35 @@ public final class Watches {
         if (promise.automata().isEmpty() || component.platform()) {
             throw new WrongUse(name + " has no automaton, so there is nothing to watch for");
         }
-        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
-            throw new WrongUse(name + " is driven by events, and monitors judge slices");
-        }
         return promise;
     }
 
+    /**
+     * The requirement is about ports that are there; when they show something is its own affair.
+     */
     private static void requirePorts(Component required, Component running) throws WrongUse {
+        String wanted =
+                "'%s' cannot watch '%s': "
+                        .formatted(required.qualifiedName(), running.qualifiedName());
+        if (required.profile() != running.profile()) {
+            throw new WrongUse(
+                    wanted + "one of them handles events, the other one works slice by slice");
+        }
         for (Port port : required.ports()) {
             Optional<Port> found =
                     running.port(port.name())
                             .filter(p -> p.isInput() == port.isInput())
                             .filter(p -> p.type().equals(port.type()));
-            String wanted =
-                    "'"
-                            + required.qualifiedName()
-                            + "' cannot watch '"
-                            + running.qualifiedName()
-                            + "': ";
             if (found.isEmpty()) {
                 String direction = port.isInput() ? "input" : "output";
                 throw new WrongUse(
-                        wanted
-                                + "that has no "
-                                + direction
-                                + " '"
-                                + port.name()
-                                + "' of type "
-                                + port.type().name());
+                        "%sthat has no %s '%s' of type %s"
+                                .formatted(wanted, direction, port.name(), port.type().name()));
             }
-            if (!running.isComposite()
-                    && !required.isComposite()
-                    && found.get().delay() != port.delay()) {
+            if (found.get().latched() != port.latched()) {
                 throw new WrongUse(
-                        wanted
-                                + "output '"
-                                + port.name()
-                                + "' has delay "
-                                + found.get().delay()
-                                + " there and is to have delay "
-                                + port.delay());
+                        "%s'%s' keeps its value in one of them, and is an event in the other"
+                                .formatted(wanted, port.name()));
             }
         }
     }

@@ -152,6 +152,16 @@ public final class SimulateStep {
                 dialogue.stepBegins(number++, input);
                 return execution.step(input);
             }
+
+            @Override
+            public Optional<Letter> opening() {
+                return execution.opening();
+            }
+
+            @Override
+            public Optional<Trace.End> end() {
+                return execution.end();
+            }
         };
     }
 

@@ -53,7 +53,11 @@ public final class TracePage {
                 || watched.stream().anyMatch(each -> each.violation().isPresent())) {
             return Tone.BAD;
         }
-        return watched.isEmpty() ? Tone.NEUTRAL : Tone.GOOD;
+        return watched.isEmpty() ? Tone.NEUTRAL : unknown(watched) > 0 ? Tone.OPEN : Tone.GOOD;
+    }
+
+    private static long unknown(List<Watched> watched) {
+        return watched.stream().filter(each -> each.unknown().isPresent()).count();
     }
 
     private static String headline(Trace trace, List<Watched> watched, String unit) {
@@ -65,6 +69,9 @@ public final class TracePage {
         if (violated > 0) {
             return length + "; " + FindingsText.count(violated, "requirement") + " violated";
         }
+        if (unknown(watched) > 0) {
+            return length + "; unknown: " + FindingsText.count(unknown(watched), "requirement");
+        }
         return watched.isEmpty() ? length : length + "; all that was watched is kept";
     }
 
@@ -74,6 +81,11 @@ public final class TracePage {
             return Remark.of(Tone.BAD, "violated: " + violation.get().message())
                     .about(violation.get().requirement().span())
                     .at(violation.get().slice());
+        }
+        if (watched.unknown().isPresent()) {
+            String text = "unknown whether %s is kept: %s";
+            return Remark.of(
+                    Tone.OPEN, text.formatted(watched.requirement(), watched.unknown().get()));
         }
         if (watched.nothingFrom().isPresent()) {
             int from = watched.nothingFrom().getAsInt();

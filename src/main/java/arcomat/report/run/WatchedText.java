@@ -1,5 +1,6 @@
 package arcomat.report.run;
 
+import arcomat.model.Trace;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;
@@ -15,13 +16,14 @@ public final class WatchedText {
     private WatchedText() {}
 
     /** Below a trace; empty where nothing was watched for. */
-    public static String render(List<Watched> watched, Style style) {
+    public static String render(Trace trace, List<Watched> watched, Style style) {
         StringBuilder out = new StringBuilder(watched.isEmpty() ? "" : "\n");
-        watched.forEach(each -> out.append(render(each, style)));
+        String unit = TraceColumns.of(trace).unit();
+        watched.forEach(each -> out.append(render(each, unit, style)));
         return out.toString();
     }
 
-    private static String render(Watched watched, Style style) {
+    private static String render(Watched watched, String unit, Style style) {
         if (watched.violation().isPresent()) {
             Violation violation = watched.violation().get();
             return style.error("violated")
@@ -32,12 +34,23 @@ public final class WatchedText {
                     + "\n"
                     + Snippet.render(violation.requirement().span(), Severity.WARNING, style);
         }
+        String requirement = Printable.escape(watched.requirement());
+        if (watched.unknown().isPresent()) {
+            return style.warning("unknown")
+                    + ": "
+                    + requirement
+                    + ": "
+                    + watched.unknown().get()
+                    + "\n";
+        }
         String nothing =
                 watched.nothingFrom().isPresent()
-                        ? ", but promises nothing from slice "
+                        ? ", but promises nothing from "
+                                + unit
+                                + " "
                                 + watched.nothingFrom().getAsInt()
                                 + " on"
                         : "";
-        return style.good("kept") + ": " + Printable.escape(watched.requirement()) + nothing + "\n";
+        return style.good("kept") + ": " + requirement + nothing + "\n";
     }
 }

@@ -10,6 +10,8 @@ import arcomat.generate.Monitors;
 import arcomat.generate.Target;
 import arcomat.model.Component;
 import arcomat.model.Letter;
+import arcomat.model.Port;
+import arcomat.model.Trace;
 import arcomat.model.Value;
 
 import java.util.ArrayList;
@@ -17,8 +19,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A generated monitor, compiled as Java 6 and fed with letters. */
-final class CompiledMonitor {
+/** A generated monitor, compiled as Java 6 and shown runs. */
+public final class CompiledMonitor {
     private final Component watched;
     private final CompiledModel compiled;
     private final Layout.Place place;
@@ -31,7 +33,7 @@ final class CompiledMonitor {
     }
 
     /** The monitor of all requirements of a component. */
-    static CompiledMonitor of(Component watched) {
+    public static CompiledMonitor of(Component watched) {
         Target target = Target.shipped("jvm").orElseThrow();
         Generation generation = Monitors.generate(watched, watched.automata(), target);
         assertThat(generation.findings()).isEmpty();
@@ -56,38 +58,55 @@ final class CompiledMonitor {
                 watched, new CompiledModel(watched, Choosing.FIRST, generation.layout(), loader));
     }
 
-    /**
-     * Shows the monitor a run.
-     *
-     * @param slices inputs and outputs together
-     * @return what the monitor says, slice by slice, until it says something
-     */
-    List<String> watch(List<Value> arguments, List<Letter> slices) {
+    /** What a monitor says about a run: what is violated, and why it does not know. */
+    public record Word(String violation, String unknown) {}
+
+    /** Shows a new monitor a run. */
+    public Word watch(List<Value> arguments, Trace run) {
         Messages messages = new Messages(compiled);
         List<Object> constructor = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {
             constructor.add(messages.toJava(arguments.get(i), watched.parameters().get(i).type()));
         }
         Object monitor = compiled.instantiate(place.className(), constructor);
-        List<PortSlot> slots =
-                watched.ports().stream()
-                        .map(port -> new PortSlot(port.name(), port, monitor, place, messages))
-                        .toList();
-        List<String> said = new ArrayList<>();
-        for (Letter slice : slices) {
-            slots.forEach(slot -> slot.write(slice));
-            boolean kept = (Boolean) call(monitor, "slice");
-            String violation = ((String) call(monitor, "violation")).strip();
-            assertThat(kept).isEqualTo(violation.isEmpty());
-            said.add(violation);
-            if (!kept) {
-                break;
-            }
+        if (watched.profile() == Component.Profile.EVENT_DRIVEN) {
+            new ShownEvents(watched, monitor, slots(watched.inputs(), monitor, messages), messages)
+                    .show(run);
+        } else {
+            showSlices(monitor, slots(watched.ports(), monitor, messages), run);
         }
-        return said;
+        String violation = ((String) call(monitor, "violation")).strip();
+        return new Word(violation, ((String) call(monitor, "unknown")).strip());
     }
 
-    private static Object call(Object object, String method) {
+    private List<PortSlot> slots(List<Port> ports, Object monitor, Messages messages) {
+        return ports.stream()
+                .map(port -> new PortSlot(port.name(), port, monitor, place, messages))
+                .toList();
+    }
+
+    private static void showSlices(Object monitor, List<PortSlot> slots, Trace run) {
+        boolean kept = true;
+        for (Trace.Step step : run.steps()) {
+            if (kept) {
+                write(slots, step.inputs(), step.outputs());
+                kept = (Boolean) call(monitor, "slice");
+            }
+        }
+        if (kept && run.end().isPresent()) {
+            Trace.End end = run.end().get();
+            write(slots, end.inputs(), end.shown());
+            call(monitor, "error");
+        }
+    }
+
+    private static void write(List<PortSlot> slots, Letter inputs, Letter outputs) {
+        Map<String, List<Value>> both = new LinkedHashMap<>(inputs.messages());
+        both.putAll(outputs.messages());
+        slots.forEach(slot -> slot.write(new Letter(both)));
+    }
+
+    static Object call(Object object, String method) {
         try {
             return object.getClass().getMethod(method).invoke(object);
         } catch (ReflectiveOperationException e) {

@@ -15,8 +15,10 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.StreamTest;
+import arcomat.model.Trace;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.pipeline.compile.CompiledMonitor.Word;
 import arcomat.rt.ModelError;
 import arcomat.semantics.ComponentBuilder;
 import arcomat.semantics.Network;
@@ -26,7 +28,9 @@ import arcomat.simulate.RandomAutomata;
 import arcomat.simulate.Simulation;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTests;
+import arcomat.simulate.Violation;
 import arcomat.simulate.Watch;
+import arcomat.simulate.Watched;
 import arcomat.symbols.Scenario;
 
 import net.jqwik.api.Arbitrary;
@@ -121,12 +125,14 @@ class MonitorsTest {
                                         "agreement/names.txt",
                                         "agreement/composition.txt",
                                         "agreement/networks.txt",
-                                        "monitors/requirements.txt")
+                                        "agreement/events.txt",
+                                        "monitors/requirements.txt",
+                                        "monitors/events.txt")
                                 .map(file -> Path.of("src/test/resources", file))
                                 .map(file -> Scenario.read(file).workspace()),
                         Stream.of(Scenario.models("models/coffee")))
                 .flatMap(workspace -> Lowering.lower(workspace).components().stream())
-                .filter(c -> c.profile() == Component.Profile.TIME_SYNCHRONOUS && !c.platform())
+                .filter(component -> !component.platform())
                 .filter(component -> !component.automata().isEmpty());
     }
 
@@ -141,64 +147,110 @@ class MonitorsTest {
         CompiledMonitor monitor = CompiledMonitor.of(component);
         Random random = new Random(seed);
         for (int word = 0; word < words; word++) {
-            List<Letter> run = run(component, arguments, random.nextInt());
-            if (!component.isComposite()) {
-                assertThat(monitor.watch(arguments, run)).allMatch(String::isEmpty);
+            Trace run = run(component, arguments, random.nextInt());
+            if (!component.isComposite() && !errsAfterChaos(run)) {
+                assertThat(monitor.watch(arguments, run)).isEqualTo(new Word("", ""));
             }
-            List<Letter> damaged = damaged(run, component, random);
-            String said = last(monitor.watch(arguments, damaged));
-            assertThat(readable(said, component))
+            Trace damaged = damaged(run, component, random);
+            Word said = monitor.watch(arguments, damaged);
+            assertThat(readable(said.violation(), component))
                     .isEqualTo(readable(watched(component, arguments, damaged), component));
-            int slice = slice(said).orElse(-1);
-            if (!component.isComposite()) {
+            assertThat(said.unknown()).isEmpty();
+            boolean slices = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
+            if (slices && !component.isComposite() && damaged.end().isEmpty()) {
+                int slice = slice(said.violation()).orElse(-1);
                 assertThat(slice).isEqualTo(judged(component, arguments, damaged));
             }
         }
     }
 
-    /** Objects have no text of the model at run time. */
-    private static String readable(String said, Component component) {
-        boolean objects =
-                component.outputs().stream().anyMatch(p -> p.type() instanceof Type.ClassType);
-        return objects ? said.replaceAll(" forbids .*", "") : said;
+    /**
+     * A run stays where it is after chaos, and may go wrong there; chaos allows everything else.
+     */
+    private static boolean errsAfterChaos(Trace run) {
+        Trace.Cause chaos = new Trace.Completed(Automaton.Completion.CHAOS);
+        return run.end().isPresent()
+                && run.steps().stream()
+                        .flatMap(step -> step.activities().stream())
+                        .anyMatch(activity -> activity.cause().equals(chaos));
     }
 
-    /** What the ports show, inputs and outputs together. */
-    private static List<Letter> run(Component component, List<Value> arguments, int seed) {
+    /**
+     * Objects have no text of the model at run time, floats one of their own; latched ports change
+     * without an event.
+     */
+    private static String readable(String said, Component component) {
+        boolean objects =
+                component.outputs().stream()
+                        .map(Port::type)
+                        .anyMatch(
+                                type ->
+                                        type instanceof Type.ClassType
+                                                || type instanceof Type.RealType real
+                                                        && real.single());
+        boolean latched = component.inputs().stream().anyMatch(Port::latched);
+        String numbered = latched ? said.replaceAll("event \\d+", "event") : said;
+        return objects ? numbered.replaceAll(" forbids .*", "") : numbered;
+    }
+
+    private static Trace run(Component component, List<Value> arguments, int seed) {
+        return run(component, arguments, seed, SLICES);
+    }
+
+    private static Trace run(Component component, List<Value> arguments, int seed, int slices) {
         Network network = Network.of(component, arguments);
         Interpreter interpreter =
                 new Interpreter(component, arguments, Choice.randomThroughout(seed));
-        List<Letter> letters = Simulation.randomLetters(network, seed, SLICES, 60);
-        return Simulation.run(interpreter, letters).steps().stream()
-                .map(
-                        step -> {
-                            Map<String, List<Value>> both =
-                                    new LinkedHashMap<>(step.inputs().messages());
-                            both.putAll(step.outputs().messages());
-                            return new Letter(both);
-                        })
-                .toList();
+        return Simulation.run(interpreter, Simulation.randomLetters(network, seed, slices, 60));
     }
 
-    /** Some messages are lost or replaced. */
-    private static List<Letter> damaged(List<Letter> run, Component component, Random random) {
-        List<Letter> damaged = new ArrayList<>();
-        for (Letter slice : run) {
-            Map<String, List<Value>> messages = new LinkedHashMap<>(slice.messages());
-            for (Port port : component.outputs()) {
-                if (random.nextInt(8) == 0) {
-                    List<Value> other = List.of(Agreement.value(port.type(), random));
-                    boolean silent = !port.total() && random.nextBoolean();
-                    messages.put(port.name(), silent ? List.of() : other);
-                }
-            }
-            damaged.add(new Letter(messages));
+    /** Some messages are lost or replaced; now and then the run ends in an error. */
+    private static Trace damaged(Trace run, Component component, Random random) {
+        List<Trace.Step> damaged = new ArrayList<>();
+        for (Trace.Step step : run.steps()) {
+            Letter opening = run.opening().filter(o -> step.number() == 0).orElse(Letter.SILENCE);
+            Letter outputs =
+                    happens(step, component)
+                            ? damaged(step.outputs(), opening, component, random)
+                            : step.outputs();
+            damaged.add(new Trace.Step(step.number(), step.inputs(), outputs, List.of()));
         }
-        return damaged;
+        if (run.end().isPresent() || damaged.isEmpty() || random.nextInt(4) > 0) {
+            return new Trace(component, damaged, run.failure(), run.opening(), run.end());
+        }
+        Trace.Step last = damaged.get(random.nextInt(damaged.size()));
+        if (!happens(last, component)) {
+            return new Trace(component, damaged, run.failure(), run.opening(), run.end());
+        }
+        List<Trace.Step> kept = damaged.subList(0, last.number());
+        Map<String, List<Value>> late = new LinkedHashMap<>(last.outputs().messages());
+        boolean slices = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
+        late.keySet().removeIf(name -> !slices || component.port(name).orElseThrow().delay() == 0);
+        Trace.End end = new Trace.End(last.inputs(), new Letter(late));
+        return new Trace(component, kept, Optional.of("damage"), run.opening(), Optional.of(end));
     }
 
-    private static String last(List<String> said) {
-        return said.isEmpty() ? "" : said.get(said.size() - 1);
+    /** Generated monitors are not told of latched ports that change without an event. */
+    private static boolean happens(Trace.Step step, Component component) {
+        return component.profile() == Component.Profile.TIME_SYNCHRONOUS
+                || component.inputs().stream()
+                        .filter(port -> !port.latched())
+                        .anyMatch(port -> !step.inputs().messages(port.name()).isEmpty());
+    }
+
+    private static Letter damaged(
+            Letter shown, Letter opening, Component component, Random random) {
+        Map<String, List<Value>> messages = new LinkedHashMap<>(shown.messages());
+        for (Port port : component.outputs()) {
+            if (random.nextInt(8) == 0) {
+                List<Value> others = new ArrayList<>(opening.messages(port.name()));
+                if (port.total() || random.nextBoolean()) {
+                    others.add(Agreement.value(port.type(), random));
+                }
+                messages.put(port.name(), others);
+            }
+        }
+        return new Letter(messages);
     }
 
     private static Optional<Integer> slice(String said) {
@@ -209,31 +261,29 @@ class MonitorsTest {
     }
 
     /** What the watches say, in the first slice in which one says something. */
-    private static String watched(Component component, List<Value> arguments, List<Letter> slices) {
+    private static String watched(Component component, List<Value> arguments, Trace run) {
         List<Watch> watches = new ArrayList<>();
         for (Automaton automaton : component.automata()) {
             watches.add(new Watch(component, automaton, arguments));
         }
-        for (Letter slice : slices) {
-            List<String> said =
-                    watches.stream()
-                            .flatMap(watch -> watch.see(slice, slice).stream())
-                            .map(violation -> violation.message())
-                            .collect(Collectors.toList());
-            if (!said.isEmpty()) {
-                return String.join("\n", said);
-            }
-        }
-        return "";
+        List<Violation> found =
+                Watched.all(watches, run).stream().flatMap(w -> w.violation().stream()).toList();
+        int first = found.stream().mapToInt(Violation::slice).min().orElse(-1);
+        return found.stream()
+                .filter(violation -> violation.slice() == first)
+                .map(Violation::message)
+                .collect(Collectors.joining("\n"));
     }
 
     /** The slice in which a stream test of the run fails, or -1. */
-    private static int judged(Component component, List<Value> arguments, List<Letter> slices) {
+    private static int judged(Component component, List<Value> arguments, Trace run) {
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         for (Port port : component.outputs()) {
-            expected.put(port.name(), slices.stream().map(s -> s.messages(port.name())).toList());
+            expected.put(
+                    port.name(),
+                    run.steps().stream().map(s -> s.outputs().messages(port.name())).toList());
         }
-        List<Letter> inputs = slices.stream().map(slice -> inputs(slice, component)).toList();
+        List<Letter> inputs = run.steps().stream().map(Trace.Step::inputs).toList();
         StreamTest test =
                 new StreamTest("S", "t", component, arguments, inputs, expected, component.span());
         StreamTestResult result = StreamTests.run(test);
@@ -241,12 +291,6 @@ class MonitorsTest {
             return slice(result.failure().get()).orElseThrow();
         }
         return result.firstDifference().orElse(-1);
-    }
-
-    private static Letter inputs(Letter slice, Component component) {
-        Map<String, List<Value>> messages = new LinkedHashMap<>();
-        component.inputs().forEach(port -> messages.put(port.name(), slice.messages(port.name())));
-        return new Letter(messages);
     }
 
     /** More than fit into one method, and more than have names of their own. */
@@ -269,6 +313,48 @@ class MonitorsTest {
         agree(automaton.build(), List.of(), 3, 12);
     }
 
+    /** The ways to go on double in every slice; what is open all along is followed all the same. */
+    @Test
+    void bothGiveUpWhereThereAreTooManyWays() {
+        Component guess = component("p.Guess");
+        Trace run = run(guess, List.of(), 1, 20);
+        Word said = CompiledMonitor.of(guess).watch(List.of(), run);
+        Watch watch = new Watch(guess, guess.automata().get(0), List.of());
+        Watched watched = Watched.all(List.of(watch), run).get(0);
+        assertThat(said.violation()).isEmpty();
+        assertThat(said.unknown()).startsWith("more than 100000 ways to go on in slice 1");
+        assertThat(watched.unknown()).hasValue(said.unknown());
+    }
+
+    @Test
+    void afterChaosOnlyAnErrorIsUnknown() {
+        Component component = component("p.GuessOrNothing");
+        Trace run = run(component, List.of(), 1, 20);
+        Trace.End end = new Trace.End(Letter.SILENCE, Letter.SILENCE);
+        Trace ended =
+                new Trace(
+                        component,
+                        run.steps(),
+                        Optional.of("error"),
+                        Optional.empty(),
+                        Optional.of(end));
+        for (Trace each : List.of(run, ended)) {
+            Word said = CompiledMonitor.of(component).watch(List.of(), each);
+            Watch watch = new Watch(component, component.automata().get(0), List.of());
+            Watched watched = Watched.all(List.of(watch), each).get(0);
+            assertThat(said.violation()).isEmpty();
+            assertThat(watched.violation()).isEmpty();
+            assertThat(watched.nothingFrom()).hasValue(1);
+            assertThat(said.unknown().isEmpty()).isEqualTo(each.end().isEmpty());
+            assertThat(watched.unknown().orElse("")).isEqualTo(said.unknown());
+        }
+    }
+
+    private static Component component(String name) {
+        Path file = Path.of("src/test/resources/monitors/many.txt");
+        return Lowering.lower(Scenario.read(file).workspace()).component(name).orElseThrow();
+    }
+
     @TestFactory
     Stream<DynamicTest> violationsAreFound() {
         return Stream.of("coffee.fig3.AvoidCrash", "coffee.fig6.AvoidCrash", "coffee.parts.Timer")
@@ -285,11 +371,8 @@ class MonitorsTest {
         Random random = new Random(5);
         int found = 0;
         for (int word = 0; word < 20; word++) {
-            List<Letter> run = run(component, arguments, random.nextInt());
-            found +=
-                    last(monitor.watch(arguments, damaged(run, component, random))).isEmpty()
-                            ? 0
-                            : 1;
+            Trace damaged = damaged(run(component, arguments, random.nextInt()), component, random);
+            found += monitor.watch(arguments, damaged).violation().isEmpty() ? 0 : 1;
         }
         assertThat(found).isBetween(2, 20);
     }

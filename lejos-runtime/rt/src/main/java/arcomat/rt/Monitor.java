@@ -1,12 +1,13 @@
 package arcomat.rt;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashSet;
 
 /**
  * Watches the ports of a component for one requirement. A requirement may allow several runs; the
  * monitor follows all of those that agree with what was seen, and when none is left the requirement
- * is violated. A requirement that has come to promise nothing any more is satisfied for good.
+ * is violated. What is compared is what is visible in a slice, whatever the delays of what runs.
  *
  * <p>What a requirement asks for is in the generated class below this one. Whoever uses it sets the
  * ports to what is visible in a slice, then calls {@link #slice}.
@@ -14,6 +15,9 @@ import java.util.HashSet;
 public abstract class Monitor {
     /** The state after an input that leaves everything open. */
     protected static final int CHAOS = -1;
+
+    /** With more, the set of runs grows beyond what can be followed. */
+    private static final int MOST_RUNS = 100000;
 
     /** No message. */
     protected static final Object SILENCE = new Promise("--");
@@ -38,6 +42,25 @@ public abstract class Monitor {
         }
     }
 
+    /** What is promised about a port that sends several messages after an event. */
+    static final class Several {
+        final Object[] messages;
+
+        Several(Object[] messages) {
+            this.messages = messages;
+        }
+
+        @Override
+        public boolean equals(Object other) {
+            return other instanceof Several && Arrays.equals(messages, ((Several) other).messages);
+        }
+
+        @Override
+        public int hashCode() {
+            return hash(messages);
+        }
+    }
+
     /** A run: where it is, what is to be seen on each output, and what in the model says so. */
     private static final class Run {
         final String cause;
@@ -59,32 +82,46 @@ public abstract class Monitor {
                 return false;
             }
             Run that = (Run) other;
-            boolean same = state == that.state;
-            for (int i = 0; same && i < variables.length; i++) {
-                same = variables[i].equals(that.variables[i]);
-            }
-            return same;
+            return state == that.state
+                    && (state == CHAOS || Arrays.equals(variables, that.variables));
         }
 
         @Override
         public int hashCode() {
-            int hash = state;
-            for (int i = 0; i < variables.length; i++) {
-                hash = 31 * hash + variables[i].hashCode();
-            }
-            return hash;
+            return state == CHAOS ? state : 31 * hash(variables) + state;
         }
     }
 
+    private static int hash(Object[] objects) {
+        int hash = 1;
+        for (int i = 0; i < objects.length; i++) {
+            hash = 31 * hash + objects[i].hashCode();
+        }
+        return hash;
+    }
+
+    private final String unit;
     private final String requirement;
     private final String[] states;
     private final String[] ports;
     private final boolean[] delayed;
+
+    /** Whether any output shows the reaction to a slice in the same one. */
+    private final boolean prompt;
+
     private ArrayList<Run> runs = new ArrayList<Run>();
-    private String problem = "";
+
+    /** Why the requirement may have ended in an error in the last step; empty if it may not. */
+    private String error = "";
+
     private boolean satisfied;
+
+    /** Whether runs have been given up that only matter where the program ends in an error. */
+    private boolean lost;
+
     private int slice;
     private String violation = "";
+    private String unknown = "";
 
     /**
      * @param requirement its name, with the line of the model
@@ -93,10 +130,20 @@ public abstract class Monitor {
      * @param delayed whether an output shows the reaction to a slice in the next one
      */
     protected Monitor(String requirement, String[] states, String[] ports, boolean[] delayed) {
+        this("slice", requirement, states, ports, delayed);
+    }
+
+    Monitor(String unit, String requirement, String[] states, String[] ports, boolean[] delayed) {
+        this.unit = unit;
         this.requirement = requirement;
         this.states = states;
         this.ports = ports;
         this.delayed = delayed;
+        boolean any = false;
+        for (int i = 0; i < delayed.length; i++) {
+            any |= !delayed[i];
+        }
+        prompt = any || !unit.equals("slice");
     }
 
     /** What the outputs show in this slice, {@link #SILENCE} for no message. */
@@ -123,23 +170,107 @@ public abstract class Monitor {
         return state < states.length ? states[state] : String.valueOf(state);
     }
 
+    /** Says that a transition, if it could be taken, would go wrong. */
+    protected final void goesWrong(ModelError problem) {
+        mayEnd("it goes wrong: " + problem.getMessage());
+    }
+
+    private void mayEnd(String why) {
+        if (error.length() == 0) {
+            error = " allows only an error in " + unit + " " + slice + ": " + why;
+        }
+    }
+
     /**
      * Judges the slice that the ports show.
      *
      * @return false if the requirement is violated, now or since an earlier slice
      */
-    public final boolean slice() {
-        if (!satisfied && violation.length() == 0) {
-            Object[] seen = messages();
-            keep(seen, true);
-            settle();
-            if (!satisfied && violation.length() == 0) {
-                step();
-                keep(seen, false);
-            }
+    public boolean slice() {
+        if (!isSettled()) {
+            judge(messages());
         }
         slice++;
         return violation.length() == 0;
+    }
+
+    private boolean isSettled() {
+        return violation.length() > 0 || unknown.length() > 0;
+    }
+
+    private void judge(Object[] seen) {
+        if (goesOn() && keep(seen, true)) {
+            settle();
+            step();
+            if (prompt && !isSettled() && goesOn()) {
+                keep(seen, false);
+            }
+        }
+    }
+
+    /**
+     * Judges what the outputs show before the first step.
+     *
+     * @return false if the requirement is violated
+     */
+    final boolean begin() {
+        if (!isSettled()) {
+            keep(messages(), false);
+        }
+        return violation.length() == 0;
+    }
+
+    /** Judges that the program has ended with an error before its first step. */
+    final boolean errorBefore() {
+        if (!isSettled()) {
+            violate(" forbids that the run begins with an error");
+        }
+        return false;
+    }
+
+    /**
+     * Judges that the program has ended with an error in the slice that the ports show: outputs
+     * with delay 1 what was sent before, those without delay nothing.
+     *
+     * @return false if the requirement is violated, now or since an earlier slice
+     */
+    public boolean error() {
+        if (!isSettled()) {
+            judgeError(messages());
+        }
+        slice++;
+        return violation.length() == 0;
+    }
+
+    private void judgeError(Object[] seen) {
+        if (!goesOn() || !keep(seen, true)) {
+            return;
+        }
+        settle();
+        step();
+        boolean silent = true;
+        for (int port = 0; port < ports.length; port++) {
+            silent &= delayed[port] || seen[port] == SILENCE;
+        }
+        if (silent && error.length() > 0) {
+            unknown = "";
+        } else if (silent && lost) {
+            unknown = tooMany();
+        } else if (unknown.length() == 0) {
+            violate(" forbids that the run ends in an error");
+        }
+    }
+
+    /** Where the program goes on, it has not ended in an error; the requirement may have had to. */
+    private boolean goesOn() {
+        if (runs.size() == 0) {
+            violate(error);
+        }
+        return runs.size() > 0;
+    }
+
+    private void violate(String text) {
+        violation = unit + " " + slice + ": " + requirement + text;
     }
 
     /** What is seen; whoever sets a port that always has a message to none is heard, too. */
@@ -152,7 +283,7 @@ public abstract class Monitor {
     }
 
     /** Keeps the runs whose promises agree with what is seen. */
-    private void keep(Object[] seen, boolean late) {
+    private boolean keep(Object[] seen, boolean late) {
         ArrayList<Run> kept = new ArrayList<Run>();
         for (int i = 0; i < runs.size(); i++) {
             if (agrees(runs.get(i), seen, late)) {
@@ -160,9 +291,10 @@ public abstract class Monitor {
             }
         }
         if (kept.size() == 0) {
-            violation = "slice " + slice + ": " + requirement + accusation(seen, late);
+            violate(accusation(seen, late));
         }
         runs = kept;
+        return kept.size() > 0;
     }
 
     private boolean agrees(Run run, Object[] seen, boolean late) {
@@ -176,7 +308,9 @@ public abstract class Monitor {
 
     private static boolean allows(Object promise, Object seen) {
         return promise == ANYTHING
-                || (promise == ANY_MESSAGE ? seen != SILENCE : promise.equals(seen));
+                || (promise == ANY_MESSAGE
+                        ? seen != SILENCE && !(seen instanceof Several)
+                        : promise.equals(seen));
     }
 
     /** Runs that are at the same place are one run from here on. */
@@ -192,40 +326,78 @@ public abstract class Monitor {
         runs = different;
     }
 
+    /** Each transition that is enabled is a way to go on; one that goes wrong ends the run. */
     private void step() {
         ArrayList<Run> before = runs;
         runs = new ArrayList<Run>();
+        error = "";
         for (int i = 0; i < before.size(); i++) {
-            Run run = before.get(i);
-            int count = runs.size();
-            try {
-                react(run.state, run.variables);
-                if (runs.size() == count) {
-                    problem = " forbids this input in " + name(run.state);
-                    complete(run.state, run.variables);
-                }
-            } catch (ModelError error) {
-                problem = " goes wrong: " + error.getMessage();
-                while (runs.size() > count) {
-                    runs.remove(runs.size() - 1);
-                }
+            step(before.get(i));
+            if (runs.size() > MOST_RUNS) {
+                giveUp(before);
+                return;
             }
         }
     }
 
-    private String accusation(Object[] seen, boolean late) {
-        if (runs.size() == 0) {
-            return problem;
+    private void step(Run run) {
+        if (run.state == CHAOS) {
+            String cause = "no transition fits in chaos, completion chaos";
+            runs.add(new Run(cause, CHAOS, run.variables, run.promises));
+            return;
         }
+        int count = runs.size();
+        String known = error;
+        error = "";
+        if (isHandled()) {
+            react(run.state, run.variables);
+        }
+        if (runs.size() == count && error.length() == 0) {
+            complete(run.state, run.variables);
+            if (runs.size() == count) {
+                mayEnd("it forbids this input in " + name(run.state));
+            }
+        }
+        error = known.length() > 0 ? known : error;
+    }
+
+    /** Whether there is an input that a transition may handle. */
+    boolean isHandled() {
+        return true;
+    }
+
+    /** Where everything is allowed from here on, the other runs matter only for an error. */
+    private void giveUp(ArrayList<Run> before) {
+        before.addAll(runs);
+        Run chaos = null;
+        for (int i = 0; i < before.size() && chaos == null; i++) {
+            chaos = before.get(i).state == CHAOS ? before.get(i) : null;
+        }
+        runs = new ArrayList<Run>();
+        lost = true;
+        if (chaos == null) {
+            unknown = tooMany();
+        } else {
+            runs.add(chaos);
+        }
+    }
+
+    private String tooMany() {
+        return "more than " + MOST_RUNS + " ways to go on in " + unit + " " + slice;
+    }
+
+    private String accusation(Object[] seen, boolean late) {
+        boolean[] said = new boolean[ports.length];
         ArrayList<String> shown = new ArrayList<String>();
         for (int port = 0; port < ports.length; port++) {
-            if (judges(port, late)) {
+            said[port] = delayed[port] == late && isPromised(port);
+            if (said[port]) {
                 shown.add(ports[port] + " = " + text(seen[port]));
             }
         }
         ArrayList<String> allowed = new ArrayList<String>();
         for (int i = 0; i < runs.size(); i++) {
-            String alternative = alternative(runs.get(i), late);
+            String alternative = alternative(runs.get(i), said);
             if (!allowed.contains(alternative)) {
                 allowed.add(alternative);
             }
@@ -234,18 +406,18 @@ public abstract class Monitor {
     }
 
     /** Whether any run says something about a port. */
-    private boolean judges(int port, boolean late) {
+    private boolean isPromised(int port) {
         boolean said = false;
         for (int i = 0; i < runs.size(); i++) {
             said |= runs.get(i).promises[port] != ANYTHING;
         }
-        return said && delayed[port] == late;
+        return said;
     }
 
-    private String alternative(Run run, boolean late) {
+    private String alternative(Run run, boolean[] said) {
         ArrayList<String> promised = new ArrayList<String>();
         for (int port = 0; port < ports.length; port++) {
-            if (judges(port, late)) {
+            if (said[port]) {
                 promised.add(ports[port] + " = " + text(run.promises[port]));
             }
         }
@@ -262,6 +434,14 @@ public abstract class Monitor {
 
     /** As models write it, on one line. */
     private static String text(Object message) {
+        if (message instanceof Several) {
+            ArrayList<String> texts = new ArrayList<String>();
+            Object[] messages = ((Several) message).messages;
+            for (int i = 0; i < messages.length; i++) {
+                texts.add(text(messages[i]));
+            }
+            return joined(texts, ", ");
+        }
         if (message instanceof String) {
             return quoted((String) message, '"');
         }
@@ -290,7 +470,12 @@ public abstract class Monitor {
         return violation;
     }
 
-    /** Whether the requirement promises nothing any more. */
+    /** Why it cannot be said whether the requirement is kept; empty if it can. */
+    public final String unknown() {
+        return unknown;
+    }
+
+    /** Whether the requirement promises nothing any more, but that there be no error. */
     public final boolean isSatisfied() {
         return satisfied;
     }

@@ -3,6 +3,7 @@
 package p.logic;
 
 import arcomat.rt.Check;
+import arcomat.rt.ModelError;
 
 /**
  * Watches what component p.Door receives and sends.
@@ -68,34 +69,46 @@ public final class DoorAutomaton3Monitor extends arcomat.rt.Monitor {
         switch (state) {
             case COUNTING:
                 // line 28: counting [n < 3] {push == true} / {count = n, n = n + 1};
-                if (hasPush && push && n < 3) {
-                    go(
-                            "line 28: counting -> counting",
-                            COUNTING,
-                            values(Integer.valueOf(Check.range(n + 1, 0, 3, "Door, counting -> counting (line 28): n"))),
-                            ANYTHING,
-                            ANYTHING,
-                            Integer.valueOf(n));
+                try {
+                    if (hasPush && push && n < 3) {
+                        go(
+                                "line 28: counting -> counting",
+                                COUNTING,
+                                values(Integer.valueOf(Check.range(n + 1, 0, 3, "Door, counting -> counting (line 28): n"))),
+                                ANYTHING,
+                                ANYTHING,
+                                Integer.valueOf(n));
+                    }
+                } catch (ModelError problem) {
+                    goesWrong(problem);
                 }
                 // line 29: counting [n > 0] / {count = 3 - n, n = n - 1};
-                if (n > 0) {
-                    go(
-                            "line 29: counting -> counting",
-                            COUNTING,
-                            values(Integer.valueOf(Check.range(n - 1, 0, 3, "Door, counting -> counting (line 29): n"))),
-                            ANYTHING,
-                            ANYTHING,
-                            Integer.valueOf(Check.range(3 - n, 0, 3, "Door, counting -> counting (line 29): count")));
+                try {
+                    if (n > 0) {
+                        go(
+                                "line 29: counting -> counting",
+                                COUNTING,
+                                values(Integer.valueOf(Check.range(n - 1, 0, 3, "Door, counting -> counting (line 29): n"))),
+                                ANYTHING,
+                                ANYTHING,
+                                Integer.valueOf(Check.range(3 - n, 0, 3, "Door, counting -> counting (line 29): count")));
+                    }
+                } catch (ModelError problem) {
+                    goesWrong(problem);
                 }
                 // line 30: counting {push == false} / {count = 3 / n};
-                if (hasPush && !push) {
-                    go(
-                            "line 30: counting -> counting",
-                            COUNTING,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            Integer.valueOf(Check.range(Check.divide(3, n, "Door, counting -> counting (line 30)"), 0, 3, "Door, counting -> counting (line 30): count")));
+                try {
+                    if (hasPush && !push) {
+                        go(
+                                "line 30: counting -> counting",
+                                COUNTING,
+                                variables,
+                                ANYTHING,
+                                ANYTHING,
+                                Integer.valueOf(Check.range(Check.divide(3, n, "Door, counting -> counting (line 30)"), 0, 3, "Door, counting -> counting (line 30): count")));
+                    }
+                } catch (ModelError problem) {
+                    goesWrong(problem);
                 }
                 break;
 

@@ -49,6 +49,32 @@ public final class DoorMonitor {
      * @return false if a requirement is violated, now or since an earlier slice
      */
     public boolean slice() {
+        copy();
+        boolean kept = true;
+        kept &= rings.slice();
+        kept &= opens.slice();
+        kept &= automaton3.slice();
+        kept &= never.slice();
+        return kept;
+    }
+
+    /**
+     * Judges that the program has ended with an error in the slice that the ports show: outputs
+     * with delay 1 what was sent before, those without delay nothing.
+     *
+     * @return false if a requirement is violated, now or since an earlier slice
+     */
+    public boolean error() {
+        copy();
+        boolean kept = true;
+        kept &= rings.error();
+        kept &= opens.error();
+        kept &= automaton3.error();
+        kept &= never.error();
+        return kept;
+    }
+
+    private void copy() {
         rings.push = push;
         rings.hasPush = hasPush;
         rings.bell = bell;
@@ -77,12 +103,6 @@ public final class DoorMonitor {
         never.open = open;
         never.hasOpen = hasOpen;
         never.count = count;
-        boolean kept = true;
-        kept &= rings.slice();
-        kept &= opens.slice();
-        kept &= automaton3.slice();
-        kept &= never.slice();
-        return kept;
     }
 
     /** What was violated, a line for each requirement that was; empty if none was. */
@@ -92,6 +112,16 @@ public final class DoorMonitor {
         lines += line(opens.violation());
         lines += line(automaton3.violation());
         lines += line(never.violation());
+        return lines;
+    }
+
+    /** Why it cannot be said whether a requirement is kept, a line for each; empty if it can. */
+    public String unknown() {
+        String lines = "";
+        lines += line(rings.unknown());
+        lines += line(opens.unknown());
+        lines += line(automaton3.unknown());
+        lines += line(never.unknown());
         return lines;
     }
 

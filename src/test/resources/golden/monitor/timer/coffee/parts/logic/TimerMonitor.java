@@ -3,6 +3,7 @@
 package coffee.parts.logic;
 
 import arcomat.rt.Check;
+import arcomat.rt.ModelError;
 import coffee.types.TimerCmdCode;
 import coffee.types.TimerSignal;
 import coffee.types.TimerSignalCode;
@@ -54,31 +55,43 @@ public final class TimerMonitor extends arcomat.rt.Monitor {
         switch (state) {
             case IDLE:
                 // line 21: idle -> running {timerCmd == delay} / {left = slices - 1};
-                if (timerCmd == TimerCmdCode.DELAY) {
-                    go(
-                            "line 21: idle -> running",
-                            RUNNING,
-                            values(Integer.valueOf(Check.range(slices - 1, 0, 3000, "Timer, idle -> running (line 21): left"))),
-                            SILENCE);
+                try {
+                    if (timerCmd == TimerCmdCode.DELAY) {
+                        go(
+                                "line 21: idle -> running",
+                                RUNNING,
+                                values(Integer.valueOf(Check.range(slices - 1, 0, 3000, "Timer, idle -> running (line 21): left"))),
+                                SILENCE);
+                    }
+                } catch (ModelError problem) {
+                    goesWrong(problem);
                 }
                 break;
 
             case RUNNING:
                 // line 22: running {timerCmd == delay} / {left = slices - 1};
-                if (timerCmd == TimerCmdCode.DELAY) {
-                    go(
-                            "line 22: running -> running",
-                            RUNNING,
-                            values(Integer.valueOf(Check.range(slices - 1, 0, 3000, "Timer, running -> running (line 22): left"))),
-                            SILENCE);
+                try {
+                    if (timerCmd == TimerCmdCode.DELAY) {
+                        go(
+                                "line 22: running -> running",
+                                RUNNING,
+                                values(Integer.valueOf(Check.range(slices - 1, 0, 3000, "Timer, running -> running (line 22): left"))),
+                                SILENCE);
+                    }
+                } catch (ModelError problem) {
+                    goesWrong(problem);
                 }
                 // line 23: running [left > 1] {timerCmd == --} / {left = left - 1};
-                if (timerCmd == TimerCmdCode.SILENCE && left > 1) {
-                    go(
-                            "line 23: running -> running",
-                            RUNNING,
-                            values(Integer.valueOf(Check.range(left - 1, 0, 3000, "Timer, running -> running (line 23): left"))),
-                            SILENCE);
+                try {
+                    if (timerCmd == TimerCmdCode.SILENCE && left > 1) {
+                        go(
+                                "line 23: running -> running",
+                                RUNNING,
+                                values(Integer.valueOf(Check.range(left - 1, 0, 3000, "Timer, running -> running (line 23): left"))),
+                                SILENCE);
+                    }
+                } catch (ModelError problem) {
+                    goesWrong(problem);
                 }
                 // line 24: running -> idle [left == 1] {timerCmd == --} / {timerSig = alert, left = 0};
                 if (timerCmd == TimerCmdCode.SILENCE && left == 1) {
