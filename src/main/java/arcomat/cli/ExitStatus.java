@@ -10,7 +10,7 @@ final class ExitStatus {
     /** The command was used wrongly, or its input could not be read. */
     static final int WRONG_USE = 2;
 
-    /** An analysis could not decide. */
+    /** An analysis or a stream test could not be decided. */
     static final int UNKNOWN = 3;
 
     private ExitStatus() {}

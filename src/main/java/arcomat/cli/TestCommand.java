@@ -30,7 +30,10 @@ import java.util.List;
             "  arcomat test --report build/tests models/coffee",
             "",
             "A test passes if what it expects is among the outputs that its model allows. It",
-            "passes vacuously if the model allows it only because it promises nothing any more."
+            "passes vacuously if the model allows it only because it promises nothing any more.",
+            "",
+            "Exit status: 0 all pass; 1 one fails, or models have errors; 3 one is unknown; 2 wrong"
+                    + " use."
         })
 final class TestCommand extends Command {
     @Mixin private PageReportOptions reports = new PageReportOptions();
@@ -54,7 +57,14 @@ final class TestCommand extends Command {
         reports.writePage(
                 () -> StreamTestPage.of(String.join(", ", paths), result.tests()), pipeline);
         reports.write((format, style) -> text(result, format, style), pipeline, console);
-        return result.hasFailures() ? ExitStatus.FINDINGS : ExitStatus.FINE;
+        return status(result);
+    }
+
+    private static int status(TestResult result) {
+        if (result.hasFailures()) {
+            return ExitStatus.FINDINGS;
+        }
+        return result.hasUnknown() ? ExitStatus.UNKNOWN : ExitStatus.FINE;
     }
 
     private String text(TestResult result, ReportFormat format, Style style) {

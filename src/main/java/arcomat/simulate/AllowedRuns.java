@@ -3,7 +3,6 @@ package arcomat.simulate;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.rt.ModelError;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
@@ -16,48 +15,48 @@ import arcomat.semantics.Sent;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.HashMap;
-import java.util.LinkedHashSet;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * All runs of a time-synchronous network at once, as a set of worlds (subset construction). What a
- * completion leaves open stays open until somebody reads it; then each value of a small type is
- * tried, and a reader of a larger type is in chaos from there on, which allows too much rather than
- * too little and is reported as vacuous.
+ * completion leaves open stays open until the test expects something there, or somebody reads it;
+ * then it is decided, once for all who receive it. Where too much would have to be tried, some of
+ * it is, and what is not tried is remembered: an instance that might have read anything is in chaos
+ * from there on, a loose run that shows at most that nobody knows.
  */
 final class AllowedRuns {
     /** More worlds than that are not followed. */
     static final int MOST_WORLDS = 10_000;
 
-    private final Network network;
-    private final List<Behaviour> behaviours = new ArrayList<>();
-    private final boolean[] delayed;
-    private final int[] sender;
-    private String lastProblem;
+    /** Of those, as many. */
+    private static final int FOLLOWED = 1_000;
 
-    AllowedRuns(Network network) {
+    private final Network network;
+    private final Wires wires;
+    private final Division division;
+    private final List<Behaviour> behaviours = new ArrayList<>();
+    private String lastProblem;
+    private String tooMany;
+    private String untried;
+
+    /**
+     * @param mentioned values that may matter where not all can be tried
+     */
+    AllowedRuns(Network network, Collection<Value> mentioned) {
         this.network = network;
-        delayed = new boolean[network.signals()];
-        sender = new int[network.signals()];
-        Arrays.fill(sender, -1);
+        wires = new Wires(network);
         for (Network.Instance instance : network.instances()) {
-            List<Port> outputs = instance.component().outputs();
-            for (int i = 0; i < outputs.size(); i++) {
-                int signal = instance.outputSignals().get(i);
-                delayed[signal] = outputs.get(i).delay() > 0;
-                sender[signal] = behaviours.size();
-            }
             behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
         }
+        division = new Division(wires, behaviours, mentioned);
     }
 
-    /** Whether the messages of a signal come out of a register, known before the slice. */
-    boolean isDelayed(int signal) {
-        return signal != Network.UNCONNECTED && delayed[signal];
+    Wires wires() {
+        return wires;
     }
 
     /** Why the last possibility that could not go on could not. */
@@ -65,18 +64,29 @@ final class AllowedRuns {
         return Optional.ofNullable(lastProblem);
     }
 
-    Set<World> starts() {
+    /** Why not all runs were followed; empty if they were. */
+    Optional<String> tooMany() {
+        return Optional.ofNullable(tooMany);
+    }
+
+    /** What a loose run is about. */
+    String untried() {
+        return untried;
+    }
+
+    /** Between two slices, with what each world stands for. */
+    Map<World, Standing> starts() {
         Sent[] silent = new Sent[network.signals()];
         Arrays.fill(silent, Sent.SILENCE);
-        List<Possibility> possible = new ArrayList<>();
-        possible.add(new Possibility(new World(List.of(), List.of(silent), false)));
+        World nothing = new World(List.of(), List.of(silent));
+        List<Possibility> possible = List.of(new Possibility(nothing, Standing.SURE));
         for (int i = 0; i < behaviours.size(); i++) {
             List<Possibility> next = new ArrayList<>();
             for (Possibility before : possible) {
                 for (JointStart start : behaviours.get(i).starts()) {
                     Possibility after = before.copy();
                     after.configurations.add(start.configurations());
-                    send(after, i, start.output().ports());
+                    send(after, i, start.output().ports(), Expected.NOTHING);
                     next.add(after);
                 }
             }
@@ -85,102 +95,173 @@ final class AllowedRuns {
         return worlds(possible);
     }
 
-    /** All ways through a slice, before the outputs are compared with anything. */
-    List<Possibility> slice(Collection<World> worlds, Letter letter) {
+    /** All ways through a slice that show what is expected. */
+    List<Possibility> slice(Map<World, Standing> worlds, Letter letter, Expected expected) {
+        lastProblem = null;
         List<Possibility> possible = new ArrayList<>();
-        for (World world : worlds) {
-            Possibility possibility = new Possibility(world);
+        for (Possibility possibility : beginnings(worlds)) {
             for (Network.External external : network.inputs()) {
                 List<Value> messages = letter.messages(external.name());
                 possibility.visible[external.signal()] = new Sent.Messages(messages);
             }
-            possible.add(possibility);
+            if (shows(possibility, expected)) {
+                possible.add(possibility);
+            }
         }
         for (int i = 0; i < behaviours.size(); i++) {
             List<Possibility> next = new ArrayList<>(possible.size());
             for (Possibility possibility : possible) {
                 for (Possibility settled : settled(possibility, i)) {
-                    react(settled, i, next);
+                    react(settled, i, expected, next);
                 }
+                next = roomy(next);
             }
             possible = limited(next);
         }
         return possible;
     }
 
-    static Set<World> worlds(List<Possibility> possible) {
-        Set<World> worlds = new LinkedHashSet<>();
-        possible.forEach(possibility -> worlds.add(possibility.finish()));
-        return worlds;
-    }
-
-    private static List<Possibility> limited(List<Possibility> possible) {
-        if (possible.size() > MOST_WORLDS) {
-            throw new ModelError(
-                    "more than " + MOST_WORLDS + " possible runs: the test leaves too much open");
-        }
+    /** What is visible in a slice before anything reacts in it, where that is as expected. */
+    List<Possibility> registers(Map<World, Standing> worlds, Expected expected) {
+        List<Possibility> possible = beginnings(worlds);
+        possible.removeIf(possibility -> !shows(possibility, expected));
         return possible;
     }
 
-    /** Possibilities in which all that an instance reads is certain, where that can be had. */
+    private static List<Possibility> beginnings(Map<World, Standing> worlds) {
+        List<Possibility> possible = new ArrayList<>();
+        worlds.forEach((world, standing) -> possible.add(new Possibility(world, standing)));
+        return possible;
+    }
+
+    /** Possibilities that are the same from here on are one world, which stands for the best. */
+    static Map<World, Standing> worlds(List<Possibility> possible) {
+        Map<World, Standing> worlds = new LinkedHashMap<>();
+        for (Possibility each : possible) {
+            worlds.merge(
+                    each.finish(), each.standing, (one, two) -> one.isBetterThan(two) ? one : two);
+        }
+        return worlds;
+    }
+
+    private List<Possibility> limited(List<Possibility> possible) {
+        if (possible.size() <= MOST_WORLDS) {
+            return possible;
+        }
+        Map<Object, Possibility> different = new LinkedHashMap<>();
+        for (Possibility each : possible) {
+            different.merge(
+                    each.state(),
+                    each,
+                    (one, two) -> two.standing.isBetterThan(one.standing) ? two : one);
+        }
+        if (different.size() <= MOST_WORLDS) {
+            return new ArrayList<>(different.values());
+        }
+        tooMany = "more than " + MOST_WORLDS + " possible runs: the test leaves too much open";
+        List<Possibility> best = new ArrayList<>(different.values());
+        best.sort(Comparator.comparing(each -> each.standing));
+        return spread(best);
+    }
+
+    /** Some of many, those at the beginning like those at the end. */
+    private static List<Possibility> spread(List<Possibility> many) {
+        List<Possibility> some = new ArrayList<>(FOLLOWED);
+        for (int i = 0; i < FOLLOWED; i++) {
+            some.add(many.get((int) ((long) i * many.size() / FOLLOWED)));
+        }
+        return some;
+    }
+
+    /** Keeps a list from growing without end while it is made. */
+    private List<Possibility> roomy(List<Possibility> growing) {
+        return growing.size() > 2 * MOST_WORLDS ? new ArrayList<>(limited(growing)) : growing;
+    }
+
+    /** Possibilities in which all that an instance looks at is certain, where that can be had. */
     private List<Possibility> settled(Possibility possibility, int instance) {
         List<Possibility> settled = List.of(possibility);
-        List<Port> ports = network.instances().get(instance).component().inputs();
-        for (int i = 0; i < ports.size(); i++) {
-            int signal = network.instances().get(instance).inputSignals().get(i);
-            if (signal == Network.UNCONNECTED
-                    || possibility.visible[signal] instanceof Sent.Messages) {
-                continue;
+        List<Integer> signals = network.instances().get(instance).inputSignals();
+        for (int port = 0; port < signals.size(); port++) {
+            int signal = signals.get(port);
+            if (signal != Network.UNCONNECTED
+                    && isOpen(possibility, signal)
+                    && division.isSeen(possibility, instance, port)) {
+                List<Possibility> divided = new ArrayList<>();
+                for (Possibility each : settled) {
+                    divide(each, instance, signal, divided);
+                    divided = roomy(divided);
+                }
+                settled = divided;
             }
-            Optional<List<Value>> values = SmallTypes.values(ports.get(i).type());
-            if (values.isEmpty()) {
-                return List.of(lost(possibility, instance));
-            }
-            settled = guesses(settled, signal, values.get());
         }
         return settled;
     }
 
-    private List<Possibility> guesses(List<Possibility> open, int signal, List<Value> values) {
-        List<Possibility> guessed = new ArrayList<>();
-        for (Possibility possibility : open) {
-            if (possibility.visible[signal] instanceof Sent.Anything) {
-                guessed.add(guess(possibility, signal, List.of()));
-            }
-            values.forEach(value -> guessed.add(guess(possibility, signal, List.of(value))));
+    private void divide(Possibility open, int instance, int signal, List<Possibility> divided) {
+        if (!isOpen(open, signal) || isLost(open, instance)) {
+            divided.add(open);
+            return;
         }
-        return guessed;
+        Division.Options options = division.of(open, signal);
+        for (Sent sample : options.samples()) {
+            Possibility copy = open.copy();
+            decide(copy, signal, sample);
+            divided.add(copy);
+        }
+        if (!options.complete()) {
+            divided.add(lost(open, instance, signal));
+        }
     }
 
-    private Possibility guess(Possibility open, int signal, List<Value> messages) {
+    private static boolean isOpen(Possibility possibility, int signal) {
+        return !(possibility.visible[signal] instanceof Sent.Messages);
+    }
+
+    private static boolean isLost(Possibility possibility, int instance) {
+        return possibility.configurations.get(instance).stream()
+                .allMatch(configuration -> configuration == Configuration.CHAOS);
+    }
+
+    /** What an instance does that reads a message of which nobody knows what it is. */
+    private Possibility lost(Possibility open, int instance, int signal) {
         Possibility copy = open.copy();
-        copy.vacuous |= isFromChaos(open, signal);
-        copy.visible[signal] = new Sent.Messages(messages);
-        return copy;
-    }
-
-    private Possibility lost(Possibility possibility, int instance) {
-        Possibility copy = possibility.copy();
+        copy.standing = Standing.LOOSE;
         List<Configuration> before = copy.configurations.get(instance);
         copy.configurations.set(instance, before.stream().map(c -> Configuration.CHAOS).toList());
+        untried =
+                "not every value that the model leaves open on "
+                        + wires.name(signal)
+                        + " was tried: it matters which, and "
+                        + wires.port(signal).type().name()
+                        + " has too many";
         return copy;
     }
 
-    private void react(Possibility before, int instance, List<Possibility> next) {
+    private void decide(Possibility possibility, int signal, Sent sent) {
+        if (isOpen(possibility, signal)
+                && sent instanceof Sent.Messages
+                && isFromChaos(possibility, signal)) {
+            possibility.standing = possibility.standing.and(Standing.VACUOUS);
+        }
+        possibility.visible[signal] = sent;
+    }
+
+    private void react(
+            Possibility before, int instance, Expected expected, List<Possibility> next) {
+        List<Configuration> configurations = before.configurations.get(instance);
         Prospect prospect =
-                behaviours
-                        .get(instance)
-                        .prospect(before.configurations.get(instance), input(before, instance));
+                behaviours.get(instance).prospect(configurations, input(before, instance));
         prospect.errors().forEach(error -> lastProblem = error.message());
         if (prospect.isContradiction()) {
             lastProblem = "its automata contradict each other";
         }
-        List<JointReaction> reactions = prospect.reactions();
-        for (JointReaction reaction : reactions) {
-            Possibility after = reactions.size() == 1 ? before : before.copy();
+        for (JointReaction reaction : prospect.reactions()) {
+            Possibility after = before.copy();
             after.configurations.set(instance, reaction.next());
-            send(after, instance, reaction.output().ports());
-            next.add(after);
+            if (send(after, instance, reaction.output().ports(), expected)) {
+                next.add(after);
+            }
         }
     }
 
@@ -198,44 +279,54 @@ final class AllowedRuns {
         return Input.of(messages);
     }
 
-    private void send(Possibility after, int instance, List<Sent> sent) {
+    /** Puts messages on their signals; false where those without delay are not as expected. */
+    private boolean send(Possibility after, int instance, List<Sent> sent, Expected expected) {
         List<Integer> signals = network.instances().get(instance).outputSignals();
         for (int i = 0; i < sent.size(); i++) {
             int signal = signals.get(i);
-            (delayed[signal] ? after.registers : after.visible)[signal] = sent.get(i);
-        }
-    }
-
-    /** What is seen on an external output. */
-    static Sent seen(Possibility possibility, Network.External external) {
-        return external.signal() == Network.UNCONNECTED
-                ? Sent.SILENCE
-                : possibility.visible[external.signal()];
-    }
-
-    /**
-     * Whether an external output is as expected; a possibility in which only chaos allows it is
-     * marked.
-     */
-    boolean agrees(Possibility possibility, Network.External external, List<Value> expected) {
-        Sent sent = seen(possibility, external);
-        if (!sent.allows(expected)) {
-            return false;
-        }
-        if (!(sent instanceof Sent.Messages)) {
-            possibility.vacuous |= isFromChaos(possibility, external.signal());
+            if (!wires.isOfUse(signal)) {
+                continue;
+            }
+            if (wires.isDelayed(signal)) {
+                after.registers[signal] = sent.get(i);
+            } else {
+                after.visible[signal] = sent.get(i);
+                if (!shows(after, signal, expected)) {
+                    return false;
+                }
+            }
         }
         return true;
     }
 
-    private boolean isFromChaos(Possibility possibility, int signal) {
-        return sender[signal] >= 0 && possibility.isChaotic(sender[signal], delayed[signal]);
+    /** Whether what is known before a slice is as expected: registers, and what is read. */
+    private boolean shows(Possibility beginning, Expected expected) {
+        for (int signal = 0; signal < network.signals(); signal++) {
+            boolean known = wires.isDelayed(signal) || wires.sender(signal).isEmpty();
+            if (known && !shows(beginning, signal, expected)) {
+                return false;
+            }
+        }
+        return shows(beginning, Network.UNCONNECTED, expected);
     }
 
-    /** The external outputs by name. */
-    Map<String, Network.External> outputs() {
-        Map<String, Network.External> outputs = new HashMap<>();
-        network.outputs().forEach(external -> outputs.put(external.name(), external));
-        return outputs;
+    /** Whether a signal is as expected; what is open is then decided, for all who receive it. */
+    boolean shows(Possibility possibility, int signal, Expected expected) {
+        Port sender = signal == Network.UNCONNECTED ? null : wires.port(signal);
+        Optional<Sent> left = expected.settle(signal, seen(possibility, signal), sender);
+        if (left.isPresent() && signal != Network.UNCONNECTED) {
+            decide(possibility, signal, left.get());
+        }
+        return left.isPresent();
+    }
+
+    /** What is seen on the signal of an external output. */
+    static Sent seen(Possibility possibility, int signal) {
+        return signal == Network.UNCONNECTED ? Sent.SILENCE : possibility.visible[signal];
+    }
+
+    private boolean isFromChaos(Possibility possibility, int signal) {
+        return wires.sender(signal).isPresent()
+                && possibility.isChaotic(wires.sender(signal).getAsInt(), wires.isDelayed(signal));
     }
 }

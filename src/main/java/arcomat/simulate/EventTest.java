@@ -1,116 +1,112 @@
 package arcomat.simulate;
 
-import arcomat.model.Automaton.Completion;
-import arcomat.model.Port;
+import arcomat.model.Letter;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
-import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Network;
 import arcomat.simulate.StreamTestResult.Cell;
 import arcomat.simulate.StreamTestResult.Verdict;
 
-import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
-/**
- * A stream test of an event-driven component: every sequence of choices is tried, one run each.
- * Messages that a completion leaves open are not sent in these runs.
- */
+/** A stream test of an event-driven component against all that its model allows. */
 final class EventTest {
-    private static final int MOST_RUNS = 10_000;
-
-    /** Follows a script of choices, the first alternative after its end, and notes the counts. */
-    private static final class Script implements Choice {
-        private final List<Integer> picks = new ArrayList<>();
-        private final List<Integer> counts = new ArrayList<>();
-        private int position;
-
-        @Override
-        public int pick(Question question) {
-            if (position == picks.size()) {
-                picks.add(0);
-                counts.add(question.count());
-            }
-            return picks.get(position++);
-        }
-
-        @Override
-        public Optional<Value> message(Port port, boolean required) {
-            return Choice.first().message(port, required);
-        }
-
-        /** Turns to the next sequence of choices; false after the last. */
-        boolean advance() {
-            position = 0;
-            while (!picks.isEmpty()) {
-                int last = picks.size() - 1;
-                if (picks.get(last) + 1 < counts.get(last)) {
-                    picks.set(last, picks.get(last) + 1);
-                    return true;
-                }
-                picks.remove(last);
-                counts.remove(last);
-            }
-            return false;
-        }
-    }
-
     private final StreamTest test;
+    private Optional<String> gaveUp = Optional.empty();
 
     EventTest(StreamTest test) {
         this.test = test;
     }
 
     StreamTestResult run() {
-        Script script = new Script();
-        Trace first = null;
-        Trace vacuous = null;
-        int runs = 0;
-        do {
-            Trace trace = trace(script);
-            first = first == null ? trace : first;
-            if (agrees(trace)) {
-                if (chaosFrom(trace).isEmpty()) {
-                    return result(trace, Verdict.PASSED, trace.failure());
-                }
-                vacuous = trace;
-            }
-            if (++runs > MOST_RUNS) {
-                String problem = "more than " + MOST_RUNS + " possible runs";
-                return result(first, Verdict.FAILED, Optional.of(problem));
-            }
-        } while (script.advance());
-        return vacuous != null
-                ? result(vacuous, Verdict.VACUOUS, Optional.empty())
-                : result(first, Verdict.FAILED, first.failure());
+        Optional<EventRun> best;
+        try {
+            AllowedEvents allowed = allowed(test);
+            best =
+                    runs(allowed).stream()
+                            .filter(allowed::isComplete)
+                            .reduce((one, two) -> two.isBetterThan(one) ? two : one);
+            gaveUp = allowed.gaveUp();
+        } catch (ModelError problem) {
+            return failed(Optional.of(problem.getMessage()));
+        }
+        if (best.isEmpty()) {
+            return gaveUp.isPresent()
+                    ? passing(Verdict.UNKNOWN, OptionalInt.empty(), gaveUp)
+                    : failed(problem());
+        }
+        return best.get().standing == Standing.SURE
+                ? passing(Verdict.PASSED, OptionalInt.empty(), Optional.empty())
+                : passing(Verdict.VACUOUS, OptionalInt.of(best.get().since), Optional.empty());
     }
 
-    private Trace trace(Script script) {
-        Interpreter interpreter = new Interpreter(test.component(), test.arguments(), script);
-        return Simulation.run(interpreter, StreamTests.letters(test, test.component()));
+    private static AllowedEvents allowed(StreamTest test) {
+        Network network = Network.of(test.component(), test.arguments());
+        return new AllowedEvents(network, test, StreamTests.mentioned(test));
     }
 
-    private boolean agrees(Trace trace) {
-        return trace.failure().isEmpty()
-                && StreamTests.cells(test, trace, List.of()).stream().noneMatch(Cell::differs);
+    /** Those that go on to the end of the test and show the beginnings of what is expected. */
+    private Collection<EventRun> runs(AllowedEvents allowed) {
+        Surroundings surroundings = new Surroundings(allowed.network());
+        Collection<EventRun> runs = allowed.starts();
+        List<Letter> letters = StreamTests.letters(test, test.component());
+        for (int event = 0; event < letters.size() && !runs.isEmpty(); event++) {
+            surroundings.requireKnownPorts(letters.get(event));
+            runs = allowed.event(runs, letters.get(event), event);
+        }
+        return runs;
     }
 
-    private static OptionalInt chaosFrom(Trace trace) {
-        return trace.steps().stream()
-                .filter(step -> step.activities().stream().anyMatch(EventTest::isChaos))
-                .mapToInt(Trace.Step::number)
-                .findFirst();
+    /** Why no run goes on to the end, whatever it shows; empty if one does. */
+    private Optional<String> problem() {
+        AllowedEvents allowed =
+                allowed(
+                        new StreamTest(
+                                test.suite(),
+                                test.name(),
+                                test.component(),
+                                test.arguments(),
+                                test.inputs(),
+                                Map.of(),
+                                test.span()));
+        return runs(allowed).isEmpty() && allowed.gaveUp().isEmpty()
+                ? allowed.lastProblem()
+                : Optional.empty();
     }
 
-    private static boolean isChaos(Trace.Activity activity) {
-        return activity.cause().equals(new Trace.Completed(Completion.CHAOS));
+    private StreamTestResult passing(
+            Verdict verdict, OptionalInt vacuousFrom, Optional<String> reason) {
+        List<Cell> cells =
+                StreamTests.cells(test, StreamTests.firstRun(test), List.of()).stream()
+                        .map(SliceTest::unmarked)
+                        .toList();
+        return new StreamTestResult(test, verdict, cells, OptionalInt.empty(), vacuousFrom, reason);
     }
 
-    private StreamTestResult result(Trace trace, Verdict verdict, Optional<String> failure) {
-        List<Cell> cells = StreamTests.cells(test, trace, List.of());
+    private StreamTestResult failed(Optional<String> problem) {
+        Trace first = StreamTests.firstRun(test);
+        List<Cell> cells = StreamTests.cells(test, first, List.of());
         OptionalInt difference = cells.stream().filter(Cell::differs).mapToInt(Cell::slice).min();
-        OptionalInt chaos = verdict == Verdict.VACUOUS ? chaosFrom(trace) : OptionalInt.empty();
-        return new StreamTestResult(test, verdict, cells, difference, chaos, failure);
+        return new StreamTestResult(
+                test,
+                Verdict.FAILED,
+                cells,
+                difference,
+                OptionalInt.empty(),
+                reason(first, problem));
+    }
+
+    /** A run that goes wrong is no reason where others go on. */
+    private static Optional<String> reason(Trace first, Optional<String> problem) {
+        if (problem.isPresent()) {
+            return first.failure().or(() -> problem);
+        }
+        return first.failure()
+                .map(end -> "no run shows what is expected; the first one ends: " + end);
     }
 }

@@ -165,16 +165,19 @@ final class Events implements Interpreter.Engine {
         Network.Instance instance = receiver.mailbox.actor.instance();
         int capacity = instance.component().queueCapacity();
         if (receiver.mailbox.queue.size() >= capacity) {
-            String port = instance.component().inputs().get(receiver.port).name();
-            throw Slices.at(
-                    instance,
-                    new ModelError(
-                            "the queue is full: "
-                                    + capacity
-                                    + " events wait, another on "
-                                    + port
-                                    + " does not fit"));
+            throw fullQueue(instance, instance.component().inputs().get(receiver.port).name());
         }
         receiver.mailbox.queue.add(new Event(receiver.port, message));
+    }
+
+    static ModelError fullQueue(Network.Instance instance, String port) {
+        return Slices.at(
+                instance,
+                new ModelError(
+                        "the queue is full: "
+                                + instance.component().queueCapacity()
+                                + " events wait, another on "
+                                + port
+                                + " does not fit"));
     }
 }

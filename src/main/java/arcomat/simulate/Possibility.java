@@ -13,15 +13,15 @@ final class Possibility {
     final Sent[] registers;
     final List<List<Configuration>> configurations;
     private final List<List<Configuration>> before;
-    boolean vacuous;
+    Standing standing;
 
-    Possibility(World world) {
+    Possibility(World world, Standing standing) {
+        this.standing = standing;
         before = world.configurations();
         visible = world.registers().toArray(new Sent[0]);
         registers = new Sent[visible.length];
         Arrays.fill(registers, Sent.SILENCE);
         configurations = new ArrayList<>(world.configurations());
-        vacuous = world.vacuous();
     }
 
     private Possibility(Possibility other) {
@@ -29,11 +29,16 @@ final class Possibility {
         registers = other.registers.clone();
         configurations = new ArrayList<>(other.configurations);
         before = other.before;
-        vacuous = other.vacuous;
+        standing = other.standing;
     }
 
     Possibility copy() {
         return new Possibility(this);
+    }
+
+    /** Where the automata of an instance were when the slice began. */
+    List<Configuration> before(int instance) {
+        return before.get(instance);
     }
 
     /**
@@ -47,6 +52,11 @@ final class Possibility {
     }
 
     World finish() {
-        return new World(List.copyOf(configurations), List.of(registers), vacuous);
+        return new World(List.copyOf(configurations), List.of(registers));
+    }
+
+    /** All that matters for the rest of the slice, to find possibilities that are the same. */
+    List<Object> state() {
+        return List.of(List.copyOf(configurations), List.of(registers), List.of(visible), before);
     }
 }

@@ -1,9 +1,9 @@
 package arcomat.simulate;
 
+import arcomat.analysis.GivenUp;
 import arcomat.model.Letter;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
-import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
@@ -16,16 +16,16 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Set;
 
 /** A stream test of a time-synchronous component against all that its model allows. */
 final class SliceTest {
     private final StreamTest test;
     private Network network;
-    private final List<Map<String, List<String>>> allowed = new ArrayList<>();
+    private List<Map<String, List<String>>> allowed = List.of();
     private OptionalInt difference = OptionalInt.empty();
     private OptionalInt vacuousFrom = OptionalInt.empty();
     private Optional<String> failure = Optional.empty();
+    private Optional<String> undecided = Optional.empty();
 
     SliceTest(StreamTest test) {
         this.test = test;
@@ -34,40 +34,65 @@ final class SliceTest {
     StreamTestResult run() {
         try {
             network = Network.of(test.component(), test.arguments());
-            explore(new AllowedRuns(network));
+            explore(new AllowedRuns(network, StreamTests.mentioned(test)));
         } catch (ModelError problem) {
             failure = Optional.of(problem.getMessage());
+        } catch (GivenUp tooMuch) {
+            undecided = Optional.of(tooMuch.getMessage());
         }
-        boolean failed = difference.isPresent() || failure.isPresent();
-        Verdict passed = vacuousFrom.isPresent() ? Verdict.VACUOUS : Verdict.PASSED;
+        Verdict verdict = verdict();
         return new StreamTestResult(
                 test,
-                failed ? Verdict.FAILED : passed,
-                failed ? marked(cells()) : cells(),
+                verdict,
+                verdict == Verdict.FAILED ? marked(cells()) : cells(),
                 difference,
-                vacuousFrom,
-                failure);
+                verdict == Verdict.VACUOUS ? vacuousFrom : OptionalInt.empty(),
+                verdict == Verdict.UNKNOWN ? undecided : failure);
+    }
+
+    private Verdict verdict() {
+        if (difference.isPresent() || failure.isPresent()) {
+            return Verdict.FAILED;
+        }
+        if (undecided.isPresent()) {
+            return Verdict.UNKNOWN;
+        }
+        return vacuousFrom.isPresent() ? Verdict.VACUOUS : Verdict.PASSED;
     }
 
     private void explore(AllowedRuns runs) {
-        Set<World> worlds = runs.starts();
+        Map<World, Standing> worlds = runs.starts();
         int inputs = test.inputs().size();
-        for (int slice = 0; slice < inputs && !isSettled(); slice++) {
-            requireTotals(test.inputs().get(slice), slice);
-            List<Possibility> possible = runs.slice(worlds, test.inputs().get(slice));
-            if (possible.isEmpty()) {
-                String problem = runs.lastProblem().orElse("no run is possible");
-                throw new ModelError("slice " + slice + ": " + problem);
+        if (worlds.isEmpty() && Math.max(inputs, StreamTests.length(test)) > 0) {
+            throw new ModelError("slice 0: its automata contradict each other to begin with");
+        }
+        for (int slice = 0; slice < inputs; slice++) {
+            Letter letter = test.inputs().get(slice);
+            requireTotals(letter, slice);
+            Expected expected = Expected.in(slice, test, runs.wires(), true);
+            List<Possibility> possible = runs.slice(worlds, letter, expected);
+            if (possible.isEmpty() && runs.tooMany().isEmpty()) {
+                List<Possibility> all = runs.slice(worlds, letter, Expected.NOTHING);
+                if (all.isEmpty()) {
+                    String problem = runs.lastProblem().orElse("no run is possible");
+                    throw new ModelError("slice " + slice + ": " + problem);
+                }
+                differ(runs, all, slice, true);
             }
-            worlds = AllowedRuns.worlds(agreeing(runs, possible, slice, true));
+            judge(runs, possible, slice);
+            if (possible.isEmpty()) {
+                return;
+            }
+            worlds = AllowedRuns.worlds(possible);
         }
-        if (!isSettled() && StreamTests.length(test) > inputs) {
-            agreeing(runs, worlds.stream().map(Possibility::new).toList(), inputs, false);
+        if (StreamTests.length(test) > inputs) {
+            Expected expected = Expected.in(inputs, test, runs.wires(), false);
+            List<Possibility> possible = runs.registers(worlds, expected);
+            if (possible.isEmpty() && runs.tooMany().isEmpty()) {
+                differ(runs, runs.registers(worlds, Expected.NOTHING), inputs, false);
+            }
+            judge(runs, possible, inputs);
         }
-    }
-
-    private boolean isSettled() {
-        return difference.isPresent();
     }
 
     private void requireTotals(Letter letter, int slice) {
@@ -83,51 +108,67 @@ final class SliceTest {
         }
     }
 
+    /** What the runs up to the end of a slice stand for: the best of them counts. */
+    private void judge(AllowedRuns runs, List<Possibility> possible, int slice) {
+        Optional<Standing> best =
+                possible.stream().map(each -> each.standing).min(Standing::compareTo);
+        if (best.isEmpty()) {
+            undecided = runs.tooMany();
+        } else if (best.get() == Standing.LOOSE) {
+            undecided = runs.tooMany().or(() -> Optional.of(runs.untried()));
+        } else if (best.get() == Standing.VACUOUS && vacuousFrom.isEmpty()) {
+            vacuousFrom = OptionalInt.of(slice);
+        }
+    }
+
     /**
-     * Keeps the possibilities with the expected outputs.
+     * Notes what is allowed, port by port, in the slice in which nothing is that is expected.
      *
-     * @param evaluated whether the slice has been gone through, so that ports with delay 0 show
-     *     something
+     * @param all that is possible in the slice
+     * @param evaluated whether the slice has been gone through
      */
-    private List<Possibility> agreeing(
-            AllowedRuns runs, List<Possibility> possible, int slice, boolean evaluated) {
-        List<Possibility> agreeing = new ArrayList<>(possible);
+    private void differ(AllowedRuns runs, List<Possibility> all, int slice, boolean evaluated) {
+        List<Possibility> agreeing = new ArrayList<>(all);
         Map<String, List<String>> seen = new LinkedHashMap<>();
-        Map<String, Network.External> outputs = runs.outputs();
         test.expected()
                 .forEach(
                         (port, stream) -> {
-                            Network.External external = outputs.get(port);
-                            if (slice < stream.size()
-                                    && (evaluated || runs.isDelayed(external.signal()))) {
-                                seen.put(port, texts(agreeing, external));
-                                List<Value> expected = stream.get(slice);
-                                agreeing.removeIf(p -> !runs.agrees(p, external, expected));
+                            if (Expected.isJudged(port, slice, test, runs.wires(), evaluated)) {
+                                int signal = runs.wires().output(port);
+                                seen.put(port, texts(runs, agreeing, signal));
+                                Expected expected = Expected.on(signal, stream.get(slice));
+                                agreeing.removeIf(each -> !runs.shows(each, signal, expected));
                             }
                         });
-        allowed.add(seen);
-        if (agreeing.isEmpty()) {
-            difference = OptionalInt.of(slice);
-        } else if (vacuousFrom.isEmpty() && agreeing.stream().allMatch(p -> p.vacuous)) {
-            vacuousFrom = OptionalInt.of(slice);
+        List<Map<String, List<String>>> before = new ArrayList<>();
+        for (int i = 0; i < slice; i++) {
+            before.add(Map.of());
         }
-        return agreeing;
+        before.add(seen);
+        allowed = before;
+        difference = OptionalInt.of(slice);
     }
 
-    private static List<String> texts(List<Possibility> possible, Network.External external) {
-        return possible.stream()
-                .map(possibility -> AllowedRuns.seen(possibility, external))
+    private static List<String> texts(AllowedRuns runs, List<Possibility> possible, int signal) {
+        List<String> texts = new ArrayList<>();
+        possible.stream()
+                .map(possibility -> AllowedRuns.seen(possibility, signal).toString())
                 .distinct()
-                .map(Sent::toString)
-                .toList();
+                .forEach(texts::add);
+        if (runs.tooMany().isPresent()) {
+            texts.add("...");
+        }
+        return texts;
     }
 
     /** Streams side by side; no cell of a test that passes differs. */
     private List<Cell> cells() {
         Trace actual = StreamTests.firstRun(test);
-        return StreamTests.cells(test, actual, allowed).stream()
-                .map(cell -> with(cell, false))
-                .toList();
+        return StreamTests.cells(test, actual, allowed).stream().map(SliceTest::unmarked).toList();
+    }
+
+    static Cell unmarked(Cell cell) {
+        return with(cell, false);
     }
 
     /** In the slice of the difference, what is not allowed or not sent; later on, nothing. */

@@ -15,8 +15,9 @@ import java.util.OptionalInt;
  *     stream of all messages of the port in place of the slice
  * @param firstDifference the slice from which on nothing that the model allows is what the test
  *     expects
- * @param vacuousFrom the slice from which on only chaos allowed what the test expects
- * @param failure why the run ended early: the model itself went wrong
+ * @param vacuousFrom the slice, or event, from which on only chaos allowed what the test expects
+ * @param failure why the run ended early: the model itself went wrong; why nobody knows, where that
+ *     is the verdict
  */
 public record StreamTestResult(
         StreamTest test,
@@ -34,7 +35,9 @@ public record StreamTestResult(
         PASSED,
         /** The output is allowed only because the model promises nothing any more. */
         VACUOUS,
-        FAILED
+        FAILED,
+        /** It leaves too much open to be decided. */
+        UNKNOWN
     }
 
     /**
@@ -42,8 +45,8 @@ public record StreamTestResult(
      *
      * @param expected what the test asks for
      * @param actual what a run with first choices, or compiled code, sends
-     * @param allowed what the model allows after outputs that were as expected, each as text; empty
-     *     where the question was settled before
+     * @param allowed what the model allows after outputs that were as expected, each as text; told
+     *     only in the slice of the first difference
      * @param differs whether the expectation of a failed test fails here: not allowed by the model,
      *     or not sent by compiled code
      */

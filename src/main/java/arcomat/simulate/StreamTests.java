@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 
 /**
  * Runs stream tests. Against a model, a test passes if what it expects is among the outputs that
@@ -61,6 +62,14 @@ public final class StreamTests {
     /** The length of the longest expected stream. */
     static int length(StreamTest test) {
         return test.expected().values().stream().mapToInt(List::size).max().orElse(0);
+    }
+
+    /** All messages of the test. */
+    static List<Value> mentioned(StreamTest test) {
+        Stream<List<Value>> read =
+                test.inputs().stream().flatMap(letter -> letter.messages().values().stream());
+        Stream<List<Value>> expected = test.expected().values().stream().flatMap(List::stream);
+        return Stream.concat(read, expected).flatMap(List::stream).distinct().toList();
     }
 
     /** A run over the inputs of a test, with the first choice wherever the model leaves one. */

@@ -10,7 +10,5 @@ import java.util.List;
  *
  * @param configurations per instance, per automaton
  * @param registers per signal what its next slice shows; silence for a signal without a register
- * @param vacuous whether an output was allowed, or an input guessed, only since something is in
- *     chaos
  */
-record World(List<List<Configuration>> configurations, List<Sent> registers, boolean vacuous) {}
+record World(List<List<Configuration>> configurations, List<Sent> registers) {}

@@ -28,7 +28,13 @@ class ExplainedResultsTest {
     @TempDir Path directory;
 
     @ParameterizedTest
-    @CsvSource({"verify, ARC0404", "verify, ARC0405", "test, ARC0711", "test, ARC0712"})
+    @CsvSource({
+        "verify, ARC0404",
+        "verify, ARC0405",
+        "test, ARC0711",
+        "test, ARC0712",
+        "test, ARC0713"
+    })
     void showsTheFindingAndHowItGoes(String command, String code) throws Exception {
         String page = Files.readString(PAGES.resolve(code + ".md"));
         write(page, "## The component");

@@ -224,4 +224,57 @@ class ResultPagesTest {
         Story story = StreamTestPage.of("all", tests()).stories().get(0);
         assertThat(story.timeline().flaws()).extracting(Flaw::at).containsExactly(3);
     }
+
+    /** What could not be decided is neither good news nor bad. */
+    @Test
+    void anUnknownTestIsOpen() throws Exception {
+        write(
+                "Guess.arc",
+                """
+                component Guess {
+                  timing instant;
+                  port in Boolean go, out Integer n;
+                  <<completion = "output">> automaton { state s; initial s; }
+                }
+                """);
+        write(
+                "Twice.arc",
+                """
+                component Twice {
+                  timing instant;
+                  port in Integer n, out Integer o;
+                  <<completion = "ignore">> automaton {
+                    state s;
+                    initial s;
+                    s {n == ?} / {o = n * 2};
+                  }
+                }
+                """);
+        write(
+                "Both.arc",
+                """
+                component Both {
+                  timing instant;
+                  port in Boolean go, out Integer o;
+                  component Guess guess;
+                  component Twice twice;
+                  connect go -> guess.go;
+                  connect guess.n -> twice.n;
+                  connect twice.o -> o;
+                }
+                """);
+        write(
+                "BothTest.mt",
+                """
+                testsuite BothTest for Both {
+                  test zero { input { go: <Tk>; } expect { o: <0, Tk>; } }
+                  test doubles { input { go: <Tk>; } expect { o: <42, Tk>; } }
+                }
+                """);
+        Page page = StreamTestPage.of("tests", tests());
+        assertThat(page.tone()).isEqualTo(Tone.OPEN);
+        assertThat(page.stories()).extracting(Story::tone).containsExactly(Tone.GOOD, Tone.OPEN);
+        assertThat(page.stories().get(1).headline()).startsWith("unknown: ");
+        assertThat(page.stories().get(1).timeline().flaws()).isEmpty();
+    }
 }

@@ -188,8 +188,11 @@ class StreamTestsTest {
                 .isEqualTo(Verdict.PASSED);
         assertThat(StreamTests.run(test(chooser, letters, "o", "0,2")).verdict())
                 .isEqualTo(Verdict.VACUOUS);
-        StreamTestResult failed = StreamTests.run(test(chooser, letters, "o", "0,2,2"));
+        StreamTestResult open = StreamTests.run(test(chooser, letters, "o", "0,2,7,7"));
+        assertThat(open.verdict()).isEqualTo(Verdict.VACUOUS);
+        assertThat(open.vacuousFrom()).hasValue(1);
+        StreamTestResult failed = StreamTests.run(test(chooser, letters, "o", "0,1,2,2"));
         assertThat(failed.verdict()).isEqualTo(Verdict.FAILED);
-        assertThat(failed.firstDifference()).hasValue(1);
+        assertThat(failed.firstDifference()).hasValue(2);
     }
 }

@@ -7,7 +7,7 @@ import org.gradle.api.tasks.OutputFile;
 
 import java.util.List;
 
-/** Runs the stream tests of models. */
+/** Runs the stream tests of models; one that stays unknown fails as well. */
 @CacheableTask
 public abstract class TestArc extends ReportTask {
     /** Those that hold tests. */

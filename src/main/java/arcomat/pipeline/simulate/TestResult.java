@@ -17,6 +17,15 @@ public record TestResult(CheckResult check, List<StreamTestResult> tests) {
     }
 
     public boolean hasFailures() {
-        return tests.stream().anyMatch(t -> t.verdict() == StreamTestResult.Verdict.FAILED);
+        return has(StreamTestResult.Verdict.FAILED);
+    }
+
+    /** Whether some test could not be decided. */
+    public boolean hasUnknown() {
+        return has(StreamTestResult.Verdict.UNKNOWN);
+    }
+
+    private boolean has(StreamTestResult.Verdict verdict) {
+        return tests.stream().anyMatch(test -> test.verdict() == verdict);
     }
 }

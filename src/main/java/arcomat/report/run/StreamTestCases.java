@@ -19,23 +19,39 @@ public final class StreamTestCases {
     }
 
     private static Case of(StreamTestResult result) {
-        boolean failed = result.verdict() == Verdict.FAILED;
         return new Case(
                 result.test().suite(),
                 result.test().name(),
                 Optional.of(result.test().span()),
-                failed ? Outcome.FAILED : Outcome.PASSED,
-                failed ? StreamTestText.reason(result) : "",
+                outcome(result.verdict()),
+                switch (result.verdict()) {
+                    case PASSED, VACUOUS -> "";
+                    case FAILED -> StreamTestText.reason(result);
+                    case UNKNOWN -> "unknown: " + StreamTestText.reason(result);
+                },
                 switch (result.verdict()) {
                     case PASSED -> "";
                     case VACUOUS -> "vacuous: " + StreamTestText.vacuous(result) + "\n";
                     case FAILED -> details(result);
+                    case UNKNOWN ->
+                            place(result) + ": unknown: " + StreamTestText.reason(result) + "\n";
                 });
     }
 
+    private static Outcome outcome(Verdict verdict) {
+        return switch (verdict) {
+            case PASSED, VACUOUS -> Outcome.PASSED;
+            case FAILED -> Outcome.FAILED;
+            case UNKNOWN -> Outcome.UNDECIDED;
+        };
+    }
+
     private static String details(StreamTestResult result) {
-        String place = FindingsText.place(result.test().span());
         String streams = StreamTestText.sideBySide(result, Style.PLAIN);
-        return place + ": " + StreamTestText.reason(result) + "\n" + streams;
+        return place(result) + ": " + StreamTestText.reason(result) + "\n" + streams;
+    }
+
+    private static String place(StreamTestResult result) {
+        return FindingsText.place(result.test().span());
     }
 }

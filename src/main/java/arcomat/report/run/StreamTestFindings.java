@@ -9,13 +9,19 @@ import arcomat.source.Span;
 
 import java.util.List;
 
-/** Stream tests that fail as errors, and those that pass for no good reason as warnings. */
+/**
+ * Stream tests that fail as errors, and those that pass for no good reason or that are not decided
+ * as warnings.
+ */
 public final class StreamTestFindings {
     /** A stream test fails. */
     public static final String FAILED = "ARC0711";
 
     /** A stream test passes only because the model promises nothing. */
     public static final String VACUOUS = "ARC0712";
+
+    /** Nobody knows whether a stream test passes. */
+    public static final String UNKNOWN = "ARC0713";
 
     private StreamTestFindings() {}
 
@@ -29,9 +35,16 @@ public final class StreamTestFindings {
     private static Diagnostic finding(StreamTestResult result) {
         Span place = result.test().span().firstLine();
         String name = "stream test '" + result.test().name() + "' ";
-        return result.verdict() == Verdict.FAILED
-                ? Diagnostic.error(FAILED, place, name + "fails: " + StreamTestText.reason(result))
-                : Diagnostic.warning(
-                        VACUOUS, place, name + "is vacuous: " + StreamTestText.vacuous(result));
+        return switch (result.verdict()) {
+            case FAILED ->
+                    Diagnostic.error(
+                            FAILED, place, name + "fails: " + StreamTestText.reason(result));
+            case UNKNOWN ->
+                    Diagnostic.warning(
+                            UNKNOWN, place, name + "is unknown: " + StreamTestText.reason(result));
+            case PASSED, VACUOUS ->
+                    Diagnostic.warning(
+                            VACUOUS, place, name + "is vacuous: " + StreamTestText.vacuous(result));
+        };
     }
 }

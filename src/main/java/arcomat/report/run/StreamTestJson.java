@@ -4,6 +4,7 @@ import arcomat.model.Value;
 import arcomat.report.text.Json;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTestResult.Cell;
+import arcomat.simulate.StreamTestResult.Verdict;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 
@@ -36,7 +37,8 @@ public final class StreamTestJson {
         json.writeStringField("name", result.test().name());
         json.writeStringField("verdict", result.verdict().name().toLowerCase(Locale.ROOT));
         if (result.failure().isPresent()) {
-            json.writeStringField("failure", result.failure().get());
+            boolean unknown = result.verdict() == Verdict.UNKNOWN;
+            json.writeStringField(unknown ? "reason" : "failure", result.failure().get());
         }
         if (result.firstDifference().isPresent()) {
             json.writeNumberField("firstDifference", result.firstDifference().getAsInt());

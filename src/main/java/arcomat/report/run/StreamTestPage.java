@@ -19,7 +19,9 @@ import arcomat.simulate.StreamTestResult.Verdict;
 import arcomat.simulate.StreamTests;
 
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 
 /** Stream tests as a page: what was expected beside what a run with first choices sends. */
 public final class StreamTestPage {
@@ -43,9 +45,17 @@ public final class StreamTestPage {
         AutomatonDrawing pictures = new AutomatonDrawing();
         List<Story> stories =
                 results.stream().map(each -> new StreamTestPage(each, pictures).story()).toList();
-        boolean failed = results.stream().anyMatch(each -> each.verdict() == Verdict.FAILED);
         String headline = StreamTestText.summary(results, Style.PLAIN);
-        return new Page("test", title, failed ? Tone.BAD : Tone.GOOD, headline, stories);
+        return new Page("test", title, tone(results), headline, stories);
+    }
+
+    private static Tone tone(List<StreamTestResult> results) {
+        Set<Verdict> verdicts = EnumSet.noneOf(Verdict.class);
+        results.forEach(each -> verdicts.add(each.verdict()));
+        if (verdicts.contains(Verdict.FAILED)) {
+            return Tone.BAD;
+        }
+        return verdicts.contains(Verdict.UNKNOWN) ? Tone.OPEN : Tone.GOOD;
     }
 
     private Story story() {
@@ -55,7 +65,7 @@ public final class StreamTestPage {
                 test.suite() + "#" + test.name(),
                 switch (result.verdict()) {
                     case PASSED -> Tone.GOOD;
-                    case VACUOUS -> Tone.OPEN;
+                    case VACUOUS, UNKNOWN -> Tone.OPEN;
                     case FAILED -> Tone.BAD;
                 },
                 headline(),
@@ -69,6 +79,7 @@ public final class StreamTestPage {
             case PASSED -> "passed";
             case VACUOUS -> "passed, vacuous: " + StreamTestText.vacuous(result);
             case FAILED -> "failed: " + StreamTestText.reason(result);
+            case UNKNOWN -> "unknown: " + StreamTestText.reason(result);
         };
     }
 
@@ -115,7 +126,9 @@ public final class StreamTestPage {
                 flaws.add(new Flaw(at, cell.port(), text(cell)));
             }
         }
-        result.failure().ifPresent(failure -> flaws.add(new Flaw(last, "", failure)));
+        if (result.verdict() == Verdict.FAILED) {
+            result.failure().ifPresent(failure -> flaws.add(new Flaw(last, "", failure)));
+        }
         return flaws;
     }
 

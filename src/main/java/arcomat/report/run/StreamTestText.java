@@ -44,19 +44,27 @@ public final class StreamTestText {
             case VACUOUS ->
                     "  " + style.warning("passed, vacuous") + name + ": " + vacuous(result) + "\n";
             case FAILED -> "  " + style.error("FAILED") + name + failure(result, style) + "\n";
+            case UNKNOWN ->
+                    "  "
+                            + style.warning("unknown")
+                            + name
+                            + ": "
+                            + Printable.escape(reason(result))
+                            + "\n";
         };
     }
 
     /** From when on a test passes only because anything would. */
     static String vacuous(StreamTestResult result) {
+        boolean timed = result.test().component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         String from =
                 result.vacuousFrom().stream()
-                        .mapToObj(slice -> "from slice " + slice + " ")
+                        .mapToObj(at -> "from " + (timed ? "slice " : "event ") + at + " ")
                         .collect(Collectors.joining());
         return from + "the model promises nothing (chaos)";
     }
 
-    /** In a sentence why a test fails. */
+    /** In a sentence why a test fails, or why nobody knows. */
     static String reason(StreamTestResult result) {
         if (result.failure().isPresent()) {
             return result.failure().get();
@@ -123,13 +131,22 @@ public final class StreamTestText {
                 : Printable.escape(String.join(" or ", cell.allowed()));
     }
 
-    /** One line: {@code 12 passed, 1 failed}. */
+    /** One line: {@code 12 passed, 1 failed, 1 unknown}. */
     public static String summary(List<StreamTestResult> results, Style style) {
-        long failed = results.stream().filter(r -> r.verdict() == Verdict.FAILED).count();
-        long vacuous = results.stream().filter(r -> r.verdict() == Verdict.VACUOUS).count();
-        String text = (results.size() - failed) + " passed";
+        long failed = count(results, Verdict.FAILED);
+        long vacuous = count(results, Verdict.VACUOUS);
+        long unknown = count(results, Verdict.UNKNOWN);
+        String text = (results.size() - failed - unknown) + " passed";
         text += vacuous > 0 ? " (" + vacuous + " vacuous)" : "";
         text += ", " + failed + " failed";
-        return failed > 0 ? style.error(text) : style.good(text);
+        text += unknown > 0 ? ", " + unknown + " unknown" : "";
+        if (failed > 0) {
+            return style.error(text);
+        }
+        return unknown > 0 ? style.warning(text) : style.good(text);
+    }
+
+    private static long count(List<StreamTestResult> results, Verdict verdict) {
+        return results.stream().filter(result -> result.verdict() == verdict).count();
     }
 }
