@@ -1,0 +1,102 @@
+package arcomat.laws;
+
+import arcomat.analysis.Moment;
+import arcomat.analysis.Promise;
+import arcomat.analysis.Verdict;
+import arcomat.laws.draw.Draw;
+import arcomat.laws.naive.NaiveQuestion;
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Value;
+import arcomat.semantics.Sent;
+import arcomat.source.SourceFile;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A verdict is the one of the reference, and its counterexample as short, but for event-driven
+ * compositions: what a part leaves open is not sent to another one by the engine, and the verdict
+ * is unknown where that matters.
+ */
+final class AsTheReference implements Law {
+    private static final int MOST_INPUTS = 5;
+
+    @Override
+    public String name() {
+        return "0 as the reference";
+    }
+
+    @Override
+    public List<SourceFile> draw(Draw draw) {
+        return Pairs.draw(draw);
+    }
+
+    @Override
+    public Outcome check(Models models) {
+        return check(
+                Questions.promise(models.component(Pairs.LEFT)),
+                Questions.promise(models.component(Pairs.RIGHT)),
+                Questions.command(Pairs.LEFT, Pairs.RIGHT));
+    }
+
+    static Outcome check(Promise left, Promise right, String command) {
+        Verdict verdict = Questions.refines(left, right);
+        if (verdict.answer() == Verdict.Answer.UNKNOWN) {
+            return Outcome.SKIPPED;
+        }
+        NaiveQuestion.Answer answer =
+                NaiveQuestion.ask(
+                        left.component(),
+                        left.automata(),
+                        right.component(),
+                        right.automata(),
+                        letters(verdict.trace()),
+                        Math.max(MOST_INPUTS, verdict.trace().size()));
+        if (answer.isUnknown()) {
+            return Outcome.SKIPPED;
+        }
+        String said = answer.text();
+        boolean open =
+                left.component().isComposite()
+                        && left.component().profile() == Component.Profile.EVENT_DRIVEN;
+        return agrees(verdict, answer) || open && Questions.fails(verdict) && answer.fails()
+                ? Outcome.KEPT
+                : Outcome.broken(
+                        Questions.text(verdict) + ", but the reference says: " + said, command);
+    }
+
+    private static List<Letter> letters(List<Moment> trace) {
+        List<Letter> letters = new ArrayList<>();
+        for (Moment moment : trace) {
+            letters.add(moment.input());
+            Map<String, List<Value>> outputs = new LinkedHashMap<>();
+            moment.outputs()
+                    .forEach(
+                            (port, sent) -> {
+                                if (sent instanceof Sent.Messages messages) {
+                                    outputs.put(port, messages.values());
+                                }
+                            });
+            letters.add(new Letter(outputs));
+        }
+        return letters;
+    }
+
+    private static boolean agrees(Verdict verdict, NaiveQuestion.Answer answer) {
+        return switch (verdict.reason()) {
+            case "delay" -> !answer.fitsFeedback();
+            case "behaviour" -> isShortest(verdict.trace().size() - 1, answer);
+            case "" -> !answer.fails();
+            default -> true;
+        };
+    }
+
+    /** Where not all is tried, the reference may miss a failure; one that it finds is there. */
+    private static boolean isShortest(int inputs, NaiveQuestion.Answer answer) {
+        int found = answer.shortest().orElse(Integer.MAX_VALUE);
+        return found == inputs || !answer.isComplete() && found > inputs;
+    }
+}

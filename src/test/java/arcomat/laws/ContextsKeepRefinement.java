@@ -1,0 +1,93 @@
+package arcomat.laws;
+
+import arcomat.analysis.Verdict;
+import arcomat.laws.draw.ComponentText;
+import arcomat.laws.draw.Draw;
+import arcomat.laws.draw.Features;
+import arcomat.laws.draw.Plug;
+import arcomat.model.Component;
+import arcomat.source.SourceFile;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** What refines may stand wherever the other one may: {@code x.InA} for {@code x.InB}. */
+final class ContextsKeepRefinement implements Law {
+
+    private static final String LEFT = "component a.Main hole;";
+    private static final String RIGHT = "component b.Main hole;";
+
+    @Override
+    public String name() {
+        return "2 contexts keep refinement";
+    }
+
+    @Override
+    public List<SourceFile> draw(Draw draw) {
+        boolean events = draw.has(Features.EVENTS) && draw.chance(15);
+        List<Plug> plugs = ComponentText.plugs(draw, events);
+        List<SourceFile> files = new ArrayList<>(Pairs.draw(draw, plugs, events));
+        List<SourceFile> context = ComponentText.context(draw, "x", "InB", RIGHT, plugs, events);
+        files.addAll(context);
+        return files;
+    }
+
+    /** Whatever is wrong with the left side in the context is wrong with the right one, too. */
+    @Override
+    public Outcome check(Models models) {
+        Component a = models.component(Pairs.LEFT);
+        Component b = models.component(Pairs.RIGHT);
+        if (!Questions.holds(Questions.refines(a, b))) {
+            return Outcome.SKIPPED;
+        }
+        Component inA = models.component("x.InA");
+        Component inB = models.component("x.InB");
+        Verdict verdict = Questions.refines(inA, inB);
+        return Questions.fails(verdict)
+                ? Outcome.broken(
+                        "a context keeps no refinement: " + Questions.text(verdict),
+                        Questions.command(Pairs.LEFT, Pairs.RIGHT) + ": holds",
+                        Questions.command("x.InA", "x.InB") + ": fails")
+                : Outcome.KEPT;
+    }
+
+    /** The context of the left side is made from that of the right one. */
+    @Override
+    public Optional<Outcome> checkText(List<SourceFile> files, int seed) {
+        Optional<SourceFile> inA =
+                files.stream()
+                        .filter(f -> f.path().equals("x/InB.arc") && f.text().contains(RIGHT))
+                        .findFirst()
+                        .map(ContextsKeepRefinement::aroundA);
+        if (inA.isEmpty()) {
+            return Optional.empty();
+        }
+        List<SourceFile> both = new ArrayList<>(files);
+        both.add(inA.get());
+        Optional<Models> models = Models.read(both, seed);
+        Optional<Outcome> outcome =
+                models.isPresent()
+                        ? models.map(this::check)
+                        : Models.read(files, seed).map(ContextsKeepRefinement::misfit);
+        return outcome.map(o -> o.with(inA.get().path(), inA.get().text()));
+    }
+
+    private static SourceFile aroundA(SourceFile whole) {
+        return new SourceFile(
+                whole.path().replace("InB", "InA"),
+                whole.text().replace("component InB ", "component InA ").replace(RIGHT, LEFT));
+    }
+
+    /** A context that takes the right side and not the left one, though that refines it. */
+    private static Outcome misfit(Models right) {
+        Component a = right.component(Pairs.LEFT);
+        Component b = right.component(Pairs.RIGHT);
+        return Questions.holds(Questions.refines(a, b))
+                ? Outcome.broken(
+                        "a context does not take what refines",
+                        Questions.command(Pairs.LEFT, Pairs.RIGHT) + ": holds",
+                        "check: x.InA has errors, x.InB has none")
+                : Outcome.SKIPPED;
+    }
+}

@@ -1,0 +1,24 @@
+package arcomat.laws;
+
+import java.util.List;
+
+/** All laws. */
+final class Laws {
+    static final List<Law> ALL =
+            List.of(
+                    new AsTheReference(),
+                    new RunsAreAllowed(),
+                    new CounterexamplesAreForbidden(),
+                    new RefinementIsAnOrder(),
+                    new ContextsKeepRefinement(),
+                    new CertificatesProve(),
+                    new AllAutomataTogether(),
+                    new DifferenceIsBothWays(),
+                    new ControllersKeepAll(),
+                    new TestsPassOnTheirModel(),
+                    new DeadIsNeverTaken(),
+                    new EnginesAgree(),
+                    new MonaAgrees());
+
+    private Laws() {}
+}

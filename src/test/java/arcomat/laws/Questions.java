@@ -1,0 +1,55 @@
+package arcomat.laws;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.Promise;
+import arcomat.analysis.Refinement;
+import arcomat.analysis.Verdict;
+import arcomat.analysis.Verdict.Answer;
+import arcomat.model.Component;
+
+import java.util.List;
+
+/** What laws ask again and again, with a bound that is the same on every machine. */
+final class Questions {
+    private static final long STATES = 2_000;
+    private static final long PATIENCE = 20_000;
+
+    private Questions() {}
+
+    static Budget budget() {
+        return new Budget(() -> false, STATES).patient(PATIENCE);
+    }
+
+    static Promise promise(Component component) {
+        return Promise.of(component, List.of());
+    }
+
+    static Verdict refines(Component left, Component right) {
+        return refines(promise(left), promise(right));
+    }
+
+    static Verdict refines(Promise left, Promise right) {
+        return Refinement.check(left, right, budget());
+    }
+
+    static boolean holds(Verdict verdict) {
+        return verdict.answer() == Answer.HOLDS;
+    }
+
+    static boolean fails(Verdict verdict) {
+        return verdict.answer() == Answer.FAILS;
+    }
+
+    static String text(Verdict verdict) {
+        String reason = verdict.reason().isEmpty() ? "" : " (" + verdict.reason() + ")";
+        String steps =
+                verdict.trace().isEmpty()
+                        ? ""
+                        : " after " + (verdict.trace().size() - 1) + " inputs";
+        return verdict.answer().name().toLowerCase() + reason + steps;
+    }
+
+    static String command(String left, String right) {
+        return "refines " + left + " " + right;
+    }
+}

@@ -1,0 +1,225 @@
+package arcomat.laws.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/** An arbitrary automaton as text, each element on a line of its own. */
+final class AutomatonText {
+    private record Local(String name, String type) {}
+
+    private final Draw draw;
+    private final boolean events;
+    private final List<Plug> inputs;
+    private final List<Plug> outputs;
+    private final List<Local> locals = new ArrayList<>();
+    private final List<String> lines = new ArrayList<>();
+    private final boolean free;
+
+    private AutomatonText(Draw draw, List<Plug> plugs, boolean events) {
+        this.draw = draw;
+        this.events = events;
+        this.inputs = Plug.inputs(plugs);
+        this.outputs = Plug.outputs(plugs);
+        this.free = draw.chance(Features.OPEN, 15);
+    }
+
+    /**
+     * @param plugs of the component that the automaton may read and write
+     */
+    static List<String> of(Draw draw, List<Plug> plugs, boolean events, String name) {
+        return new AutomatonText(draw, plugs, events).write(name);
+    }
+
+    private List<String> write(String name) {
+        String omitted = free ? ", omitted = \"free\"" : "";
+        lines.add(
+                "    <<completion = \"%s\"%s>> automaton%s {"
+                        .formatted(completion(), omitted, name.isEmpty() ? "" : " " + name));
+        variables();
+        int states = draw.chance(10) ? 1 + draw.below(12) : 1 + draw.below(4);
+        IntStream.range(0, states).forEach(i -> lines.add("        state s%d;".formatted(i)));
+        initial(0);
+        if (states > 1 && draw.chance(20)) {
+            initial(1 + draw.below(states - 1));
+        }
+        for (int state = 0; state < states; state++) {
+            for (int count = draw.below(4); count > 0; count--) {
+                transition(state, draw.below(states));
+            }
+        }
+        lines.add("    }");
+        return lines;
+    }
+
+    private String completion() {
+        boolean total = outputs.stream().anyMatch(Plug::total);
+        List<String> possible = new ArrayList<>();
+        if (draw.has(Features.OPEN)) {
+            possible.addAll(List.of("chaos", "output"));
+        }
+        if (!total) {
+            possible.addAll(List.of("ignore", "ignore"));
+        }
+        if (draw.has(Features.ERRORS) || possible.isEmpty()) {
+            possible.add("error");
+        }
+        return draw.one(possible);
+    }
+
+    private void variables() {
+        if (draw.chance(35)) {
+            String type = draw.one("Boolean", "Integer[0..2]", "Integer[0..2]", "Integer[-1..3]");
+            if (draw.chance(Features.UNBOUNDED, 15)) {
+                type = draw.one("Integer", "String");
+            }
+            String first = type.equals("Integer[-1..3]") ? "-1" : draw.one(Plug.messages(type));
+            locals.add(new Local("n", type));
+            lines.add("        variable %s n = %s;".formatted(type, first));
+        }
+    }
+
+    private void initial(int state) {
+        List<String> effects = new ArrayList<>();
+        for (Plug output : outputs) {
+            boolean sends = events ? draw.chance(25) : output.delay() == 1 && draw.chance(50);
+            if (sends || output.total() && output.delay() == 1) {
+                effects.add(output.name() + " = " + draw.one(Plug.messages(output.type())));
+            }
+        }
+        lines.add("        initial s%d%s;".formatted(state, block(" / ", effects)));
+    }
+
+    private static String block(String before, List<String> items) {
+        return items.isEmpty() ? "" : before + "{" + String.join(", ", items) + "}";
+    }
+
+    private void transition(int source, int target) {
+        List<Plug> present = new ArrayList<>();
+        List<String> items = events ? List.of(event(present)) : items(present);
+        String guard = draw.chance(30) ? guard(present) : "";
+        List<String> effects = new ArrayList<>();
+        for (Plug output : outputs) {
+            if (output.total() || draw.chance(60)) {
+                effects.add(output.name() + " = " + sent(output, present));
+            }
+        }
+        for (Local local : locals) {
+            if (draw.chance(40)) {
+                effects.add(local.name + " = " + value(local.type, present));
+            }
+        }
+        lines.add(
+                "        s%d -> s%d%s%s%s;"
+                        .formatted(
+                                source,
+                                target,
+                                guard.isEmpty() ? "" : " [" + guard + "]",
+                                block(" ", items),
+                                block(" / ", effects)));
+    }
+
+    private String event(List<Plug> present) {
+        Plug plug = draw.one(inputs.stream().filter(input -> !input.latched()).toList());
+        present.add(plug);
+        return item(plug, draw.below(5));
+    }
+
+    private List<String> items(List<Plug> present) {
+        List<String> items = new ArrayList<>();
+        for (Plug input : inputs) {
+            if (draw.chance(20) && !input.total()) {
+                items.add(input.name() + " == --");
+            } else if (draw.chance(60)) {
+                present.add(input);
+                items.add(item(input, draw.below(5)));
+            } else if (input.total()) {
+                present.add(input);
+            }
+        }
+        return items;
+    }
+
+    private String item(Plug plug, int kind) {
+        List<String> messages = Plug.messages(plug.type());
+        String asked =
+                switch (kind) {
+                    case 0 -> "?";
+                    case 1 -> "alt {" + draw.one(messages) + ", " + draw.one(messages) + "}";
+                    default -> draw.one(messages);
+                };
+        return plug.name() + " == " + asked;
+    }
+
+    private String guard(List<Plug> present) {
+        String atom = atom(present);
+        return switch (draw.below(6)) {
+            case 0 -> "!(" + atom + ")";
+            case 1 -> atom + " || " + atom(present);
+            case 2 -> atom + " && " + atom(present);
+            case 3 -> draw.chance(50) ? atom + " implies " + atom(present) : atom;
+            default -> atom;
+        };
+    }
+
+    private String atom(List<Plug> present) {
+        if (!locals.isEmpty() && draw.chance(50)) {
+            Local local = locals.get(0);
+            return compared(local.name, local.type, draw.one(values(local.type)));
+        }
+        List<Plug> readable =
+                events
+                        ? inputs.stream().filter(p -> p.latched() || present.contains(p)).toList()
+                        : inputs;
+        Plug plug = draw.one(readable);
+        if (!events && !plug.total() && draw.chance(20)) {
+            return plug.name() + draw.one(" == --", " != --");
+        }
+        return compared(plug.name(), plug.type(), draw.one(values(plug.type())));
+    }
+
+    private String compared(String left, String type, String right) {
+        String operator =
+                Plug.isNumber(type)
+                        ? draw.one("<", "<=", ">", ">=", "==", "!=")
+                        : draw.one("==", "!=");
+        boolean calculated = type.startsWith("Integer") && draw.chance(15);
+        if (calculated && draw.chance(30)) {
+            return left + " + 1 < " + left;
+        }
+        return left + (calculated ? draw.one(" + 1", " - 1") : "") + " " + operator + " " + right;
+    }
+
+    private static List<String> values(String type) {
+        return Plug.messages(type.startsWith("Integer[") ? "Integer[0..2]" : type);
+    }
+
+    private String sent(Plug output, List<Plug> present) {
+        if (!events && draw.chance(Features.OPEN, 8)) {
+            return "?";
+        }
+        if (!output.total() && draw.chance(8)) {
+            return "--";
+        }
+        String first = value(output.type(), present);
+        return events && draw.chance(20)
+                ? "[" + first + ", " + value(output.type(), present) + "]"
+                : first;
+    }
+
+    /** A value to send or to keep: a constant, a message, a variable, or calculated. */
+    private String value(String type, List<Plug> present) {
+        List<String> sources = new ArrayList<>();
+        present.stream().filter(p -> p.type().equals(type)).forEach(p -> sources.add(p.name()));
+        locals.stream().filter(l -> l.type.equals(type)).forEach(l -> sources.add(l.name));
+        if (sources.isEmpty() || draw.chance(50)) {
+            return draw.one(values(type));
+        }
+        String source = draw.one(sources);
+        boolean number = type.startsWith("Integer");
+        if (number && draw.chance(Features.ERRORS, 25)) {
+            return draw.chance(20) ? "2 / " + source : source + draw.one(" + 1", " - 1");
+        }
+        return source;
+    }
+}

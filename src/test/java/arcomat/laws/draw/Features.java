@@ -1,0 +1,35 @@
+package arcomat.laws.draw;
+
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.Locale;
+import java.util.Set;
+
+/** What random models may contain. Fewer features find their faults sooner. */
+public enum Features {
+    /** Outputs with delay 0 and 1 in one component, and other delays on the other side. */
+    MIXED_DELAYS,
+    /** Several automata on one component. */
+    SEVERAL_AUTOMATA,
+    /** The event-driven profile, with lists of messages and latched ports. */
+    EVENTS,
+    /** Numbers without a range, texts, reals. */
+    UNBOUNDED,
+    /** Ranges that may be left, divisions, completion error. */
+    ERRORS,
+    /** Components that are made of parts. */
+    COMPOSITIONS,
+    /** Messages and ports that an automaton leaves open. */
+    OPEN;
+
+    /**
+     * @param words names in any case with commas, each to be left out: {@code events,mixed_delays}
+     */
+    public static Set<Features> without(String words) {
+        Set<Features> features = EnumSet.allOf(Features.class);
+        Arrays.stream(words.split(","))
+                .filter(word -> !word.isBlank())
+                .forEach(word -> features.remove(valueOf(word.strip().toUpperCase(Locale.ROOT))));
+        return features;
+    }
+}

@@ -1,0 +1,74 @@
+package arcomat.laws.draw;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A port as it is written.
+ *
+ * @param delay of an output in slices
+ * @param latched event-driven: keeps a value and triggers nothing
+ */
+public record Plug(
+        String name, boolean input, String type, boolean total, int delay, boolean latched) {
+
+    static Plug in(String name, String type, boolean total) {
+        return new Plug(name, true, type, total, 0, false);
+    }
+
+    static Plug out(String name, String type, boolean total, int delay) {
+        return new Plug(name, false, type, total, delay, false);
+    }
+
+    Plug withDelay(int other) {
+        return new Plug(name, input, type, total, other, latched);
+    }
+
+    Plug withTotal(boolean other) {
+        return new Plug(name, input, type, other, delay, latched);
+    }
+
+    String line() {
+        List<String> marks = new ArrayList<>();
+        if (total) {
+            marks.add("total");
+        }
+        if (!input && delay == 0) {
+            marks.add("delay = \"0\"");
+        }
+        if (latched) {
+            marks.add("state");
+        }
+        String stereotype = marks.isEmpty() ? "" : "<<" + String.join(", ", marks) + ">> ";
+        return "    port " + stereotype + (input ? "in " : "out ") + type + " " + name + ";";
+    }
+
+    public static List<Plug> inputs(List<Plug> plugs) {
+        return plugs.stream().filter(Plug::input).toList();
+    }
+
+    public static List<Plug> outputs(List<Plug> plugs) {
+        return plugs.stream().filter(plug -> !plug.input).toList();
+    }
+
+    /** What a text writes as a message of a type. */
+    static List<String> messages(String type) {
+        return switch (type) {
+            case "Boolean" -> List.of("true", "false");
+            case "t.Types.E" -> List.of("k", "l", "m");
+            case "Integer[0..2]" -> List.of("0", "1", "2");
+            case "Integer" -> List.of("0", "1", "2", "-1");
+            case "String" -> List.of("\"\"", "\"a\"", "\"b\"");
+            case "Double" -> List.of("0.0", "0.5", "1.5");
+            default -> throw new IllegalArgumentException(type);
+        };
+    }
+
+    boolean isNumber() {
+        return isNumber(type);
+    }
+
+    static boolean isNumber(String type) {
+        return type.startsWith("Integer") || type.equals("Double");
+    }
+}
