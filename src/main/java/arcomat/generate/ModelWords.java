@@ -172,6 +172,9 @@ final class ModelWords {
         if (guard instanceof Expression.PortMatches matches) {
             return matches(matches);
         }
+        if (guard instanceof Expression.Unary not) {
+            return "!(" + guard(not.operand()) + ")";
+        }
         Expression.Binary binary = (Expression.Binary) guard;
         if (binary.operator() == BinaryOperator.OR) {
             return guard(binary.left()) + " || " + guard(binary.right());

@@ -172,6 +172,9 @@ public final class StepRelation {
         int[] variables =
                 automaton.variables().stream().mapToInt(v -> sorts.place(v.type())).toArray();
         new DataFlow(sorts, scope, ports, variables).tell(automaton);
+        for (Port port : component.inputs()) {
+            port.first().ifPresent(value -> sorts.mention(ports.get(port.name()), value));
+        }
         return variables;
     }
 

@@ -102,10 +102,14 @@ final class Events implements Interpreter.Engine {
     }
 
     private void start(Mailbox mailbox) {
+        send(mailbox, begun(mailbox.actor));
+    }
+
+    private static List<List<Value>> begun(Actor actor) {
         try {
-            send(mailbox, mailbox.actor.start());
+            return actor.start();
         } catch (ModelError problem) {
-            throw Slices.at(mailbox.actor.instance(), problem);
+            throw Slices.at(actor.instance(), problem);
         }
     }
 

@@ -67,6 +67,9 @@ class ShortcutsTest {
             Outcome quick = question.ask(Budget.ofMemory().with(noting(taken)));
             if (taken.contains(shortcut)) {
                 Outcome thorough = question.ask(Budget.ofMemory().with(each -> each != shortcut));
+                if (thorough.stopped.isPresent()) {
+                    continue;
+                }
                 assertThat(quick).as(question.name).isEqualTo(thorough);
                 compared++;
             }

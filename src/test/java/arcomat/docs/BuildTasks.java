@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -17,7 +18,8 @@ record BuildTasks(String scripts) {
 
     static BuildTasks read() throws IOException {
         StringBuilder scripts = new StringBuilder(BUILT_IN);
-        for (String script : new String[] {"build.gradle", "benchmarks/build.gradle"}) {
+        for (String script :
+                List.of("build.gradle", "gradle/mutation.gradle", "benchmarks/build.gradle")) {
             scripts.append(Files.readString(Path.of(script)));
         }
         Path plugin = Path.of("gradle-plugin/src/main/java/arcomat/gradle");

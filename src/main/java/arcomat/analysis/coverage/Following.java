@@ -27,8 +27,7 @@ final class Following {
 
     Following(Promise promise, Budget budget) {
         this.component = promise.component();
-        this.behaviour =
-                Behaviour.of(promise.component(), promise.automata(), promise.arguments());
+        this.behaviour = Behaviour.of(promise.component(), promise.automata(), promise.arguments());
         this.budget = budget;
     }
 
@@ -68,7 +67,8 @@ final class Following {
     }
 
     /** What is sent in reaction to a slice is seen there, or in the next one. */
-    private boolean allows(Output output, Map<String, List<List<Value>>> expected, int slice, boolean start) {
+    private boolean allows(
+            Output output, Map<String, List<List<Value>>> expected, int slice, boolean start) {
         List<Port> ports = component.outputs();
         for (int i = 0; i < ports.size(); i++) {
             Port port = ports.get(i);

@@ -161,9 +161,7 @@ public final class Mutants {
 
     private void asksOf(Port port, Transition t, List<Change> changes) {
         List<Pattern> patterns =
-                port.total()
-                        ? List.of()
-                        : List.of(new Automaton.Present(), new Automaton.Absent());
+                port.total() ? List.of() : List.of(new Automaton.Present(), new Automaton.Absent());
         for (Pattern pattern : patterns) {
             List<Match> asked = new ArrayList<>(t.matches());
             asked.add(new Match(port, pattern));
@@ -189,8 +187,7 @@ public final class Mutants {
             for (Value value : some(match.port().type())) {
                 Type type = match.port().type();
                 others.add(
-                        new Automaton.OneOf(
-                                List.of(new Expression.Constant(value, type, null))));
+                        new Automaton.OneOf(List.of(new Expression.Constant(value, type, null))));
             }
         }
         return others;
@@ -199,8 +196,7 @@ public final class Mutants {
     private static void guard(Transition t, List<Change> changes) {
         if (t.guard().isPresent()) {
             changes.add(
-                    new Change(
-                            "has no guard", with(t, Optional.empty(), t.matches(), t.sends())));
+                    new Change("has no guard", with(t, Optional.empty(), t.matches(), t.sends())));
             for (Expression other : new GuardMutants(t.guard().get()).all()) {
                 changes.add(
                         new Change(

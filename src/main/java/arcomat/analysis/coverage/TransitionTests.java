@@ -23,10 +23,10 @@ import java.util.Set;
 /**
  * Stream tests that together take every transition of an atomic component that can be taken, and go
  * on after it until its absence would show, where that is possible; and further ones that tell it
- * from components with a small mistake. A test is extended for as long
- * as going on is not longer than beginning anew, so that tests are few and words short. What a test
- * expects is one of the runs that the model allows; what that run leaves open is expected as it is
- * sent by code: nothing, or the first value where there is a message.
+ * from components with a small mistake. A test is extended for as long as going on is not longer
+ * than beginning anew, so that tests are few and words short. What a test expects is one of the
+ * runs that the model allows; what that run leaves open is expected as it is sent by code: nothing,
+ * or the first value where there is a message.
  */
 public final class TransitionTests {
 

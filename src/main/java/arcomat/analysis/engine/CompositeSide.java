@@ -257,7 +257,9 @@ public final class CompositeSide implements Side {
                 }
                 for (int register = 0; register < whole.registers().size(); register++) {
                     int place = data.signal(unfolding.signal(register));
-                    held(whole.registers().get(register), place, holding);
+                    if (place != NOWHERE) {
+                        held(whole.registers().get(register), place, holding);
+                    }
                 }
             }
         };

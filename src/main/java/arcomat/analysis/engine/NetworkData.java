@@ -71,9 +71,9 @@ final class NetworkData {
         return outputs.get(number);
     }
 
-    /** The place of a signal. */
+    /** The place of a signal; {@link SideData#NOWHERE} for that of a port without a sender. */
     int signal(int number) {
-        return signals[number];
+        return number == Network.UNCONNECTED ? SideData.NOWHERE : signals[number];
     }
 
     /** The places of the variables of a part, per automaton. */

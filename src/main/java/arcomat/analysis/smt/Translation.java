@@ -192,7 +192,8 @@ final class Translation {
     }
 
     private Term linear(String operator, Expression.Binary binary) {
-        return turns.wrapped(solver.apply(operator, term(binary.left()), term(binary.right())), binary);
+        return turns.wrapped(
+                solver.apply(operator, term(binary.left()), term(binary.right())), binary);
     }
 
     /** Linear where one of the factors has few values: by cases. */

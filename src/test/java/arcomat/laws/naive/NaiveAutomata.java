@@ -65,7 +65,10 @@ final class NaiveAutomata {
         return sends.stream().filter(s -> s.port().name().equals(port.name())).findFirst();
     }
 
-    /** What nobody writes belongs to all, but not to a sole requirement on a composition. */
+    /**
+     * What nobody writes belongs to all, but not to a sole requirement on a composition; and nobody
+     * says which messages a port carries that has one in every slice.
+     */
     private boolean owns(Automaton automaton, Port port) {
         return owned.computeIfAbsent(automaton, each -> new HashMap<>())
                 .computeIfAbsent(port.name(), each -> isOwned(automaton, port));
@@ -75,6 +78,7 @@ final class NaiveAutomata {
         List<Automaton> all = component.automata();
         return writes(automaton, port)
                 || !(component.isComposite() && all.size() == 1)
+                        && !port.total()
                         && all.stream().noneMatch(other -> writes(other, port));
     }
 

@@ -117,7 +117,7 @@ final class NaiveComparison {
         Set<Waiting> theirs = new HashSet<>();
         for (State state : pair.right) {
             Moves own = moves(right, theirsKnown, state, letter);
-            mayErr |= own.error();
+            mayErr |= own.error() && showsNoMore(state);
             own.moves().forEach(move -> theirs.add(new Waiting(state, move)));
         }
         work += (long) theirs.size() * mine.moves().size();
@@ -154,6 +154,14 @@ final class NaiveComparison {
 
     /** A move of the right side, and where it comes from. */
     private record Waiting(State before, Move move) {}
+
+    /** In the slice of an error, the left side shows each message that the right one does. */
+    private boolean showsNoMore(State theirs) {
+        return right.component().outputs().stream()
+                .map(Port::name)
+                .filter(name -> right.isLate(name) && !mayBeLate(left, name))
+                .allMatch(name -> right.due(theirs, name).allows(Slot.SILENCE.messages()));
+    }
 
     /** In the slice of an error, the right side shows each message that the left one does. */
     private boolean othersShow(State mine) {
