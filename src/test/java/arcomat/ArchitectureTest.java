@@ -63,7 +63,7 @@ class ArchitectureTest {
                             row("semantics model rt", "com.carrotsearch.hppc", "de.uni_freiburg")),
                     Map.entry("brick", row("", "org.objectweb.asm")),
                     Map.entry("world", row("")),
-                    Map.entry("simulate", row("analysis semantics model rt")),
+                    Map.entry("simulate", row("semantics model rt")),
                     Map.entry("diagram", row("model", "org.eclipse.elk", "org.eclipse.emf")),
                     Map.entry("generate", row("semantics model", "freemarker")),
                     Map.entry(

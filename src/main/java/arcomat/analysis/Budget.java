@@ -1,5 +1,7 @@
 package arcomat.analysis;
 
+import arcomat.semantics.GivenUp;
+
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;

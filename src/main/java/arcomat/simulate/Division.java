@@ -1,7 +1,5 @@
 package arcomat.simulate;
 
-import arcomat.analysis.engine.Kinds;
-import arcomat.analysis.engine.TooManyMessages;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
@@ -10,7 +8,9 @@ import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Behaviour;
+import arcomat.semantics.Kinds;
 import arcomat.semantics.Sent;
+import arcomat.semantics.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Collection;

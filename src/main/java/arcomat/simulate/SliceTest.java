@@ -1,10 +1,10 @@
 package arcomat.simulate;
 
-import arcomat.analysis.GivenUp;
 import arcomat.model.Letter;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.rt.ModelError;
+import arcomat.semantics.GivenUp;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
 import arcomat.simulate.StreamTestResult.Cell;

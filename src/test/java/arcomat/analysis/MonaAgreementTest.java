@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.analysis.RandomPairs.Pair;
 import arcomat.analysis.RandomPairs.Question;
 import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.engine.SmallType;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.pipeline.analysis.InstalledMona;
+import arcomat.semantics.SmallType;
 
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;

@@ -3,7 +3,6 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.engine.SmallType;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
@@ -12,6 +11,7 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
+import arcomat.semantics.SmallType;
 import arcomat.simulate.Choice;
 import arcomat.simulate.RandomSliceModels;
 import arcomat.simulate.RecordedRuns;

@@ -1,9 +1,9 @@
 package arcomat.analysis;
 
-import arcomat.analysis.engine.SmallType;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
+import arcomat.semantics.SmallType;
 import arcomat.simulate.Choice;
 import arcomat.simulate.Question;
 

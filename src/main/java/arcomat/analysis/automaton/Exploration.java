@@ -1,12 +1,12 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
 import arcomat.analysis.automaton.Visit.Place;
 import arcomat.analysis.engine.Letters;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Unseen;
+import arcomat.semantics.GivenUp;
 import arcomat.semantics.Output;
 import arcomat.semantics.Start;
 

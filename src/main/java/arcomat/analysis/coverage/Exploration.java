@@ -1,7 +1,6 @@
 package arcomat.analysis.coverage;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
 import arcomat.analysis.Promise;
 import arcomat.analysis.coverage.Stimuli.Stimulus;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
@@ -16,6 +15,7 @@ import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
+import arcomat.semantics.GivenUp;
 import arcomat.semantics.Input;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;

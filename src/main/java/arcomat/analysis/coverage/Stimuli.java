@@ -1,7 +1,6 @@
 package arcomat.analysis.coverage;
 
 import arcomat.analysis.engine.Letters;
-import arcomat.analysis.engine.TooManyMessages;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Letter;
@@ -16,6 +15,7 @@ import arcomat.semantics.Attention.Whole;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
+import arcomat.semantics.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Arrays;

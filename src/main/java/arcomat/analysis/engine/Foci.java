@@ -5,6 +5,7 @@ import arcomat.analysis.Shortcut;
 import arcomat.model.Port;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.SmallType;
 
 import java.util.ArrayList;
 import java.util.HashMap;

@@ -4,6 +4,8 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Kinds;
+import arcomat.semantics.SmallType;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -4,6 +4,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.DataSorts;
 import arcomat.semantics.DataSorts.Sort;
+import arcomat.semantics.SmallType;
 import arcomat.semantics.ValueOrder;
 
 import java.util.ArrayList;

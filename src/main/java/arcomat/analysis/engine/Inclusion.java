@@ -1,9 +1,9 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
 import arcomat.analysis.Shortcut;
 import arcomat.model.Trace;
+import arcomat.semantics.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;

@@ -1,9 +1,9 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
+import arcomat.semantics.GivenUp;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 

@@ -5,6 +5,8 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Kinds;
+import arcomat.semantics.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -12,6 +12,7 @@ import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
 import arcomat.semantics.Input;
+import arcomat.semantics.Kinds;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
 import arcomat.semantics.StepRelation;

@@ -1,7 +1,7 @@
 package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
+import arcomat.semantics.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;

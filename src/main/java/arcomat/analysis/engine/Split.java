@@ -4,6 +4,7 @@ import arcomat.analysis.Budget;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
+import arcomat.semantics.Beside;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 

@@ -7,6 +7,7 @@ import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Copied;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.DataSorts.Sort;
+import arcomat.semantics.Kinds;
 import arcomat.semantics.ValueOrder;
 
 import java.util.ArrayList;

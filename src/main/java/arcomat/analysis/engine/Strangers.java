@@ -3,6 +3,8 @@ package arcomat.analysis.engine;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.DataSorts.Sort;
+import arcomat.semantics.FirstValues;
+import arcomat.semantics.Kinds;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -1,6 +1,5 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.engine.SmallType;
 import arcomat.model.Automaton.Absent;
 import arcomat.model.Automaton.Match;
 import arcomat.model.Automaton.OneOf;
@@ -13,6 +12,7 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.SmallType;
 import arcomat.semantics.ValueOrder;
 
 import java.util.ArrayList;

@@ -1,8 +1,8 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
 import arcomat.analysis.engine.Alphabet;
+import arcomat.semantics.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
 

@@ -1,6 +1,5 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.GivenUp;
 import arcomat.analysis.engine.Focus;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -9,6 +8,7 @@ import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
+import arcomat.semantics.GivenUp;
 
 import java.util.List;
 import java.util.stream.IntStream;

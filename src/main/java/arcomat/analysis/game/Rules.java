@@ -4,13 +4,13 @@ import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Alphabet;
 import arcomat.analysis.engine.Focus;
 import arcomat.analysis.engine.IntKey;
-import arcomat.analysis.engine.Kinds;
 import arcomat.analysis.engine.Numbering;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.Kinds;
 import arcomat.semantics.Output;
 
 import java.util.ArrayList;

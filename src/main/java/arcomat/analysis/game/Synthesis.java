@@ -1,14 +1,14 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.Budget;
-import arcomat.analysis.GivenUp;
-import arcomat.analysis.engine.Kinds;
 import arcomat.analysis.engine.Numbering;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
+import arcomat.semantics.GivenUp;
+import arcomat.semantics.Kinds;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
 

@@ -2,12 +2,12 @@ package arcomat.analysis.mona;
 
 import arcomat.analysis.Budget;
 import arcomat.analysis.engine.Focus;
-import arcomat.analysis.engine.Kinds;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.Side;
 import arcomat.analysis.engine.Steps;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.semantics.Kinds;
 import arcomat.semantics.Output;
 
 import java.util.ArrayList;

@@ -1,9 +1,9 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.engine.SmallType;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.Sent;
+import arcomat.semantics.SmallType;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

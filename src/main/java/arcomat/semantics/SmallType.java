@@ -1,4 +1,4 @@
-package arcomat.analysis.engine;
+package arcomat.semantics;
 
 import arcomat.model.Type;
 import arcomat.model.Value;

@@ -1,4 +1,4 @@
-package arcomat.analysis.engine;
+package arcomat.semantics;
 
 import arcomat.model.FirstValue;
 import arcomat.model.Type;
@@ -11,11 +11,11 @@ import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /** The simplest values of a type: its first value, and then those near to it. */
-final class FirstValues {
+public final class FirstValues {
     private FirstValues() {}
 
     /** As many different values; fewer where the type has no more. */
-    static List<Value> of(Type type, int count) {
+    public static List<Value> of(Type type, int count) {
         if (type instanceof Type.IntegerType integer) {
             return numbers(integer).limit(count).<Value>mapToObj(Value.IntegerValue::new).toList();
         }

@@ -1,6 +1,5 @@
-package arcomat.analysis.engine;
+package arcomat.semantics;
 
-import arcomat.analysis.GivenUp;
 import arcomat.model.Port;
 import arcomat.model.Type;
 
@@ -13,7 +12,7 @@ public final class TooManyMessages extends GivenUp {
     }
 
     /** All messages of a port matter. */
-    static TooManyMessages on(Port port) {
+    public static TooManyMessages on(Port port) {
         return new TooManyMessages(
                 "every value of port '"
                         + port.name()
@@ -30,7 +29,7 @@ public final class TooManyMessages extends GivenUp {
     }
 
     /** What matters of several ports is too much together. */
-    static TooManyMessages together(int most) {
+    public static TooManyMessages together(int most) {
         return new TooManyMessages(
                 "one configuration tells more than " + most + " inputs apart, too many to try");
     }

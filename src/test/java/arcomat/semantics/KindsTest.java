@@ -1,4 +1,4 @@
-package arcomat.analysis.engine;
+package arcomat.semantics;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,7 +8,6 @@ import arcomat.model.Type.Width;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Whole;
-import arcomat.semantics.ValueOrder;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 

@@ -1,4 +1,4 @@
-package arcomat.analysis.engine;
+package arcomat.semantics;
 
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
@@ -7,7 +7,6 @@ import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
-import arcomat.semantics.ValueOrder;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -74,7 +73,7 @@ public final class Kinds {
     }
 
     /** A port may be compared with a variable that is outside of the port's range. */
-    static boolean isIn(Type type, Value value) {
+    public static boolean isIn(Type type, Value value) {
         if (type instanceof Type.IntegerType integer) {
             long number = ((Value.IntegerValue) value).value();
             return integer.low() <= number && number <= integer.high();
@@ -88,7 +87,7 @@ public final class Kinds {
     }
 
     /** A bound for the numbers of kinds. */
-    int count() {
+    public int count() {
         return count;
     }
 

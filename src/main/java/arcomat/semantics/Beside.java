@@ -1,4 +1,4 @@
-package arcomat.analysis.engine;
+package arcomat.semantics;
 
 import arcomat.model.FirstValue;
 import arcomat.model.Type;
@@ -14,10 +14,10 @@ import java.util.Set;
  *
  * @param values of the type, in their natural order
  */
-record Beside(Type type, List<Value> values) {
+public record Beside(Type type, List<Value> values) {
 
     /** One value that is none of them, the simplest; none where they are all. */
-    List<Value> any() {
+    public List<Value> any() {
         Value first = FirstValue.of(type);
         if (!values.contains(first)) {
             return List.of(first);
@@ -30,7 +30,7 @@ record Beside(Type type, List<Value> values) {
     }
 
     /** One value of each gap: before the first, between two, behind the last. */
-    List<Value> gaps() {
+    public List<Value> gaps() {
         if (values.isEmpty()) {
             return List.of(FirstValue.of(type));
         }

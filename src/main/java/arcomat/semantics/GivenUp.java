@@ -1,4 +1,4 @@
-package arcomat.analysis;
+package arcomat.semantics;
 
 /** A search that cannot be brought to its end, with the reason: the answer is unknown. */
 public class GivenUp extends RuntimeException {
