@@ -43,6 +43,11 @@ public record Port(
         this(name, direction, type, total, delay, delay, latched, Optional.empty(), span);
     }
 
+    /** The port with a message in every slice. */
+    public Port asTotal() {
+        return new Port(name, direction, type, true, delay, promised, latched, first, span);
+    }
+
     /** The port as automata on a decomposed component see it. */
     Port asPromised() {
         return new Port(name, direction, type, total, promised, promised, latched, first, span);

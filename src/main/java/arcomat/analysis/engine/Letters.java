@@ -11,6 +11,8 @@ import arcomat.semantics.TooManyMessages;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * One letter of each kind that somebody tells apart: few messages first, then in the order in which
@@ -111,6 +113,21 @@ public final class Letters {
             }
         }
         return longer;
+    }
+
+    /**
+     * The inputs of a comparison: where the right side gets a message in every slice, nothing is
+     * said about silence.
+     */
+    public static List<Port> compared(List<Port> left, List<Port> right) {
+        Set<String> total =
+                right.stream()
+                        .filter(Port::total)
+                        .map(Port::name)
+                        .collect(Collectors.toSet());
+        return left.stream()
+                .map(port -> total.contains(port.name()) ? port.asTotal() : port)
+                .toList();
     }
 
     /** How many ports carry a message. */

@@ -25,6 +25,7 @@ final class Pairing {
 
     private static final int SINGLE = 1 << 30;
 
+    private final List<Port> inputs;
     private final List<Port> observed;
     private final Split split;
     private final Budget budget;
@@ -52,7 +53,8 @@ final class Pairing {
         this.data = new FreeData(left, right, observed.size());
         boolean events = left.profile() == Component.Profile.EVENT_DRIVEN;
         this.split = new Split(observed, outputs, events, budget);
-        List<String> names = left.inputs().stream().map(Port::name).toList();
+        this.inputs = Letters.compared(left.inputs(), right.inputs());
+        List<String> names = inputs.stream().map(Port::name).toList();
         leftPositions = java.util.stream.IntStream.range(0, names.size()).toArray();
         rightPositions =
                 right.inputs().stream().mapToInt(port -> names.indexOf(port.name())).toArray();
@@ -91,7 +93,7 @@ final class Pairing {
             List<int[]> positions = new ArrayList<>(List.of(leftPositions));
             foci.get(list).forEach(each -> positions.add(rightPositions));
             StandIns standIns = data.any() ? data.standIns(held) : StandIns.NONE;
-            known = new Alphabet(left.profile(), left.inputs(), all, positions, standIns);
+            known = new Alphabet(left.profile(), inputs, all, positions, standIns);
             alphabets.get(held).put(key, known);
         }
         return known;

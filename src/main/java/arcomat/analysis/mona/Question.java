@@ -2,6 +2,7 @@ package arcomat.analysis.mona;
 
 import arcomat.analysis.Budget;
 import arcomat.analysis.engine.AtomicSide;
+import arcomat.analysis.engine.Letters;
 import arcomat.analysis.engine.Outputs;
 import arcomat.analysis.engine.ShownSide;
 import arcomat.analysis.engine.Side;
@@ -51,7 +52,10 @@ public record Question(
     public static Question of(Named left, String rightTitle, List<Named> rights, Budget budget) {
         List<Port> ports = rights.get(0).behaviour().component().outputs();
         Map<String, Track> inputs = new LinkedHashMap<>();
-        left.behaviour().component().inputs().forEach(p -> inputs.put(p.name(), Track.of(p)));
+        Letters.compared(
+                        left.behaviour().component().inputs(),
+                        rights.get(0).behaviour().component().inputs())
+                .forEach(port -> inputs.put(port.name(), Track.of(port)));
         Machines machines = new Machines(ports, inputs, budget);
         Side mine = machines.side(left);
         List<Machine> theirs = new ArrayList<>();
