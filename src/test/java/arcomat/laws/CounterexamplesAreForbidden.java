@@ -82,7 +82,7 @@ final class CounterexamplesAreForbidden implements Law {
     /** What is seen last is seen in the slice of the last input, or in the one after it. */
     private static Optional<String> watched(Component right, StreamTest test) {
         List<Letter> letters = new ArrayList<>(test.inputs());
-        letters.add(StreamTests.quietAfter(letters, Network.of(right, List.of())));
+        letters.add(quietAfter(letters, right));
         List<Trace.Step> steps = new ArrayList<>();
         for (Letter letter : letters) {
             Letter shown = shown(test, steps.size());
@@ -101,6 +101,16 @@ final class CounterexamplesAreForbidden implements Law {
         return violated.getAsInt() < letters.size() - 2
                 ? Optional.of("the monitor rejects the counterexample too early")
                 : Optional.empty();
+    }
+
+    /** A total port has a message even where none has gone before. */
+    private static Letter quietAfter(List<Letter> letters, Component right) {
+        Letter quiet = StreamTests.quietAfter(letters, Network.of(right, List.of()));
+        Map<String, List<Value>> messages = new LinkedHashMap<>(quiet.messages());
+        right.inputs().stream()
+                .filter(Port::total)
+                .forEach(p -> messages.putIfAbsent(p.name(), List.of(FirstValue.of(p.type()))));
+        return new Letter(messages);
     }
 
     private static Letter shown(StreamTest test, int slice) {
