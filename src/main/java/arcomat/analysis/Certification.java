@@ -3,6 +3,7 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.engine.Certificate;
 import arcomat.analysis.engine.CertificateCheck;
+import arcomat.semantics.GivenUp;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -8,6 +8,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.DoubleStream;
 
 /**
  * Which places hold the same data, and what is done with them. A place is a port, a variable or a
@@ -113,9 +114,15 @@ public final class DataSorts {
         }
         boolean free = !facts.calculated && facts.types.size() == 1;
         if (first instanceof Type.RealType) {
-            // What is not equal to itself, and what is equal to another value.
-            facts.constants.add(new Value.RealValue(Double.NaN));
-            facts.constants.add(new Value.RealValue(0));
+            // What is not equal to itself, what is equal to another value, and both ends.
+            DoubleStream.of(
+                            Double.NEGATIVE_INFINITY,
+                            -0.0,
+                            0.0,
+                            Double.POSITIVE_INFINITY,
+                            Double.NaN)
+                    .mapToObj(Value.RealValue::new)
+                    .forEach(facts.constants::add);
         }
         return new Sort(facts.number, first, free, List.copyOf(facts.constants), facts.ordered);
     }

@@ -101,8 +101,7 @@ class InstallationTest {
 
     @Test
     void noAnalysisDiesOfMemory() throws Exception {
-        Files.writeString(
-                temporary.resolve("Big.arc"),
+        String big =
                 """
                 component Big {
                   port in Boolean a, in Boolean b, out Integer[0..9] o;
@@ -116,10 +115,12 @@ class InstallationTest {
                     s [x == 1000000 && y == 1000000] {a == false} / {x = 0, o = 3};
                   }
                 }
-                """);
+                """;
+        Files.writeString(temporary.resolve("Big.arc"), big);
+        Files.writeString(temporary.resolve("Same.arc"), big.replace("Big", "Same"));
         String[][] commands = {
-            {"refines", "Big", "Big", "Big.arc"},
-            {"diff", "Big", "Big", "Big.arc"},
+            {"refines", "Big", "Same", "Big.arc", "Same.arc"},
+            {"diff", "Big", "Same", "Big.arc", "Same.arc"},
             {"tests", "Big", "--out", "tests", "Big.arc"}
         };
         for (String[] command : commands) {

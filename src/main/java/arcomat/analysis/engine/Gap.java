@@ -47,9 +47,13 @@ record Gap(Type type, Value low, Value high) {
         return found;
     }
 
+    /** A guard may compare with numbers that the type does not have: they only end a gap. */
     private void wholes(int count, List<Value> found) {
-        long least = low == null ? lowest() : whole(low) + 1;
-        long most = high == null ? highest() : whole(high) - 1;
+        if (low != null && whole(low) >= highest() || high != null && whole(high) <= lowest()) {
+            return;
+        }
+        long least = low == null ? lowest() : Math.max(lowest(), whole(low) + 1);
+        long most = high == null ? highest() : Math.min(highest(), whole(high) - 1);
         if (low == null && high != null) {
             for (long number = most; number >= least && found.size() < count; number--) {
                 found.add(value(number));
@@ -89,7 +93,7 @@ record Gap(Type type, Value low, Value high) {
 
     private void reals(Type.RealType real, int count, List<Value> found) {
         double end = high == null ? Double.POSITIVE_INFINITY : real(high);
-        if (low == null) {
+        if (low == null || real(low) == Double.NEGATIVE_INFINITY) {
             double number = below(real, end);
             while (number > Double.NEGATIVE_INFINITY && found.size() < count) {
                 found.add(new Value.RealValue(number + 0.0));

@@ -6,6 +6,7 @@ import arcomat.semantics.Attention;
 import arcomat.semantics.GivenUp;
 import arcomat.semantics.Output;
 import arcomat.semantics.Sent;
+import arcomat.semantics.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Collections;

@@ -121,10 +121,7 @@ public final class Letters {
      */
     public static List<Port> compared(List<Port> left, List<Port> right) {
         Set<String> total =
-                right.stream()
-                        .filter(Port::total)
-                        .map(Port::name)
-                        .collect(Collectors.toSet());
+                right.stream().filter(Port::total).map(Port::name).collect(Collectors.toSet());
         return left.stream()
                 .map(port -> total.contains(port.name()) ? port.asTotal() : port)
                 .toList();
