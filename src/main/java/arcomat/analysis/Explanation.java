@@ -45,7 +45,7 @@ final class Explanation {
                             "%s allows %s%s"
                                     .formatted(
                                             right.title(),
-                                            allowed(allowed, forbidden.error().isPresent()),
+                                            allowed(allowed, forbidden),
                                             by(right, allowed.configuration(), allowed.causes())),
                             place(right, allowed.causes())));
         }
@@ -63,9 +63,13 @@ final class Explanation {
         return sent.isEmpty() ? "" : " in a slice that still shows " + words(sent);
     }
 
-    private static String allowed(Allowed allowed, boolean errorForbidden) {
+    private static String allowed(Allowed allowed, Forbidden forbidden) {
+        boolean errorForbidden = forbidden.error().isPresent();
         if (allowed.error()) {
-            return "an error" + still(allowed.sent());
+            boolean showsLess =
+                    errorForbidden && allowed.sent().isEmpty() && !forbidden.sent().isEmpty();
+            return "an error"
+                    + (showsLess ? " in a slice that shows nothing" : still(allowed.sent()));
         }
         String words = words(allowed.sent());
         return switch (words) {
