@@ -17,7 +17,8 @@ import java.util.Set;
 
 /**
  * Tries the laws on random models for some minutes: {@code ./gradlew lawTest -Pminutes=N -Pseed=S}.
- * Each law gets the same time. What breaks one is made small and written below {@code build/laws}.
+ * Each law gets the same time, and with the same seed the same models, as many as there is time
+ * for. What breaks one is made small and written below {@code build/laws}.
  */
 public final class LawTest {
     /** Of findings of one kind, so many are made small and written. */
@@ -28,6 +29,7 @@ public final class LawTest {
     /** How a law fared. */
     private static final class Tally {
         long nanos;
+        int drawn;
         int models;
         int met;
         int broken;
@@ -69,16 +71,15 @@ public final class LawTest {
     private boolean run(long nanos) throws IOException {
         warmUp();
         long start = System.nanoTime();
-        for (int number = 0;
-                System.nanoTime() - start < nanos && findings < MOST_FINDINGS;
-                number++) {
+        while (System.nanoTime() - start < nanos && findings < MOST_FINDINGS) {
             Law law =
                     laws.stream()
                             .min(Comparator.comparingLong(l -> tallies.get(l).nanos))
                             .orElseThrow();
             Tally tally = tallies.get(law);
             long before = System.nanoTime();
-            Draw draw = new Draw(seed * 1_000_003 + number, features);
+            int number = tally.drawn++;
+            Draw draw = new Draw(seed * 1_000_003 + law.name().hashCode() + number, features);
             List<SourceFile> files = law.draw(draw);
             Optional<Outcome> outcome = Trial.check(law, files, number);
             tally.nanos += System.nanoTime() - before;
@@ -115,6 +116,8 @@ public final class LawTest {
         StringBuilder text = new StringBuilder();
         text.append("law ")
                 .append(law.name())
+                .append(", number ")
+                .append(number)
                 .append("\n")
                 .append(smallest.outcome().problem())
                 .append("\n");
