@@ -18,8 +18,8 @@ import java.util.function.Function;
 
 /**
  * Compares two compositions with the same wiring part by part: refining each part refines the whole
- * (the theorem of compositional refinement; time-synchronous only, and without the case below). The
- * other way round it says nothing.
+ * (the theorem of compositional refinement; time-synchronous only, and without the cases below).
+ * The other way round it says nothing.
  */
 final class PartByPart {
     private record Comparison(
@@ -58,7 +58,7 @@ final class PartByPart {
             return Optional.empty();
         }
         PartByPart parts = new PartByPart(left, right);
-        return parts.isSameWiring() && parts.showAlikeWhereRunsEnd()
+        return parts.isSameWiring() && parts.endAlike()
                 ? parts.inTurns(budget, whole)
                 : Optional.empty();
     }
@@ -83,6 +83,19 @@ final class PartByPart {
         }
     }
 
+    /** Whether the parts alone tell which runs of the whole end with an error, and with what. */
+    private boolean endAlike() {
+        return !RunErrors.arePossible(left) || !mayContradict() && showAlikeWhereRunsEnd();
+    }
+
+    /**
+     * Where one part errs and another one, whose automata contradict each other, allows nothing,
+     * the run ends or there is none: that depends on which of them is first.
+     */
+    private boolean mayContradict() {
+        return left.instances().stream().anyMatch(part -> part.component().automata().size() > 1);
+    }
+
     /**
      * Where a run ends, what was sent a slice ago is still seen, and what would be sent now is not.
      * So a part that sends as another one does, but with another delay, makes a difference for the
@@ -92,12 +105,11 @@ final class PartByPart {
         Set<Integer> mine = left.delayed();
         Set<Integer> theirs = right.delayed();
         Map<String, Integer> signals = signals(left);
-        return !RunErrors.arePossible(left)
-                || right.outputs().stream()
-                        .allMatch(
-                                output ->
-                                        theirs.contains(output.signal())
-                                                == mine.contains(signals.get(output.name())));
+        return right.outputs().stream()
+                .allMatch(
+                        output ->
+                                theirs.contains(output.signal())
+                                        == mine.contains(signals.get(output.name())));
     }
 
     private static Map<String, Integer> signals(Network network) {

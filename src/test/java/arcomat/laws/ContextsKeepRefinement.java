@@ -6,11 +6,13 @@ import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
 import arcomat.laws.draw.Plug;
 import arcomat.model.Component;
+import arcomat.semantics.Network;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** What refines may stand wherever the other one may: {@code x.InA} for {@code x.InB}. */
 final class ContextsKeepRefinement implements Law {
@@ -44,7 +46,7 @@ final class ContextsKeepRefinement implements Law {
         Component inA = models.component("x.InA");
         Component inB = models.component("x.InB");
         Verdict verdict = Questions.refines(inA, inB);
-        if (endsEarlier(verdict)) {
+        if (endsEarlier(verdict) || errsFirst(verdict, inA, inB)) {
             return Outcome.SKIPPED;
         }
         return Questions.fails(verdict)
@@ -76,6 +78,18 @@ final class ContextsKeepRefinement implements Law {
     private static boolean endsEarlier(Verdict verdict) {
         return Questions.fails(verdict)
                 && verdict.notes().stream().anyMatch(note -> note.contains("different delays"))
+                && verdict.trace().get(verdict.trace().size() - 1).error();
+    }
+
+    /**
+     * Where one part errs and another one allows nothing, the first of them decides whether there
+     * is a run that ends, and a composition may have both inside or one of them.
+     */
+    private static boolean errsFirst(Verdict verdict, Component left, Component right) {
+        return Questions.fails(verdict)
+                && Stream.of(left, right)
+                        .flatMap(whole -> Network.of(whole, List.of()).instances().stream())
+                        .anyMatch(part -> part.component().automata().size() > 1)
                 && verdict.trace().get(verdict.trace().size() - 1).error();
     }
 
