@@ -58,12 +58,13 @@ final class ContextsKeepRefinement implements Law {
     }
 
     /**
-     * Among events, parts of compositions take turns with their neighbours, and a shorter queue
-     * overflows earlier: {@code docs/semantics.md} promises nothing about contexts of these.
+     * Among events, parts of compositions take turns with their neighbours, and another queue
+     * overflows at another time: {@code docs/semantics.md} promises nothing about contexts of
+     * these.
      */
     private static boolean interleaves(Component a, Component b) {
         return a.profile() == Component.Profile.EVENT_DRIVEN
-                && (isComposition(a) || isComposition(b) || a.queueCapacity() < b.queueCapacity());
+                && (isComposition(a) || isComposition(b) || a.queueCapacity() != b.queueCapacity());
     }
 
     private static boolean isComposition(Component component) {
