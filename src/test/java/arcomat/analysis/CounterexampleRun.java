@@ -22,7 +22,7 @@ import java.util.Set;
  * message in the slice in which it is visible. What the counterexample leaves open is silent, or
  * the first value.
  */
-final class CounterexampleRun {
+public final class CounterexampleRun {
     private final Component right;
     private final Component left;
     private final List<Moment> moments;
@@ -39,7 +39,7 @@ final class CounterexampleRun {
         late = events ? Set.of() : late(left);
     }
 
-    static Trace of(Component left, Component right, List<Moment> moments) {
+    public static Trace of(Component left, Component right, List<Moment> moments) {
         return new CounterexampleRun(left, right, moments).trace();
     }
 

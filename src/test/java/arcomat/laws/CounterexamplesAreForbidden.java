@@ -1,5 +1,6 @@
 package arcomat.laws;
 
+import arcomat.analysis.CounterexampleRun;
 import arcomat.analysis.Moment;
 import arcomat.analysis.Verdict;
 import arcomat.laws.draw.Draw;
@@ -48,8 +49,11 @@ final class CounterexamplesAreForbidden implements Law {
         Component right = models.component(Pairs.RIGHT);
         boolean timed = left.profile() == Component.Profile.TIME_SYNCHRONOUS;
         Verdict verdict = Questions.refines(left, right);
-        if (!Questions.fails(verdict) || verdict.trace().isEmpty() || !timed) {
+        if (!Questions.fails(verdict) || verdict.trace().isEmpty()) {
             return Outcome.SKIPPED;
+        }
+        if (!timed) {
+            return events(left, right, verdict.trace());
         }
         int moments = verdict.trace().size();
         if (!isSeen(left, moments) || !isSeen(right, moments)) {
@@ -79,6 +83,37 @@ final class CounterexamplesAreForbidden implements Law {
                 : watched(right, other).map(p -> broken(p, refines, other)).orElse(Outcome.KEPT);
     }
 
+    /** A test of events does not say what follows from which; the monitor sees it. */
+    private static Outcome events(Component left, Component right, List<Moment> moments) {
+        Trace run = CounterexampleRun.of(left, right, moments);
+        String refines = Questions.command(Pairs.LEFT, Pairs.RIGHT) + ": fails";
+        StreamTest own = Recorded.test(left, right.outputs(), run);
+        boolean shown = moments.size() > 1 && !run.steps().isEmpty();
+        if (shown && StreamTests.run(own).verdict() == StreamTestResult.Verdict.FAILED) {
+            return broken("the left side cannot do the counterexample", refines, own);
+        }
+        if (right.isComposite()) {
+            return Outcome.KEPT;
+        }
+        int last = run.end().isPresent() ? run.steps().size() : Math.max(0, moments.size() - 2);
+        OptionalInt violated = violated(right, left, run);
+        boolean there = violated.isPresent() && violated.getAsInt() == last;
+        return there
+                ? Outcome.KEPT
+                : broken("the monitor rejects it " + violated + ", not " + last, refines, own);
+    }
+
+    private static OptionalInt violated(Component right, Component running, Trace run) {
+        List<Watch> watches =
+                right.automata().stream()
+                        .map(a -> new Watch(right, a, List.of(), running))
+                        .toList();
+        return Watched.all(watches, run).stream()
+                .flatMap(each -> each.violation().stream())
+                .mapToInt(Violation::slice)
+                .min();
+    }
+
     /** What is seen last is seen in the slice of the last input, or in the one after it. */
     private static Optional<String> watched(Component right, StreamTest test) {
         List<Letter> letters = new ArrayList<>(test.inputs());
@@ -88,13 +123,7 @@ final class CounterexamplesAreForbidden implements Law {
             Letter shown = shown(test, steps.size());
             steps.add(new Trace.Step(steps.size(), letter, shown, List.of()));
         }
-        List<Watch> watches =
-                right.automata().stream().map(a -> new Watch(right, a, List.of())).toList();
-        OptionalInt violated =
-                Watched.all(watches, new Trace(right, steps, Optional.empty())).stream()
-                        .flatMap(each -> each.violation().stream())
-                        .mapToInt(Violation::slice)
-                        .min();
+        OptionalInt violated = violated(right, right, new Trace(right, steps, Optional.empty()));
         if (violated.isEmpty()) {
             return Optional.of("the monitor rejects the counterexample not at all");
         }
