@@ -54,21 +54,20 @@ final class Effects {
         return new Effect(locals, List.of(), all);
     }
 
-    /** A message may change a latched port of the sender itself: then all is computed before. */
+    /**
+     * A message may change a latched port of the sender itself, and find a queue full: what may go
+     * wrong or read that is computed before.
+     */
     private Effect events(List<Send> sends, List<Assignment> assignments) {
         boolean latches = component.inputs().stream().anyMatch(Port::latched);
         List<FieldView> locals = new ArrayList<>();
-        List<AssignmentView> updates =
-                updates(
-                        assignments,
-                        locals,
-                        latches && !sends.isEmpty() || mayFail(sends),
-                        latches);
+        List<AssignmentView> updates = updates(assignments, locals, !sends.isEmpty(), latches);
+        boolean before = latches || mayFail(sends);
         List<AssignmentView> messages = new ArrayList<>();
         for (Port port : component.outputs()) {
             for (String value : values(port, sends)) {
                 String sent = value;
-                if (latches) {
+                if (before) {
                     sent = members.local("sent", port.name() + locals.size());
                     locals.add(new FieldView(text.type(port.type()), sent, value, ""));
                 }
