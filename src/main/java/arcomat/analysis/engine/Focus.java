@@ -6,6 +6,7 @@ import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Kinds;
 import arcomat.semantics.SmallType;
+import arcomat.semantics.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -43,7 +44,7 @@ public final class Focus {
         for (int i = 0; i < kinds.length; i++) {
             kinds[i] = Kinds.of(inputs.get(i), false, told(inputs.get(i), looks.get(i)));
             strides[i] = stride;
-            stride = Math.multiplyExact(stride, (long) kinds[i].count());
+            stride = product(stride, kinds[i].count());
             if (kinds[i].count() > 1) {
                 all[seen++] = i;
             }
@@ -53,6 +54,14 @@ public final class Focus {
                 IntStream.range(0, inputs.size())
                         .filter(i -> isTold(inputs.get(i), looks.get(i)))
                         .toArray();
+    }
+
+    /** Nobody tries more letters than can be numbered. */
+    private static long product(long stride, int count) {
+        if (stride > Long.MAX_VALUE / count) {
+            throw TooManyMessages.together(Letters.MOST);
+        }
+        return stride * count;
     }
 
     private static boolean isTold(Port port, Look look) {

@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
  */
 public final class Letters {
     /** More letters than that are not tried at once. */
-    private static final int MOST = 1_000_000;
+    static final int MOST = 1_000_000;
 
     private Letters() {}
 
