@@ -90,3 +90,17 @@ component GoodCountdown {
     counting {tick == false, start == --} / {share = 1000 / (count + 1), left = count % (count + 1)};
   }
 }
+
+//// BadFirst.arc
+/** The level that is held to begin with is the highest one. */
+component BadFirst {
+  timing untimed;
+  port <<state = "2147483647">> in Integer[2147483640..2147483647] level, in Boolean tick, out Integer next;
+
+  <<completion = "ignore">> automaton {
+    state only;
+    initial only;
+    only {tick == ?} / {next = level + 1};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1009: in only on {tick = false} an integer overflows and wraps around; give ports and variables ranges
+  }
+}

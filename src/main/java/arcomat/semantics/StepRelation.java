@@ -191,18 +191,6 @@ public final class StepRelation {
     }
 
     /**
-     * All reactions, in text order: of the enabled transitions, or of the completion.
-     *
-     * @throws Fault where a right-hand side goes wrong
-     */
-    public List<Reaction> reactions(Configuration before, Input input) {
-        List<Trace.Taken> enabled = enabled(before, input);
-        return enabled.isEmpty()
-                ? List.of(complete(before))
-                : enabled.stream().map(taken -> take(taken, before, input)).toList();
-    }
-
-    /**
      * What may happen in a step of one automaton.
      *
      * @param reactions ways to go on, in text order
@@ -269,7 +257,7 @@ public final class StepRelation {
         Term condition = Evaluation.compile(expression, scope);
         return (configuration, input) -> {
             try {
-                return isTrue(condition.evaluate(input.slots(), configuration.slots()));
+                return isTrue(condition.evaluate(read(input), configuration.slots()));
             } catch (Fault fault) {
                 return false;
             }

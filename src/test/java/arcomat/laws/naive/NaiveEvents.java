@@ -185,14 +185,16 @@ final class NaiveEvents implements NaiveBehaviour {
         return ways;
     }
 
+    /** What is left open once stays open, whatever is sent before or after it. */
     private Way sent(Way way, String signal, Slot slot) {
         if (way == null) {
             return null;
         }
         Map<String, Slot> sent = new HashMap<>(way.sent);
-        List<Value> all = new ArrayList<>(sent.getOrDefault(signal, Slot.SILENCE).messages());
+        Slot before = sent.getOrDefault(signal, Slot.SILENCE);
+        List<Value> all = new ArrayList<>(before.messages());
         all.addAll(slot.messages());
-        sent.put(signal, slot.isOpen() ? slot : Slot.just(all));
+        sent.put(signal, slot.isOpen() ? slot : before.isOpen() ? before : Slot.just(all));
         Way next = new Way(way.parts, way.latched, way.waiting, sent);
         for (Value message : slot.messages()) {
             next = next == null ? null : delivered(next, signal, message);
