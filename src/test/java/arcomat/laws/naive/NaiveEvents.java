@@ -176,13 +176,20 @@ final class NaiveEvents implements NaiveBehaviour {
             Slot slot = step.outputs().get(port.name());
             List<Way> longer = new ArrayList<>();
             for (Way way : ways) {
-                for (Slot each : writtenOut ? slot.writtenOut(port, pool) : List.of(slot)) {
+                for (Slot each : decided(slot, port, signal)) {
                     longer.add(sent(way, signal, each));
                 }
             }
             ways = longer;
         }
         return ways;
+    }
+
+    /** What somebody inside reads is one message or another. */
+    private List<Slot> decided(Slot slot, Port port, String signal) {
+        boolean read =
+                network.atoms().stream().anyMatch(atom -> atom.inputs().containsValue(signal));
+        return writtenOut || read ? slot.writtenOut(port, pool) : List.of(slot);
     }
 
     /** What is left open once stays open, whatever is sent before or after it. */
