@@ -50,6 +50,7 @@ public final class Inclusion {
     private boolean promising;
     private Failure best;
     private final Map<List<Trace.Cause>, Failure> failures = new LinkedHashMap<>();
+    private boolean goesOn;
     private int level;
     private long tried;
 
@@ -112,6 +113,7 @@ public final class Inclusion {
     }
 
     private Result levels(boolean on) {
+        goesOn = on;
         open();
         if (best != null && !on) {
             return result(Optional.empty());
@@ -197,7 +199,9 @@ public final class Inclusion {
 
     private void fail(Failure failure) {
         best = better(best, failure);
-        failures.merge(failure.steps.causes().get(failure.step), failure, Inclusion::better);
+        if (goesOn) {
+            failures.merge(failure.steps.causes().get(failure.step), failure, Inclusion::better);
+        }
     }
 
     /** The shorter one, then that with fewer messages, then the one that was found first. */
