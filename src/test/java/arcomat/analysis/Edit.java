@@ -41,6 +41,16 @@ enum Edit {
             return Optional.of(sketch.withStates(copy + 1).withEdges(edges));
         }
     },
+    /**
+     * A choice in a state is made on the way there: of two alternatives each copy of it keeps one.
+     */
+    CHOOSE_EARLIER {
+        @Override
+        Optional<Sketch> apply(Sketch sketch, Random random) {
+            return deep(sketch, random, e -> e.source() > 0 && alternatives(sketch, e) > 1)
+                    .map(edge -> chosenEarlier(sketch, edge));
+        }
+    },
     /** Handles a symbol that was not handled, and stays. */
     ADD_LOOP {
         @Override
@@ -139,6 +149,32 @@ enum Edit {
             }
         }
         return best;
+    }
+
+    private static Sketch chosenEarlier(Sketch sketch, Edge one) {
+        Edge other =
+                sketch.edges().stream()
+                        .filter(edge -> edge.hasTriggerOf(one) && edge != one)
+                        .findFirst()
+                        .orElseThrow();
+        int copy = sketch.states();
+        List<Edge> edges = new ArrayList<>();
+        for (Edge edge : sketch.edges()) {
+            List<Edge> sources = new ArrayList<>();
+            if (edge != other) {
+                sources.add(edge);
+            }
+            if (edge != one && edge.source() == one.source()) {
+                sources.add(edge.from(copy));
+            }
+            for (Edge each : sources) {
+                edges.add(each);
+                if (edge.target() == one.source()) {
+                    edges.add(each.to(copy));
+                }
+            }
+        }
+        return sketch.withStates(copy + 1).withEdges(edges);
     }
 
     private static Optional<Edge> unhandled(Sketch sketch, Random random) {
