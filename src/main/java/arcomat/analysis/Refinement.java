@@ -55,7 +55,7 @@ public final class Refinement {
                 : Optional.empty();
     }
 
-    /** Fails as briefly as possible; holds only if all do. */
+    /** Fails as briefly as possible; holds only if all do, with what there is to say of each. */
     static Verdict all(List<Verdict> verdicts) {
         if (verdicts.size() == 1) {
             return verdicts.get(0);
@@ -71,7 +71,25 @@ public final class Refinement {
                 worst = verdict;
             }
         }
-        return worst == null ? Vacuity.nothingAsked() : worst;
+        if (worst == null) {
+            return Vacuity.nothingAsked();
+        }
+        return worst.answer() == Answer.HOLDS ? together(verdicts) : worst;
+    }
+
+    /** There is a simulation of all where there is one of each. */
+    private static Verdict together(List<Verdict> verdicts) {
+        boolean simulation = verdicts.stream().allMatch(v -> v.simulation().orElse(true));
+        boolean decided = verdicts.stream().allMatch(v -> v.simulation().isPresent());
+        List<String> notes = verdicts.stream().flatMap(v -> v.notes().stream()).distinct().toList();
+        List<Explored> explored = verdicts.stream().map(Verdict::explored).toList();
+        return Verdict.holds(
+                simulation && !decided ? Optional.empty() : Optional.of(simulation),
+                notes,
+                new Explored(
+                        explored.stream().mapToLong(Explored::pairs).sum(),
+                        explored.stream().mapToInt(Explored::left).max().orElse(0),
+                        explored.stream().mapToInt(Explored::right).sum()));
     }
 
     private static int rank(Verdict verdict) {

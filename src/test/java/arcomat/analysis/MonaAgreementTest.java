@@ -67,12 +67,17 @@ class MonaAgreementTest {
         int broken = 0;
         for (Question question : RandomPairs.conjunctions(2026, CONJUNCTIONS)) {
             Verdict verdict = agreed(question.left(), question.right());
-            kept += verdict.answer() == Answer.HOLDS && !RandomPairsTest.isEmpty(verdict) ? 1 : 0;
+            kept += verdict.answer() == Answer.HOLDS && isCalledIn(verdict) ? 1 : 0;
             broken += verdict.trace().size() > 1 ? 1 : 0;
             assertThat(agreed(question.right(), question.right()).answer()).isEqualTo(Answer.HOLDS);
         }
-        assertThat(kept).as("hold").isGreaterThan(CONJUNCTIONS / 6);
+        assertThat(kept).as("hold").isGreaterThan(CONJUNCTIONS / 5);
         assertThat(broken).as("fail after the beginning").isGreaterThan(CONJUNCTIONS / 5);
+    }
+
+    /** Whether some automaton had a say. */
+    private static boolean isCalledIn(Verdict verdict) {
+        return verdict.notes().stream().anyMatch(note -> note.matches("\\d+ of .* took part"));
     }
 
     /** The engine's verdict, if the program has the same. */
