@@ -23,7 +23,7 @@ import java.util.OptionalInt;
  */
 class LatencyTest {
     private static final int LENGTH = 4;
-    private static final int QUESTIONS = 40;
+    private static final int QUESTIONS = 28;
 
     private static final Draft PASS =
             new Draft(

@@ -28,13 +28,13 @@ import java.util.stream.Collectors;
 class MistakesTest {
     @Test
     void mistakesAreTold() {
-        told(7, 25);
+        told(7, 15);
     }
 
     @Tag("slow")
     @Test
     void mistakesAreToldInHundreds() {
-        told(8, 300);
+        told(8, 150);
     }
 
     private static void told(long seed, int count) {

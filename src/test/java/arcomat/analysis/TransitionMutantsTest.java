@@ -50,7 +50,7 @@ class TransitionMutantsTest {
         return RandomSketches.of(knobs, random);
     }
 
-    @Property(tries = 150, seed = "2")
+    @Property(tries = 50, seed = "2")
     void whoSendsSomethingElseFails(@ForAll long seed) {
         Random random = new Random(seed);
         Sketch sketch = decided(random);
@@ -66,7 +66,7 @@ class TransitionMutantsTest {
     }
 
     /** A model that says less allows what was asked for; only what runs can miss it. */
-    @Property(tries = 150, seed = "3")
+    @Property(tries = 50, seed = "3")
     void whoDropsATransitionThatSendsFails(@ForAll long seed) {
         Random random = new Random(seed);
         Sketch sketch = decided(random);
@@ -89,7 +89,7 @@ class TransitionMutantsTest {
     }
 
     /** Where inputs are ignored, one more or less transition shows in the end, if it ever does. */
-    @Property(tries = 150, seed = "4")
+    @Property(tries = 50, seed = "4")
     void whoDropsASilentTransitionFailsLater(@ForAll long seed) {
         Random random = new Random(seed);
         Knobs knobs = RandomSketches.any(random).withAlternatives(0);

@@ -31,7 +31,7 @@ import java.util.stream.Collectors;
  * violates it where its last step is seen, not before. Generated monitors say the same.
  */
 class WatchTest {
-    private static final int PAIRS = Integer.getInteger("watch.pairs", 400);
+    private static final int PAIRS = Integer.getInteger("watch.pairs", 200);
     private static final int SEED = Integer.getInteger("watch.seed", 11);
     private static final int RUNS = 4;
 

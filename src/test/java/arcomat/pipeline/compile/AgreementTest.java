@@ -49,21 +49,21 @@ class AgreementTest {
 
     @TestFactory
     Stream<DynamicTest> onTheModelsOfTheFolder() {
-        return Scenario.in("agreement").stream().flatMap(file -> agreement(model(file), 100));
+        return Scenario.in("agreement").stream().flatMap(file -> agreement(model(file), 40));
     }
 
     @TestFactory
     Stream<DynamicTest> onTheCaseStudy() {
-        return agreement(Lowering.lower(Scenario.models("models/coffee")), 50);
+        return agreement(Lowering.lower(Scenario.models("models/coffee")), 20);
     }
 
     @Tag("slow")
     @TestFactory
-    Stream<DynamicTest> onAThousandWords() {
+    Stream<DynamicTest> onHundredsOfWords() {
         return Stream.concat(
                         Stream.of(Lowering.lower(Scenario.models("models/coffee"))),
                         Scenario.in("agreement").stream().map(AgreementTest::model))
-                .flatMap(model -> agreement(model, 1000));
+                .flatMap(model -> agreement(model, 300));
     }
 
     private static Model model(Path file) {

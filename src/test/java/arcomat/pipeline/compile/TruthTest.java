@@ -48,13 +48,13 @@ class TruthTest {
 
     @TestFactory
     Stream<DynamicTest> interpreterAndCompiledCodeAgree() {
-        return agreement(60, false);
+        return agreement(30, false);
     }
 
     @Tag("slow")
     @TestFactory
-    Stream<DynamicTest> interpreterAndCompiledCodeAgreeOnAThousandWords() {
-        return agreement(1000, true);
+    Stream<DynamicTest> interpreterAndCompiledCodeAgreeOnHundredsOfWords() {
+        return agreement(400, true);
     }
 
     @TestFactory

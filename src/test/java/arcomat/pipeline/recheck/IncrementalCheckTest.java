@@ -32,7 +32,7 @@ class IncrementalCheckTest {
     private static final int FILES = 30;
     private static final int ROUNDS = 25;
 
-    @Property(tries = 24)
+    @Property(tries = 12)
     void findsWhatAFullCheckFinds(@ForAll long seed) throws IOException {
         Path folder = Files.createTempDirectory("incremental");
         try {
