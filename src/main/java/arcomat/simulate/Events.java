@@ -19,7 +19,7 @@ import java.util.Optional;
 /** The event-driven engine: queues, latches, run to completion as {@link Network} describes it. */
 final class Events implements Interpreter.Engine {
     /** After so many reactions to one event, messages are taken to circle for ever. */
-    static final int MOST_REACTIONS = 1_000_000;
+    static final int MOST_REACTIONS = 100_000;
 
     private record Event(int port, Value message) {}
 

@@ -21,7 +21,7 @@ import java.util.Optional;
  */
 final class CompiledEvents implements CompiledExecution.Engine {
     /** As the interpreter has it: then messages circle for ever. */
-    private static final int MOST_REACTIONS = 1_000_000;
+    private static final int MOST_REACTIONS = 100_000;
 
     private final CompiledModel model;
     private final Network network;
