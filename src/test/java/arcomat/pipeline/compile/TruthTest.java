@@ -43,6 +43,10 @@ import java.util.stream.Stream;
  */
 class TruthTest {
     private static final int LETTERS = 50;
+
+    /** Where some transition is taken seldom. */
+    private static final int MANY_WORDS = 1000;
+
     private static final List<Path> ROOTS =
             List.of(Path.of("src/test/resources/truth"), Path.of("models/coffee"));
 
@@ -54,7 +58,7 @@ class TruthTest {
     @Tag("slow")
     @TestFactory
     Stream<DynamicTest> interpreterAndCompiledCodeAgreeOnHundredsOfWords() {
-        return agreement(400, true);
+        return agreement(300, true);
     }
 
     @TestFactory
@@ -91,7 +95,11 @@ class TruthTest {
     private static void assertAgrees(Component component, int words, boolean everyTransition) {
         Agreement agreement = new Agreement(component, arguments(component)).holds(words, LETTERS);
         if (everyTransition) {
-            assertThat(agreement.transitionsTaken()).containsAll(transitionsOf(component));
+            Set<String> transitions = transitionsOf(component);
+            if (!agreement.transitionsTaken().containsAll(transitions)) {
+                agreement.holds(MANY_WORDS, LETTERS);
+            }
+            assertThat(agreement.transitionsTaken()).containsAll(transitions);
         }
     }
 
