@@ -24,17 +24,22 @@ final class Accusation {
      */
     String of(List<Integer> judged, Letter shown) {
         List<Integer> said = judged.stream().filter(this::isPromised).toList();
-        List<String> seen = new ArrayList<>();
-        for (int port : said) {
-            String name = outputs.get(port).name();
-            seen.add(name + " = " + new Sent.Messages(shown.messages(name)));
-        }
         Set<String> allowed = new LinkedHashSet<>();
         ways.forEach(way -> allowed.add(promised(way, said) + " (" + way.cause() + ")"));
         return " forbids "
-                + String.join(", ", seen)
+                + seen(said, shown)
                 + "; it allows "
                 + String.join(" or ", allowed);
+    }
+
+    /** What ports show, as {@code y = 1, z = --}. */
+    String seen(List<Integer> ports, Letter shown) {
+        List<String> seen = new ArrayList<>();
+        for (int port : ports) {
+            String name = outputs.get(port).name();
+            seen.add(name + " = " + new Sent.Messages(shown.messages(name)));
+        }
+        return String.join(", ", seen);
     }
 
     private boolean isPromised(int port) {

@@ -169,10 +169,17 @@ public final class Watch {
             return found;
         }
         step(end.inputs());
-        boolean silent = instant.stream().allMatch(port -> shown(end.shown(), port).isEmpty());
-        if (silent && !error.isEmpty()) {
+        List<Integer> sent =
+                instant.stream().filter(port -> !shown(end.shown(), port).isEmpty()).toList();
+        boolean mayEnd = lost || !error.isEmpty();
+        if (!sent.isEmpty() && mayEnd) {
             unknown = Optional.empty();
-        } else if (silent && lost) {
+            String seen = new Accusation(outputs, ways).seen(sent, end.shown());
+            return Optional.of(violation(" forbids " + seen + " in the slice of an error"));
+        }
+        if (!error.isEmpty()) {
+            unknown = Optional.empty();
+        } else if (lost) {
             unknown = Optional.of(tooMany());
         } else if (unknown.isEmpty()) {
             return Optional.of(violation(" forbids that the run ends in an error"));

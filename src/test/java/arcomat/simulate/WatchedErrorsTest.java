@@ -88,6 +88,8 @@ class WatchedErrorsTest {
                 .isEqualTo(instant + "allows only an error in slice 0: it forbids this input in s");
         assertThat(word("Instant", end(ONE, SILENCE))).isEmpty();
         assertThat(word("Instant", end(ONE, SENT)))
+                .isEqualTo(instant + "forbids y = 1 in the slice of an error");
+        assertThat(word("Instant", end(SILENCE, SENT)))
                 .isEqualTo(instant + "forbids that the run ends in an error");
     }
 

@@ -46,6 +46,8 @@ final class ShownEvents {
         if (kept && run.end().isPresent()) {
             latch(run.end().get().inputs());
             write(run.end().get().inputs());
+            // what was sent before it went wrong is not looked at
+            run.steps().stream().skip(Math.max(0, run.steps().size() - 1)).forEach(step -> send(step.outputs()));
             CompiledMonitor.call(monitor, "error");
         }
     }
@@ -68,6 +70,11 @@ final class ShownEvents {
 
     private boolean slice(Letter letter, Letter shown) {
         write(letter);
+        send(shown);
+        return (Boolean) CompiledMonitor.call(monitor, "slice");
+    }
+
+    private void send(Letter shown) {
         Border border = (Border) CompiledMonitor.call(monitor, "border");
         for (Port port : watched.outputs()) {
             for (Value value : shown.messages(port.name())) {
@@ -75,7 +82,6 @@ final class ShownEvents {
                 border.sent(port.name(), message instanceof Float f ? f.doubleValue() : message);
             }
         }
-        return (Boolean) CompiledMonitor.call(monitor, "slice");
     }
 
     private static Letter behind(Letter opening, Letter shown) {

@@ -166,6 +166,7 @@ public abstract class EventMonitor extends Monitor {
      */
     @Override
     public final boolean error() {
+        forget();
         return begun ? super.error() : errorBefore();
     }
 }

@@ -248,17 +248,29 @@ public abstract class Monitor {
         }
         settle();
         step();
-        boolean silent = true;
-        for (int port = 0; port < ports.length; port++) {
-            silent &= delayed[port] || seen[port] == SILENCE;
-        }
-        if (silent && error.length() > 0) {
+        boolean mayEnd = lost || error.length() > 0;
+        String sent = sentAtOnce(seen);
+        if (sent.length() > 0 && mayEnd) {
             unknown = "";
-        } else if (silent && lost) {
+            violate(" forbids " + sent + " in the slice of an error");
+        } else if (error.length() > 0) {
+            unknown = "";
+        } else if (lost) {
             unknown = tooMany();
         } else if (unknown.length() == 0) {
             violate(" forbids that the run ends in an error");
         }
+    }
+
+    /** What outputs without delay show, as {@code y = 1, z = 2}. */
+    private String sentAtOnce(Object[] seen) {
+        ArrayList<String> sent = new ArrayList<String>();
+        for (int port = 0; port < ports.length; port++) {
+            if (!delayed[port] && seen[port] != SILENCE) {
+                sent.add(ports[port] + " = " + text(seen[port]));
+            }
+        }
+        return joined(sent, ", ");
     }
 
     /** Where the program goes on, it has not ended in an error; the requirement may have had to. */
