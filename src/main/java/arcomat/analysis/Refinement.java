@@ -50,9 +50,10 @@ public final class Refinement {
     }
 
     private static Optional<String> obstacle(Promise promise) {
-        return promise.isComposition()
+        Optional<String> beginning = Beginning.obstacle(promise);
+        return beginning.isEmpty() && promise.isComposition()
                 ? CompositeSide.obstacle(promise.component(), promise.arguments())
-                : Optional.empty();
+                : beginning;
     }
 
     /** Fails as briefly as possible; holds only if all do, with what there is to say of each. */

@@ -1,8 +1,10 @@
 package arcomat.model;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * What a run showed, step by step, each port in the slice in which it is visible.
@@ -25,6 +27,26 @@ public record Trace(
 
     public Trace(Component component, List<Step> steps, Optional<String> failure) {
         this(component, steps, failure, Optional.empty(), Optional.empty());
+    }
+
+    /** Per step what came in, the one in which the run goes wrong included. */
+    public List<Letter> received() {
+        return withEnd(Step::inputs, End::inputs);
+    }
+
+    /** Per step what was to be seen, the one in which the run goes wrong included. */
+    public List<Letter> shown() {
+        return withEnd(Step::outputs, End::shown);
+    }
+
+    /** An event-driven run that goes wrong before its first event has not come to that. */
+    private List<Letter> withEnd(Function<Step, Letter> step, Function<End, Letter> last) {
+        boolean begun =
+                component.profile() == Component.Profile.TIME_SYNCHRONOUS || opening.isPresent();
+        List<Letter> letters = new ArrayList<>();
+        steps.forEach(each -> letters.add(step.apply(each)));
+        end.filter(any -> begun).ifPresent(any -> letters.add(last.apply(any)));
+        return letters;
     }
 
     /**

@@ -252,9 +252,9 @@ final class AllowedRuns {
         List<Configuration> configurations = before.configurations.get(instance);
         Prospect prospect =
                 behaviours.get(instance).prospect(configurations, input(before, instance));
-        prospect.errors().forEach(error -> lastProblem = error.message());
+        prospect.errors().forEach(error -> lastProblem = at(instance, error.message()));
         if (prospect.isContradiction()) {
-            lastProblem = "its automata contradict each other";
+            lastProblem = at(instance, "its automata contradict each other");
         }
         for (JointReaction reaction : prospect.reactions()) {
             Possibility after = before.copy();
@@ -263,6 +263,11 @@ final class AllowedRuns {
                 next.add(after);
             }
         }
+    }
+
+    private String at(int instance, String problem) {
+        String path = network.instances().get(instance).path();
+        return path.isEmpty() ? problem : path + ": " + problem;
     }
 
     private Input input(Possibility possibility, int instance) {

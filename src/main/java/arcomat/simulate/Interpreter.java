@@ -101,11 +101,16 @@ public final class Interpreter implements Execution {
         try {
             return engine().step(input, now);
         } catch (ModelError problem) {
-            boolean reacted = engine != null && !(problem instanceof Impasse);
-            end = reacted ? Optional.of(engine.end(input)) : Optional.empty();
+            boolean allowed = !(problem instanceof Impasse);
+            end = allowed ? Optional.of(end(input)) : Optional.empty();
             String unit = isTimed() ? "slice " : "step ";
             throw new ModelError(unit + now + ": " + problem.getMessage());
         }
+    }
+
+    /** A run that cannot even begin shows nothing. */
+    private Trace.End end(Letter input) {
+        return engine == null ? new Trace.End(input, Letter.SILENCE) : engine.end(input);
     }
 
     @Override

@@ -14,7 +14,8 @@ import java.util.Set;
 /**
  * Writes a run down as a suite with one stream test, which repeats it. Where outputs have delay 1,
  * the last slice of the run shows the reaction to the one before: its own input has no reaction yet
- * and is left out.
+ * and is left out. So is that of a slice that goes wrong, for the run shows in it what was sent
+ * before.
  */
 public final class Recording {
     private Recording() {}
@@ -37,16 +38,24 @@ public final class Recording {
     }
 
     private static SuiteText.Entry slices(Trace trace, Network network) {
-        int shown = trace.steps().size();
+        int shown = shown(trace);
         Set<Integer> late = network.delayed();
         boolean delayed = network.outputs().stream().anyMatch(e -> late.contains(e.signal()));
-        int read = delayed ? Math.max(0, shown - 1) : shown;
+        int read = delayed ? Math.max(0, shown - 1) : trace.steps().size();
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         for (Network.External output : network.outputs()) {
             int visible = late.contains(output.signal()) ? shown : read;
             expected.put(output.name(), stream(trace, output.name()).subList(0, visible));
         }
         return entry(inputs(trace).subList(0, read), expected);
+    }
+
+    /** A run that goes wrong before it has shown anything shows nothing that could be repeated. */
+    private static int shown(Trace trace) {
+        boolean nothing =
+                trace.steps().isEmpty()
+                        && trace.shown().stream().allMatch(each -> each.messages().isEmpty());
+        return nothing ? 0 : trace.shown().size();
     }
 
     private static SuiteText.Entry events(Trace trace, Network network) {
@@ -67,6 +76,6 @@ public final class Recording {
     }
 
     private static List<List<Value>> stream(Trace trace, String port) {
-        return trace.steps().stream().map(step -> step.outputs().messages(port)).toList();
+        return trace.shown().stream().map(letter -> letter.messages(port)).toList();
     }
 }

@@ -137,7 +137,7 @@ public final class StreamTests {
                             slice < allowed.size()
                                     ? allowed.get(slice).getOrDefault(entry.getKey(), List.of())
                                     : List.of();
-                    boolean differs = slice >= actual.steps().size() || !expected.equals(sent);
+                    boolean differs = slice >= actual.shown().size() || !expected.equals(sent);
                     cells.add(new Cell(slice, entry.getKey(), expected, sent, open, differs));
                 }
             }
@@ -146,9 +146,7 @@ public final class StreamTests {
     }
 
     private static List<Value> messages(Trace trace, int slice, String port) {
-        return slice < trace.steps().size()
-                ? trace.steps().get(slice).outputs().messages(port)
-                : List.of();
+        return slice < trace.shown().size() ? trace.shown().get(slice).messages(port) : List.of();
     }
 
     private static List<Cell> eventCells(StreamTest test, Trace actual) {

@@ -27,6 +27,7 @@ public final class CompiledExecution implements Execution {
     private final List<Value> arguments;
     private final int seed;
     private Engine engine;
+    private Optional<Trace.End> beginning = Optional.empty();
     private int number;
 
     /**
@@ -57,6 +58,9 @@ public final class CompiledExecution implements Execution {
             }
             return engine.step(input, now);
         } catch (ModelError problem) {
+            if (engine == null) {
+                beginning = Optional.of(new Trace.End(input, Letter.SILENCE));
+            }
             String unit = isTimed() ? "slice " : "step ";
             throw new ModelError(unit + now + ": " + problem.getMessage());
         }
@@ -69,7 +73,7 @@ public final class CompiledExecution implements Execution {
 
     @Override
     public Optional<Trace.End> end() {
-        return engine == null ? Optional.empty() : engine.end();
+        return engine == null ? beginning : engine.end();
     }
 
     private boolean isTimed() {

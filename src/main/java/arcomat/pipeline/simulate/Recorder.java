@@ -42,6 +42,7 @@ final class Recorder {
                         + request.seed()
                         + ".");
         remarks.addAll(decisions);
+        trace.failure().ifPresent(failure -> remarks.add("What has stopped the run, " + failure));
         String text = Recording.of(suite, trace, main.arguments(), remarks);
         String formatted = Formatter.format(new SourceFile(written, text)).text().orElse(text);
         try {

@@ -60,7 +60,7 @@ public final class StreamTestPage {
 
     private Story story() {
         Timeline timeline =
-                new Timeline(tracks.unit(), run.steps().size(), List.of(), tracks(), flaws());
+                new Timeline(tracks.unit(), tracks.length(), List.of(), tracks(), flaws());
         return new Story(
                 test.suite() + "#" + test.name(),
                 switch (result.verdict()) {
@@ -108,7 +108,7 @@ public final class StreamTestPage {
     private Track expected(String port) {
         Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port + EXPECTED, Kind.PORT);
         List<List<Value>> stream = test.expected().get(port);
-        for (int slice = 0; slice < run.steps().size(); slice++) {
+        for (int slice = 0; slice < tracks.length(); slice++) {
             track.addUnlessEmpty(slice < stream.size() ? TraceTable.text(stream.get(slice)) : "");
         }
         return track.build();
@@ -116,7 +116,7 @@ public final class StreamTestPage {
 
     private List<Flaw> flaws() {
         List<Flaw> flaws = new ArrayList<>();
-        int last = run.steps().size() - 1;
+        int last = tracks.length() - 1;
         if (last < 0) {
             return flaws;
         }
@@ -154,6 +154,6 @@ public final class StreamTestPage {
                 return step.number();
             }
         }
-        return run.steps().size() - 1;
+        return tracks.length() - 1;
     }
 }

@@ -10,7 +10,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 
 /**
  * What occurs in a trace, in the order of its columns: the component's own ports as declared, then
@@ -29,16 +28,15 @@ record TraceColumns(String unit, List<String> inputs, List<String> outputs, List
         }
         return new TraceColumns(
                 events ? "event" : "slice",
-                ports(trace, component.inputs(), Trace.Step::inputs),
-                ports(trace, component.outputs(), Trace.Step::outputs),
+                ports(component.inputs(), trace.received()),
+                ports(component.outputs(), trace.shown()),
                 List.copyOf(automata));
     }
 
-    private static List<String> ports(
-            Trace trace, List<Port> declared, Function<Trace.Step, Letter> letter) {
+    private static List<String> ports(List<Port> declared, List<Letter> letters) {
         Set<String> names = new LinkedHashSet<>();
         declared.forEach(port -> names.add(port.name()));
-        trace.steps().forEach(step -> names.addAll(letter.apply(step).messages().keySet()));
+        letters.forEach(letter -> names.addAll(letter.messages().keySet()));
         return List.copyOf(names);
     }
 

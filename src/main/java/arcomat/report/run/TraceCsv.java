@@ -13,7 +13,8 @@ import java.util.stream.Collectors;
 /**
  * A trace with one line per slice, for spreadsheets: a column per port, and for every automaton its
  * state after the slice and what made its step. Fields are quoted as RFC 4180 says; an empty field
- * is silence, several messages in one step are separated by blanks.
+ * is silence, several messages in one step are separated by blanks. A step that goes wrong shows
+ * what was sent before it, and no states.
  */
 public final class TraceCsv {
     private TraceCsv() {}
@@ -34,7 +35,22 @@ public final class TraceCsv {
             }
             out.append(CsvLine.of(fields));
         }
+        if (trace.shown().size() > trace.steps().size()) {
+            out.append(CsvLine.of(end(trace, columns)));
+        }
         return out.toString();
+    }
+
+    private static List<String> end(Trace trace, TraceColumns columns) {
+        int number = trace.steps().size();
+        Letter received = trace.received().get(number);
+        Letter shown = trace.shown().get(number);
+        List<String> fields = new ArrayList<>();
+        fields.add(String.valueOf(number));
+        columns.inputs().forEach(port -> fields.add(messages(received, port)));
+        columns.outputs().forEach(port -> fields.add(messages(shown, port)));
+        columns.automata().forEach(automaton -> fields.addAll(List.of("", "")));
+        return fields;
     }
 
     private static List<String> headings(TraceColumns columns) {

@@ -30,11 +30,24 @@ public final class TraceJson {
                         write(json, step);
                     }
                     json.writeEndArray();
+                    if (trace.shown().size() > trace.steps().size()) {
+                        writeEnd(json, trace);
+                    }
                     if (trace.failure().isPresent()) {
                         json.writeStringField("failure", trace.failure().get());
                     }
                     json.writeEndObject();
                 });
+    }
+
+    /** The step that goes wrong, with what was sent before it. */
+    private static void writeEnd(JsonGenerator json, Trace trace) throws IOException {
+        int number = trace.steps().size();
+        json.writeObjectFieldStart("end");
+        json.writeNumberField("number", number);
+        writeLetter(json, "inputs", trace.received().get(number));
+        writeLetter(json, "outputs", trace.shown().get(number));
+        json.writeEndObject();
     }
 
     private static void write(JsonGenerator json, Trace.Step step) throws IOException {

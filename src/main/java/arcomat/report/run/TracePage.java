@@ -27,7 +27,7 @@ public final class TracePage {
             remarks.add(remark(each, tracks.unit()));
             each.violation().ifPresent(v -> flaws.add(new Flaw(v.slice(), "", v.message())));
         }
-        int length = trace.steps().size();
+        int length = tracks.length();
         if (trace.failure().isPresent() && length > 0) {
             flaws.add(new Flaw(length - 1, "", "stopped: " + trace.failure().get()));
         }

@@ -24,6 +24,9 @@ public final class TraceTable {
         for (Trace.Step step : trace.steps()) {
             addStep(table, step, columns);
         }
+        if (trace.shown().size() > trace.steps().size()) {
+            addEnd(table, trace, columns);
+        }
         StringBuilder out = new StringBuilder(table.render(style));
         trace.failure()
                 .ifPresent(
@@ -42,25 +45,53 @@ public final class TraceTable {
                 : List.of(columns.unit(), "input", "output", "state", "because");
     }
 
-    /** A step has as many lines as its longest list. */
     private static void addStep(TextTable table, Trace.Step step, TraceColumns columns) {
-        List<String> inputs = messages(step.inputs(), columns.inputs());
-        List<String> outputs = messages(step.outputs(), columns.outputs());
-        List<Trace.Activity> activities = step.activities();
-        int lines =
-                Math.max(1, Math.max(inputs.size(), Math.max(outputs.size(), activities.size())));
+        List<List<String>> done = new ArrayList<>();
+        for (Trace.Activity activity : step.activities()) {
+            done.add(
+                    did(
+                            columns,
+                            TraceColumns.nameOf(activity),
+                            state(activity),
+                            CauseText.of(activity.cause())));
+        }
+        addLines(table, step.number(), step.inputs(), step.outputs(), columns, done);
+    }
+
+    /** What an earlier step has sent is seen in the one that goes wrong, too. */
+    private static void addEnd(TextTable table, Trace trace, TraceColumns columns) {
+        int number = trace.steps().size();
+        Letter inputs = trace.received().get(number);
+        Letter outputs = trace.shown().get(number);
+        List<List<String>> done = List.of(did(columns, "", "", "error"));
+        addLines(table, number, inputs, outputs, columns, done);
+    }
+
+    private static List<String> did(
+            TraceColumns columns, String automaton, String state, String cause) {
+        return columns.automata().size() > 1
+                ? List.of(automaton, state, cause)
+                : List.of(state, cause);
+    }
+
+    /** A step has as many lines as its longest list. */
+    private static void addLines(
+            TextTable table,
+            int number,
+            Letter received,
+            Letter shown,
+            TraceColumns columns,
+            List<List<String>> done) {
+        List<String> inputs = messages(received, columns.inputs());
+        List<String> outputs = messages(shown, columns.outputs());
+        int lines = Math.max(1, Math.max(inputs.size(), Math.max(outputs.size(), done.size())));
         for (int i = 0; i < lines; i++) {
             List<String> cells = new ArrayList<>();
-            cells.add(i == 0 ? String.valueOf(step.number()) : "");
+            cells.add(i == 0 ? String.valueOf(number) : "");
             cells.add(i < inputs.size() ? inputs.get(i) : "");
             cells.add(i < outputs.size() ? outputs.get(i) : "");
-            if (i < activities.size()) {
-                Trace.Activity activity = activities.get(i);
-                if (columns.automata().size() > 1) {
-                    cells.add(TraceColumns.nameOf(activity));
-                }
-                cells.add(state(activity));
-                cells.add(CauseText.of(activity.cause()));
+            if (i < done.size()) {
+                cells.addAll(done.get(i));
             }
             table.add(cells);
         }

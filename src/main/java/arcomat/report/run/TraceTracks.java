@@ -12,7 +12,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 
 /**
  * A trace as tracks: ports, then for each automaton its state, why it changed, and its variables;
@@ -41,6 +40,14 @@ public final class TraceTracks {
             Map<String, Trace.Activity> activities = TraceColumns.activities(step);
             automata.forEach((name, tracks) -> tracks.add(activities.get(name)));
         }
+        for (int step = trace.steps().size(); step < length(); step++) {
+            automata.values().forEach(tracks -> tracks.add(null));
+        }
+    }
+
+    /** How many steps there are, one that goes wrong included. */
+    int length() {
+        return trace.shown().size();
     }
 
     String unit() {
@@ -55,7 +62,7 @@ public final class TraceTracks {
     }
 
     List<Track> inputs() {
-        List<Letter> letters = letters(Trace.Step::inputs);
+        List<Letter> letters = trace.received();
         List<Track> tracks = new ArrayList<>();
         columns.inputs().forEach(port -> tracks.add(port(INPUTS, port, letters)));
         return tracks;
@@ -73,7 +80,7 @@ public final class TraceTracks {
     }
 
     Track output(String port) {
-        return port(OUTPUTS, port, letters(Trace.Step::outputs));
+        return port(OUTPUTS, port, trace.shown());
     }
 
     List<Track> states() {
@@ -84,10 +91,6 @@ public final class TraceTracks {
 
     List<Drawing> drawings(AutomatonDrawing pictures) {
         return automata.values().stream().flatMap(each -> each.drawing(pictures).stream()).toList();
-    }
-
-    private List<Letter> letters(Function<Trace.Step, Letter> side) {
-        return trace.steps().stream().map(side).toList();
     }
 
     private static Track port(String group, String port, List<Letter> letters) {
