@@ -3,10 +3,8 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.engine.Comparison.Allowed;
 import arcomat.analysis.game.Turn;
-import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 
 /** Says what requirements ask for where they contradict each other. */
@@ -15,14 +13,21 @@ final class Demands {
 
     static Contradiction.Step step(Turn turn, List<Promise> requirements) {
         List<Sentence> sentences = new ArrayList<>();
+        boolean errors = turn.demands().stream().anyMatch(each -> errs(each.allowed()));
         for (Turn.Demand demand : turn.demands()) {
             Promise requirement = requirements.get(demand.requirement());
+            boolean errs = errs(demand.allowed());
+            boolean only = demand.allowed().stream().allMatch(Allowed::error);
             for (Allowed allowed : demand.allowed()) {
+                String words =
+                        allowed.error()
+                                ? only ? "only an error" : "an error"
+                                : words(allowed, errors && !errs);
                 sentences.add(
                         new Sentence(
                                 requirement.title()
-                                        + " "
-                                        + words(allowed)
+                                        + " allows "
+                                        + words
                                         + Explanation.by(
                                                 requirement,
                                                 allowed.configuration(),
@@ -33,16 +38,16 @@ final class Demands {
         return new Contradiction.Step(turn.input(), turn.answers(), sentences);
     }
 
-    private static String words(Allowed allowed) {
-        if (allowed.error()) {
-            return "ends in an error";
-        }
-        Collection<Sent> sent = allowed.sent().values();
-        boolean silent =
-                sent.contains(Sent.SILENCE)
-                        && sent.stream()
-                                .allMatch(
-                                        s -> s.equals(Sent.SILENCE) || s instanceof Sent.Anything);
-        return "allows " + (silent ? "only silence" : Explanation.words(allowed.sent()));
+    private static boolean errs(List<Allowed> allowed) {
+        return allowed.stream().anyMatch(Allowed::error);
+    }
+
+    /**
+     * @param beside whether others allow an error, and the requirement does not
+     */
+    private static String words(Allowed allowed, boolean beside) {
+        String words = Explanation.words(allowed.sent());
+        words = words.equals("nothing") ? Explanation.silence(allowed.sent()) : words;
+        return words.equals("anything") && beside ? "any output, but no error" : words;
     }
 }

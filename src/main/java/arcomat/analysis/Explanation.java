@@ -3,8 +3,6 @@ package arcomat.analysis;
 import arcomat.analysis.Verdict.Sentence;
 import arcomat.analysis.engine.Comparison.Allowed;
 import arcomat.analysis.engine.Comparison.Forbidden;
-import arcomat.model.Automaton;
-import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.semantics.Sent;
 import arcomat.source.Span;
@@ -65,15 +63,16 @@ final class Explanation {
 
     private static String allowed(Allowed allowed, Forbidden forbidden) {
         boolean errorForbidden = forbidden.error().isPresent();
+        boolean onlyErrors = forbidden.right().stream().allMatch(Allowed::error);
         if (allowed.error()) {
             boolean showsLess =
                     errorForbidden && allowed.sent().isEmpty() && !forbidden.sent().isEmpty();
-            return "an error"
+            return (onlyErrors ? "only an error" : "an error")
                     + (showsLess ? " in a slice that shows nothing" : still(allowed.sent()));
         }
         String words = words(allowed.sent());
         return switch (words) {
-            case "nothing" -> "only silence";
+            case "nothing" -> silence(allowed.sent());
             case "anything" -> errorForbidden ? "any output, but no error" : words;
             default -> words;
         };
@@ -93,48 +92,24 @@ final class Explanation {
         return words.isEmpty() ? "nothing" : words;
     }
 
+    /** What is allowed where no message has to be sent, and not everything is left open. */
+    static String silence(Map<String, Sent> sent) {
+        List<String> silent =
+                sent.entrySet().stream()
+                        .filter(each -> each.getValue().equals(Sent.SILENCE))
+                        .map(Map.Entry::getKey)
+                        .toList();
+        return silent.size() == sent.size()
+                ? "only silence"
+                : "only silence on " + String.join(", ", silent);
+    }
+
     static String by(Promise promise, String before, List<Trace.Cause> causes) {
         if (before.isEmpty()) {
             return "";
         }
-        List<String> words = new ArrayList<>();
-        causes.forEach(each -> words.add(cause(promise, each)));
+        List<String> words = new Causes(promise).words(causes);
         return words.isEmpty() ? "" : ", in " + before + ": " + String.join("; ", words);
-    }
-
-    private static String cause(Promise promise, Trace.Cause cause) {
-        if (cause instanceof Trace.Taken taken) {
-            return promise.isComposition()
-                    ? ofPart(promise.component(), taken).orElse("transition of a part")
-                    : among(promise.automata(), taken).orElse("transition");
-        }
-        Automaton.Completion completion = ((Trace.Completed) cause).completion();
-        return "no transition fits, completion "
-                + completion.name().toLowerCase(java.util.Locale.ROOT);
-    }
-
-    private static Optional<String> among(List<Automaton> automata, Trace.Taken taken) {
-        return automata.stream()
-                .filter(a -> taken.index() < a.transitions().size())
-                .filter(a -> a.transitions().get(taken.index()).equals(taken.transition()))
-                .findFirst()
-                .map(a -> "transition " + states(a, taken.transition()));
-    }
-
-    private static String states(Automaton automaton, Automaton.Transition transition) {
-        return automaton.states().get(transition.source())
-                + " -> "
-                + automaton.states().get(transition.target());
-    }
-
-    private static Optional<String> ofPart(Component component, Trace.Taken taken) {
-        if (component.body() instanceof Component.Atomic atomic) {
-            return among(atomic.automata(), taken).map(t -> t + " of " + component.name());
-        }
-        return ((Component.Composite) component.body())
-                .parts().stream()
-                        .flatMap(part -> ofPart(part.component(), taken).stream())
-                        .findFirst();
     }
 
     static Optional<Span> place(Promise promise, List<Trace.Cause> causes) {

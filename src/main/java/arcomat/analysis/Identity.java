@@ -28,7 +28,9 @@ final class Identity {
             return search.apply(budget);
         }
         Verdict verdict = search.apply(budget.atMost(MOST_PAIRS).patient(PATIENCE));
-        String note = "both sides are the same; all else is not known: " + verdict.reason();
+        String note =
+                "holds because both sides are the same; not compared step by step: "
+                        + verdict.reason();
         return verdict.answer() == Answer.UNKNOWN
                 ? Verdict.holds(Optional.of(true), List.of(note), verdict.explored())
                 : verdict;

@@ -145,11 +145,16 @@ public record Promise(
         return Behaviour.of(component, automata, arguments);
     }
 
-    /** The component's name, its arguments, and the automaton's where it is one of several. */
+    /**
+     * The component's name, its arguments, and the automaton's where it is one of several, or where
+     * the name alone would stand for the parts of a composition.
+     */
     public String title() {
-        boolean part = automata.size() == 1 && component.automata().size() > 1;
+        boolean required = automata.size() == 1 && component.isComposite();
+        boolean part = required || automata.size() == 1 && component.automata().size() > 1;
         String name = part ? automata.get(0).name() : "";
-        return title(component, arguments) + (name.isEmpty() ? "" : "#" + name) + mark;
+        String title = title(component, arguments) + (name.isEmpty() ? "" : "#" + name) + mark;
+        return required && name.isEmpty() ? "what " + title + " requires" : title;
     }
 
     /** {@code p.Timer(3, 5)}; without brackets where there are no arguments. */

@@ -190,6 +190,7 @@ final class AllowedEvents {
                             && chaotic
                             && posts.isOfUse(signals.get(i))) {
                         copy.lower(Standing.VACUOUS, event);
+                        copy.chaotic = copy.chaotic < 0 ? instance : copy.chaotic;
                     }
                     if (posts.send(copy, signals.get(i), messages)) {
                         longer.add(copy);

@@ -69,6 +69,15 @@ final class AllowedRuns {
         return Optional.ofNullable(tooMany);
     }
 
+    /** What promises nothing any more where runs are allowed only for that reason, in words. */
+    String chaotic(List<Possibility> possible) {
+        return possible.stream()
+                .filter(each -> each.chaotic >= 0)
+                .findFirst()
+                .map(each -> Chaos.in(network, each.chaotic, each.configurations))
+                .orElse(Chaos.somewhere(network));
+    }
+
     /** What a loose run is about. */
     String untried() {
         return untried;
@@ -243,6 +252,9 @@ final class AllowedRuns {
                 && sent instanceof Sent.Messages
                 && isFromChaos(possibility, signal)) {
             possibility.standing = possibility.standing.and(Standing.VACUOUS);
+            boolean known = possibility.chaotic >= 0;
+            possibility.chaotic =
+                    known ? possibility.chaotic : wires.sender(signal).getAsInt();
         }
         possibility.visible[signal] = sent;
     }

@@ -29,6 +29,9 @@ final class EventRun {
     /** The event since which it stands for no more than it does. */
     int since;
 
+    /** The first instance that allows something only because it is in chaos; -1 if none does. */
+    int chaotic = -1;
+
     /**
      * @param ports how many inputs each instance has
      * @param streams how many are expected
@@ -52,6 +55,7 @@ final class EventRun {
         turn = other.turn;
         standing = other.standing;
         since = other.since;
+        chaotic = other.chaotic;
     }
 
     EventRun copy() {

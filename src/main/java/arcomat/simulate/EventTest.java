@@ -37,12 +37,12 @@ final class EventTest {
         }
         if (best.isEmpty()) {
             return gaveUp.isPresent()
-                    ? passing(Verdict.UNKNOWN, OptionalInt.empty(), gaveUp)
+                    ? passing(Verdict.UNKNOWN, gaveUp)
                     : failed(problem());
         }
         return best.get().standing == Standing.SURE
-                ? passing(Verdict.PASSED, OptionalInt.empty(), Optional.empty())
-                : passing(Verdict.VACUOUS, OptionalInt.of(best.get().since), Optional.empty());
+                ? passing(Verdict.PASSED, Optional.empty())
+                : vacuous(best.get());
     }
 
     private static AllowedEvents allowed(StreamTest test) {
@@ -79,13 +79,29 @@ final class EventTest {
                 : Optional.empty();
     }
 
+    private StreamTestResult vacuous(EventRun best) {
+        Network network = Network.of(test.component(), test.arguments());
+        return passing(
+                Verdict.VACUOUS,
+                OptionalInt.of(best.since),
+                best.chaotic < 0
+                        ? Chaos.somewhere(network)
+                        : Chaos.in(network, best.chaotic, best.configurations),
+                Optional.empty());
+    }
+
+    private StreamTestResult passing(Verdict verdict, Optional<String> reason) {
+        return passing(verdict, OptionalInt.empty(), "", reason);
+    }
+
     private StreamTestResult passing(
-            Verdict verdict, OptionalInt vacuousFrom, Optional<String> reason) {
+            Verdict verdict, OptionalInt vacuousFrom, String chaotic, Optional<String> reason) {
         List<Cell> cells =
                 StreamTests.cells(test, StreamTests.firstRun(test), List.of()).stream()
                         .map(SliceTest::unmarked)
                         .toList();
-        return new StreamTestResult(test, verdict, cells, OptionalInt.empty(), vacuousFrom, reason);
+        return new StreamTestResult(
+                test, verdict, cells, OptionalInt.empty(), vacuousFrom, chaotic, reason);
     }
 
     private StreamTestResult failed(Optional<String> problem) {
@@ -98,6 +114,7 @@ final class EventTest {
                 cells,
                 difference,
                 OptionalInt.empty(),
+                "",
                 reason(first, problem));
     }
 

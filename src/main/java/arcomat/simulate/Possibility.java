@@ -15,6 +15,9 @@ final class Possibility {
     private final List<List<Configuration>> before;
     Standing standing;
 
+    /** The first instance that allows, from chaos, what is decided in this slice; -1 if none does. */
+    int chaotic = -1;
+
     Possibility(World world, Standing standing) {
         this.standing = standing;
         before = world.configurations();
@@ -30,6 +33,7 @@ final class Possibility {
         configurations = new ArrayList<>(other.configurations);
         before = other.before;
         standing = other.standing;
+        chaotic = other.chaotic;
     }
 
     Possibility copy() {

@@ -24,6 +24,7 @@ final class SliceTest {
     private List<Map<String, List<String>>> allowed = List.of();
     private OptionalInt difference = OptionalInt.empty();
     private OptionalInt vacuousFrom = OptionalInt.empty();
+    private String chaotic = "";
     private Optional<String> failure = Optional.empty();
     private Optional<String> undecided = Optional.empty();
 
@@ -47,6 +48,7 @@ final class SliceTest {
                 verdict == Verdict.FAILED ? marked(cells()) : cells(),
                 difference,
                 verdict == Verdict.VACUOUS ? vacuousFrom : OptionalInt.empty(),
+                verdict == Verdict.VACUOUS ? chaotic : "",
                 verdict == Verdict.UNKNOWN ? undecided : failure);
     }
 
@@ -118,6 +120,7 @@ final class SliceTest {
             undecided = runs.tooMany().or(() -> Optional.of(runs.untried()));
         } else if (best.get() == Standing.VACUOUS && vacuousFrom.isEmpty()) {
             vacuousFrom = OptionalInt.of(slice);
+            chaotic = runs.chaotic(possible);
         }
     }
 

@@ -16,6 +16,8 @@ import java.util.OptionalInt;
  * @param firstDifference the slice from which on nothing that the model allows is what the test
  *     expects
  * @param vacuousFrom the slice, or event, from which on only chaos allowed what the test expects
+ * @param chaotic what promises nothing any more from there on, in words; empty where nothing is
+ *     vacuous
  * @param failure why the run ended early: the model itself went wrong; why nobody knows, where that
  *     is the verdict
  */
@@ -25,6 +27,7 @@ public record StreamTestResult(
         List<Cell> cells,
         OptionalInt firstDifference,
         OptionalInt vacuousFrom,
+        String chaotic,
         Optional<String> failure) {
     public StreamTestResult {
         cells = List.copyOf(cells);

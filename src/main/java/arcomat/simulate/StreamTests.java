@@ -52,6 +52,7 @@ public final class StreamTests {
                 cells,
                 difference,
                 OptionalInt.empty(),
+                "",
                 failure);
     }
 

@@ -10,6 +10,7 @@ import arcomat.analysis.coverage.Mutants.Mutant;
 import arcomat.analysis.coverage.TransitionTests.Mistake;
 import arcomat.analysis.coverage.TransitionTests.Test;
 import arcomat.analysis.coverage.TransitionTests.Untold;
+import arcomat.analysis.engine.RunErrors;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Letter;
@@ -18,6 +19,7 @@ import arcomat.model.Value;
 import arcomat.semantics.Sent;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,6 +38,11 @@ final class Distinctions {
     private static final String NOT_LOOKED_AT =
             "neither this mistake nor any behind it was looked at, that takes too long";
 
+    private static final String BARRED = "every run that shows it errs or ends in chaos";
+
+    private static final String BARRED_SO_FAR =
+            "the runs that were found to show it err or end in chaos";
+
     /** For one of many mistakes. */
     private static final long PAIRS = 5_000;
 
@@ -45,6 +52,10 @@ final class Distinctions {
     private final List<Automaton> chosen;
     private final Promise promise;
     private final Promise driven;
+
+    /** Errs where it would promise nothing any more, or errs: all other runs promise something. */
+    private final Promise promising;
+
     private final Budget budget;
 
     /** A run that a mistaken component does not have. */
@@ -59,6 +70,7 @@ final class Distinctions {
         this.promise = Promise.of(chosen.component(), chosen.arguments());
         this.budget = budget.atMost(PAIRS).patient(PATIENCE);
         this.driven = asRun(promise);
+        this.promising = promising();
     }
 
     /** As code runs it: where a completion leaves things open, nothing is sent. */
@@ -74,6 +86,16 @@ final class Distinctions {
         return automaton.completion() == Completion.ERROR
                 ? automaton
                 : automaton.with(Completion.IGNORE);
+    }
+
+    private Promise promising() {
+        List<Automaton> automata = new ArrayList<>();
+        for (int i = 0; i < promise.automata().size(); i++) {
+            boolean chaos = promise.automata().get(i).completion() == Completion.CHAOS;
+            Automaton own = driven.automata().get(i);
+            automata.add(chaos ? own.with(Completion.ERROR) : own);
+        }
+        return promise.withAutomata(automata);
     }
 
     /**
@@ -94,7 +116,7 @@ final class Distinctions {
             for (Mutant mutant : new Mutants(promise.component(), automaton).all()) {
                 compiled += automaton.transitions().size();
                 if (compiled > MOST_TRANSITIONS || budget.isSpent()) {
-                    untold.add(new Untold(mutant.mistake(), NOT_LOOKED_AT));
+                    untold.add(new Untold(mutant.mistake(), NOT_LOOKED_AT, false));
                     return untold;
                 }
                 Promise mistaken = promise.withAutomata(replaced(i, mutant.automaton()));
@@ -124,17 +146,57 @@ final class Distinctions {
             return leftOpen(mistake, mistaken);
         }
         if (verdict.answer() == Answer.UNKNOWN) {
-            return Optional.of(new Untold(mistake, verdict.reason()));
+            return Optional.of(new Untold(mistake, verdict.reason(), false));
         }
-        if (verdict.trace().stream().anyMatch(Moment::error)) {
-            return Optional.of(new Untold(mistake, "the shortest run that shows it errs"));
+        Optional<Run> shortest = testable(mistake, verdict);
+        if (shortest.isEmpty()) {
+            return another(mistake, mistaken, named, tests);
         }
-        Run run = run(mistake, verdict.trace());
-        if (new Following(promise, budget).isLost(run.inputs, run.expected)) {
-            return Optional.of(new Untold(mistake, "the shortest run that shows it ends in chaos"));
-        }
-        tests.add(named.apply(run));
+        tests.add(named.apply(shortest.get()));
         return Optional.empty();
+    }
+
+    /** The shortest run that is of use, where the shortest of all errs or ends in chaos. */
+    private Optional<Untold> another(
+            Mistake mistake, Promise mistaken, Function<Run, Test> named, List<Test> tests) {
+        List<Verdict> found = new ArrayList<>(Refinement.failures(promising, mistaken, budget));
+        found.sort(Comparator.comparingInt(each -> each.trace().size()));
+        boolean all = isPromisingAll();
+        for (Verdict each : found) {
+            boolean fails = each.answer() == Answer.FAILS;
+            Optional<Run> run = fails ? testable(mistake, each) : Optional.empty();
+            if (run.isPresent()) {
+                tests.add(named.apply(run.get()));
+                return Optional.empty();
+            }
+            all &= fails && each.trace().stream().anyMatch(Moment::error);
+        }
+        return Optional.of(new Untold(mistake, all ? BARRED : BARRED_SO_FAR, all));
+    }
+
+    /**
+     * Whether no run that is of use was left out of that search: where one automaton is in chaos,
+     * others may go on, and of a transition that goes wrong one run alone is told.
+     */
+    private boolean isPromisingAll() {
+        boolean chaos =
+                promise.automata().size() > 1
+                        && promise.automata().stream()
+                                .anyMatch(each -> each.completion() == Completion.CHAOS);
+        return !chaos
+                && promise.automata().stream()
+                        .map(each -> each.with(Completion.IGNORE))
+                        .noneMatch(RunErrors::arePossible);
+    }
+
+    /** A run that a test can ask for: it goes on, and something is promised at its end. */
+    private Optional<Run> testable(Mistake mistake, Verdict failure) {
+        if (failure.trace().stream().anyMatch(Moment::error)) {
+            return Optional.empty();
+        }
+        Run run = run(mistake, failure.trace());
+        boolean lost = new Following(promise, budget).isLost(run.inputs, run.expected);
+        return lost ? Optional.empty() : Optional.of(run);
     }
 
     /** As it is run it does no less; what the model leaves open may still be missing. */
@@ -146,8 +208,9 @@ final class Distinctions {
         return switch (verdict.answer()) {
             case HOLDS -> Optional.empty();
             case FAILS ->
-                    Optional.of(new Untold(mistake, "only what the model leaves open shows it"));
-            case UNKNOWN -> Optional.of(new Untold(mistake, verdict.reason()));
+                    Optional.of(
+                            new Untold(mistake, "only what the model leaves open shows it", true));
+            case UNKNOWN -> Optional.of(new Untold(mistake, verdict.reason(), false));
         };
     }
 

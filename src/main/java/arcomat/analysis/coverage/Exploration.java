@@ -209,11 +209,7 @@ final class Exploration {
         }
         List<Configuration> before = node.key.configurations;
         Prospect prospect = behaviour.prospect(before, stimulus.input().get(), budget::insist);
-        if (prospect.errors().isEmpty()) {
-            obstacles.reacted(before, stimulus.input().get());
-        } else {
-            obstacles.wentWrong(before, stimulus.input().get());
-        }
+        obstacles.wanted(before, stimulus.input().get(), !prospect.errors().isEmpty());
         List<Effect> effects = new ArrayList<>();
         for (JointReaction reaction : prospect.reactions()) {
             List<Configuration> after = reaction.next();

@@ -24,21 +24,51 @@ final class GuardMutants {
                     BinaryOperator.AND, BinaryOperator.OR,
                     BinaryOperator.OR, BinaryOperator.AND);
 
+    private static final Map<BinaryOperator, String> SIGNS =
+            Map.of(
+                    BinaryOperator.LESS, "<",
+                    BinaryOperator.LESS_OR_EQUAL, "<=",
+                    BinaryOperator.GREATER, ">",
+                    BinaryOperator.GREATER_OR_EQUAL, ">=",
+                    BinaryOperator.EQUAL, "==",
+                    BinaryOperator.NOT_EQUAL, "!=",
+                    BinaryOperator.AND, "&&",
+                    BinaryOperator.OR, "||");
+
     private final Expression guard;
 
     GuardMutants(Expression guard) {
         this.guard = guard;
     }
 
-    List<Expression> all() {
+    /**
+     * A guard with a mistake.
+     *
+     * @param what the mistake in words, the same for like mistakes in several places
+     */
+    record Changed(String what, Expression guard) {}
+
+    List<Changed> all() {
         List<Expression> places = new ArrayList<>();
         Rewriting.visit(guard, places::add);
-        List<Expression> mutants = new ArrayList<>();
+        List<Changed> mutants = new ArrayList<>();
         for (int place = 0; place < places.size(); place++) {
             int chosen = place;
-            mistake(places.get(place)).ifPresent(m -> mutants.add(replaced(chosen, m)));
+            Expression right = places.get(place);
+            mistake(right).ifPresent(wrong -> mutants.add(changed(chosen, right, wrong)));
         }
         return mutants;
+    }
+
+    private Changed changed(int place, Expression right, Expression wrong) {
+        String what = "has " + sign(wrong) + " for " + sign(right) + " in its guard";
+        return new Changed(what, replaced(place, wrong));
+    }
+
+    private static String sign(Expression e) {
+        return e instanceof Expression.Binary binary
+                ? SIGNS.get(binary.operator())
+                : ((Expression.Constant) e).value().toString();
     }
 
     private static Optional<Expression> mistake(Expression e) {

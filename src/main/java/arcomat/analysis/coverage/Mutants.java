@@ -16,6 +16,7 @@ import arcomat.model.Value;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -97,11 +98,27 @@ public final class Mutants {
         for (int i = 0; i < t.sends().size(); i++) {
             Send send = t.sends().get(i);
             for (Emission other : others(send)) {
-                String what = "sends something else on '" + send.port().name() + "'";
+                String what = sends(other, send.port());
                 List<Send> sends = replaced(t.sends(), i, List.of(new Send(send.port(), other)));
                 changes.add(new Change(what, with(t, t.guard(), t.matches(), sends)));
             }
         }
+    }
+
+    private static String sends(Emission emission, Port port) {
+        return "sends "
+                + (emission instanceof Automaton.Messages messages
+                        ? text(messages.values().get(0))
+                        : "nothing")
+                + " on '"
+                + port.name()
+                + "'";
+    }
+
+    private static String text(Expression value) {
+        return value instanceof Expression.Constant constant
+                ? constant.value().toString()
+                : "something else";
     }
 
     private List<Emission> others(Send send) {
@@ -141,14 +158,15 @@ public final class Mutants {
     private void matches(Transition t, List<Change> changes) {
         for (int i = 0; i < t.matches().size(); i++) {
             Match match = t.matches().get(i);
-            String what = "asks something else of '" + match.port().name() + "'";
+            String name = match.port().name();
             changes.add(
                     new Change(
-                            what,
+                            "asks nothing of '" + name + "'",
                             with(t, t.guard(), replaced(t.matches(), i, List.of()), t.sends())));
             for (Pattern other : others(match)) {
                 List<Match> asked =
                         replaced(t.matches(), i, List.of(new Match(match.port(), other)));
+                String what = "asks " + asks(match.port(), other);
                 changes.add(new Change(what, with(t, t.guard(), asked, t.sends())));
             }
         }
@@ -165,9 +183,21 @@ public final class Mutants {
         for (Pattern pattern : patterns) {
             List<Match> asked = new ArrayList<>(t.matches());
             asked.add(new Match(port, pattern));
-            String what = "asks something of '" + port.name() + "'";
+            String what = "also asks " + asks(port, pattern);
             changes.add(new Change(what, with(t, t.guard(), asked, t.sends())));
         }
+    }
+
+    /** As models write it, on one line. */
+    private static String asks(Port port, Pattern pattern) {
+        String asked =
+                pattern instanceof Automaton.OneOf oneOf
+                        ? oneOf.values().stream()
+                                .map(Mutants::text)
+                                .collect(Collectors.joining(", "))
+                        : pattern instanceof Automaton.Absent ? "--" : "?";
+        boolean several = pattern instanceof Automaton.OneOf oneOf && oneOf.values().size() > 1;
+        return port.name() + " == " + (several ? "alt {" + asked + "}" : asked);
     }
 
     private static List<Pattern> others(Match match) {
@@ -197,11 +227,11 @@ public final class Mutants {
         if (t.guard().isPresent()) {
             changes.add(
                     new Change("has no guard", with(t, Optional.empty(), t.matches(), t.sends())));
-            for (Expression other : new GuardMutants(t.guard().get()).all()) {
+            for (GuardMutants.Changed other : new GuardMutants(t.guard().get()).all()) {
                 changes.add(
                         new Change(
-                                "has another guard",
-                                with(t, Optional.of(other), t.matches(), t.sends())));
+                                other.what(),
+                                with(t, Optional.of(other.guard()), t.matches(), t.sends())));
             }
         }
     }

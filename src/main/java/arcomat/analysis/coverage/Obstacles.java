@@ -34,37 +34,39 @@ final class Obstacles {
         }
     }
 
-    /** Notes what each automaton wanted to do, whether or not the others let it. */
-    void reacted(List<Configuration> before, Input input) {
-        for (int i = 0; before.size() > 1 && i < before.size(); i++) {
+    /**
+     * Notes what each automaton wanted to do: the others may forbid it, and it may go wrong, also
+     * where the others let the component go on.
+     *
+     * @param errs whether an error is possible
+     */
+    void wanted(List<Configuration> before, Input input, boolean errs) {
+        boolean several = before.size() > 1;
+        for (int i = 0; (several || errs) && i < before.size(); i++) {
             StepRelation relation = behaviour.relations().get(i);
-            for (Trace.Taken taken : relation.enabled(before.get(i), input)) {
-                enabled.add(new Goal(relation.automaton(), taken.index()));
+            StepRelation.Choices choices = relation.choices(before.get(i), input);
+            for (Trace.Taken taken : choices.enabled()) {
+                tryOut(relation, taken, before.get(i), input);
             }
-        }
-    }
-
-    /** Notes which transitions go wrong with an input. */
-    void wentWrong(List<Configuration> before, Input input) {
-        for (int i = 0; i < before.size(); i++) {
-            StepRelation relation = behaviour.relations().get(i);
-            try {
-                for (Trace.Taken taken : relation.enabled(before.get(i), input)) {
-                    tryOut(relation, taken, before.get(i), input);
-                }
-            } catch (Fault inGuard) {
-                // Then no transition of this automaton has been chosen yet.
+            for (Fault fault : choices.faults()) {
+                fault.taken().ifPresent(taken -> goesWrong(relation, taken, fault));
             }
         }
     }
 
     private void tryOut(
             StepRelation relation, Trace.Taken taken, Configuration before, Input input) {
+        Goal goal = new Goal(relation.automaton(), taken.index());
         try {
             relation.take(taken, before, input);
+            enabled.add(goal);
         } catch (Fault fault) {
-            wrong.putIfAbsent(new Goal(relation.automaton(), taken.index()), fault.getMessage());
+            goesWrong(relation, taken, fault);
         }
+    }
+
+    private void goesWrong(StepRelation relation, Trace.Taken taken, Fault fault) {
+        wrong.putIfAbsent(new Goal(relation.automaton(), taken.index()), fault.getMessage());
     }
 
     /**
@@ -77,10 +79,12 @@ final class Obstacles {
         if (!isConnected(goal)) {
             return new Uncovered(goal, unreachable(goal), true);
         }
+        boolean forbidden = enabled.contains(goal);
         if (wrong.containsKey(goal)) {
-            return new Uncovered(goal, "it goes wrong: " + wrong.get(goal), certain);
+            String others = forbidden ? "the other automata forbid what it sends, or " : "";
+            return new Uncovered(goal, others + "it goes wrong: " + wrong.get(goal), certain);
         }
-        if (enabled.contains(goal)) {
+        if (forbidden) {
             String reason = "whenever it is enabled, the other automata forbid what it sends";
             return new Uncovered(goal, reason, certain);
         }

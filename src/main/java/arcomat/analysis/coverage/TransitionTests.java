@@ -54,8 +54,31 @@ public final class TransitionTests {
      * A mistake that no test tells, though the component then does less than it should.
      *
      * @param reason why there is no test that does
+     * @param certain whether that is sure; else it is not known whether there could be one
      */
-    public record Untold(Mistake mistake, String reason) {}
+    public record Untold(Mistake mistake, String reason, boolean certain) {}
+
+    /** Mistakes in one transition that no test tells, for one reason. */
+    public record Gap(Goal transition, List<String> mistakes, String reason, boolean certain) {
+        public Gap {
+            mistakes = List.copyOf(mistakes);
+        }
+
+        /** {@code is missing, or sends nothing on 'y'}; what is said twice is counted. */
+        public String words() {
+            Map<String, Integer> counts = new LinkedHashMap<>();
+            mistakes.forEach(each -> counts.merge(each, 1, Integer::sum));
+            List<String> words = new ArrayList<>();
+            counts.forEach(
+                    (mistake, count) ->
+                            words.add(
+                                    mistake
+                                            + (count == 1
+                                                    ? ""
+                                                    : " (in %d places)".formatted(count))));
+            return String.join(", or ", words);
+        }
+    }
 
     /**
      * A transition that no test takes, and why.
@@ -81,6 +104,28 @@ public final class TransitionTests {
             tests = List.copyOf(tests);
             uncovered = List.copyOf(uncovered);
             untold = List.copyOf(untold);
+        }
+
+        /** Mistakes that no test tells, those together that differ in no more than the mistake. */
+        public List<Gap> gaps() {
+            Map<List<Object>, Gap> gaps = new LinkedHashMap<>();
+            for (Untold each : untold) {
+                Goal goal = each.mistake().transition();
+                Gap gap =
+                        new Gap(
+                                goal,
+                                List.of(each.mistake().what()),
+                                each.reason(),
+                                each.certain());
+                gaps.merge(List.of(each.certain(), each.reason(), goal), gap, Result::joined);
+            }
+            return List.copyOf(gaps.values());
+        }
+
+        private static Gap joined(Gap one, Gap two) {
+            List<String> mistakes = new ArrayList<>(one.mistakes());
+            mistakes.addAll(two.mistakes());
+            return new Gap(one.transition(), mistakes, one.reason(), one.certain());
         }
 
         /** Holds if all is taken that can be; fails if that is nothing. */

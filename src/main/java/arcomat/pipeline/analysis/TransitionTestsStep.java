@@ -99,12 +99,14 @@ public final class TransitionTestsStep {
                                                 + line(each.transition())
                                                 + ": "
                                                 + each.reason()));
-        found.untold()
+        found.gaps()
                 .forEach(
                         each ->
                                 remarks.add(
-                                        "Not told: "
-                                                + mistake(each.mistake())
+                                        (each.certain() ? "Not told: if " : "Perhaps not told: if ")
+                                                + line(each.transition())
+                                                + " "
+                                                + each.words()
                                                 + ": "
                                                 + each.reason()));
         List<SuiteText.Entry> entries = new ArrayList<>();

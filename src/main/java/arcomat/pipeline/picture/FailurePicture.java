@@ -55,7 +55,10 @@ public final class FailurePicture {
                                                         : "*"));
                             }
                         });
-        letters.add("/ " + (moment.error() ? "error" : sent.isEmpty() ? "--" : sent.get(0)));
+        if (moment.error()) {
+            sent.add("error");
+        }
+        letters.add("/ " + (sent.isEmpty() ? "--" : sent.get(0)));
         letters.addAll(sent.subList(Math.min(1, sent.size()), sent.size()));
         return new FailureGraph.Step(letters, moment.left(), moment.right());
     }

@@ -61,7 +61,7 @@ public final class StreamTestText {
                 result.vacuousFrom().stream()
                         .mapToObj(at -> "from " + (timed ? "slice " : "event ") + at + " ")
                         .collect(Collectors.joining());
-        return from + "the model promises nothing (chaos)";
+        return from + result.chaotic() + " promises nothing (chaos)";
     }
 
     /** In a sentence why a test fails, or why nobody knows. */

@@ -60,7 +60,8 @@ final class MomentTracks {
         for (String port : ports) {
             Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port, Kind.PORT);
             for (Moment moment : trace) {
-                track.addUnlessEmpty(moment.error() ? "error" : text(moment.outputs().get(port)));
+                String sent = text(moment.outputs().get(port));
+                track.addUnlessEmpty(moment.error() && sent.isEmpty() ? "error" : sent);
             }
             tracks.add(track.build());
         }

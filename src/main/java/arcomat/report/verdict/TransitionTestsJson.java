@@ -43,6 +43,7 @@ public final class TransitionTestsJson {
                         json.writeStartObject();
                         write(json, untold.mistake());
                         json.writeStringField("reason", untold.reason());
+                        json.writeBooleanField("certain", untold.certain());
                         json.writeEndObject();
                     }
                     json.writeEndArray();

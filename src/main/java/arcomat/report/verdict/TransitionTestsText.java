@@ -2,8 +2,8 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.coverage.Goal;
 import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests.Gap;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
-import arcomat.analysis.coverage.TransitionTests.Untold;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;
@@ -11,6 +11,11 @@ import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 import arcomat.source.Severity;
 import arcomat.source.Span;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 
 /** Which tests there are, what they take, and what cannot be taken. */
 public final class TransitionTestsText {
@@ -33,7 +38,7 @@ public final class TransitionTestsText {
                     .append('\n');
         }
         found.uncovered().forEach(each -> out.append(uncovered(each, style)));
-        found.untold().forEach(each -> out.append(untold(each, style)));
+        out.append(gaps(found.gaps(), style));
         int taken = found.transitions() - found.uncovered().size();
         String summary = taken + " of " + FindingsText.count(found.transitions(), "transition");
         out.append(found.uncovered().isEmpty() ? style.good(summary) : style.warning(summary))
@@ -44,10 +49,10 @@ public final class TransitionTestsText {
     }
 
     private static TextTable table(TransitionTests.Result found) {
-        TextTable table = new TextTable(java.util.List.of("test", "letters", "transitions"));
+        TextTable table = new TextTable(List.of("test", "letters", "transitions"));
         for (TransitionTests.Test test : found.tests()) {
             table.add(
-                    java.util.List.of(
+                    List.of(
                             Printable.escape(test.streams().name()),
                             String.valueOf(test.streams().inputs().size()),
                             String.valueOf(test.covers().size())));
@@ -55,18 +60,37 @@ public final class TransitionTestsText {
         return table;
     }
 
-    private static String untold(Untold untold, Style style) {
-        Goal transition = untold.mistake().transition();
-        Span span = transition.transition().span();
-        return style.strong(FindingsText.place(span))
-                + ": no test tells if "
+    /** What no test tells, by the reason, then by the transition. */
+    private static String gaps(List<Gap> gaps, Style style) {
+        StringBuilder out = new StringBuilder();
+        Map<String, List<Gap>> reasons = new LinkedHashMap<>();
+        for (Gap gap : gaps) {
+            reasons.computeIfAbsent(heading(gap), any -> new ArrayList<>()).add(gap);
+        }
+        reasons.forEach(
+                (heading, alike) -> {
+                    out.append(Printable.escape(heading)).append(":\n");
+                    alike.forEach(gap -> out.append(gap(gap, style)));
+                    out.append('\n');
+                });
+        return out.toString();
+    }
+
+    private static String heading(Gap gap) {
+        return (gap.certain() ? "no test tells, " : "not known whether a test could tell, ")
+                + gap.reason();
+    }
+
+    private static String gap(Gap gap, Style style) {
+        Goal transition = gap.transition();
+        return "  "
+                + style.strong(FindingsText.place(transition.transition().span()))
+                + ": if "
                 + transition.source()
                 + " -> "
                 + transition.target()
                 + " "
-                + Printable.escape(untold.mistake().what())
-                + ": "
-                + Printable.escape(untold.reason())
+                + Printable.escape(gap.words())
                 + "\n";
     }
 

@@ -69,7 +69,7 @@ public final class VerdictFindings {
 
     private static String text(Answered each, Moment moment) {
         String inputs = String.join(", ", VerdictText.inputs(moment.input()));
-        String outputs = String.join(", ", VerdictText.outputs(moment.outputs()));
+        String outputs = String.join(", ", VerdictText.shown(moment));
         String right =
                 moment.right().isEmpty()
                         ? " does not allow that"
@@ -77,7 +77,7 @@ public final class VerdictFindings {
         return "in %s, out %s; %s is in %s; %s%s"
                 .formatted(
                         inputs.isEmpty() ? "--" : inputs,
-                        moment.error() ? "error" : outputs.isEmpty() ? "--" : outputs,
+                        outputs.isEmpty() ? "--" : outputs,
                         each.left(),
                         moment.left(),
                         each.right(),

@@ -78,7 +78,10 @@ public final class VerdictText {
         return switch (verdict.answer()) {
             case HOLDS -> left + " refines " + right;
             case FAILS -> left + " does not refine " + right + " (" + verdict.reason() + ")";
-            case UNKNOWN -> verdict.reason();
+            case UNKNOWN ->
+                    right.isEmpty()
+                            ? verdict.reason()
+                            : "whether " + left + " refines " + right + ": " + verdict.reason();
         };
     }
 
@@ -90,7 +93,7 @@ public final class VerdictText {
                     List.of(
                             List.of(String.valueOf(i)),
                             inputs(moment.input()),
-                            moment.error() ? List.of("error") : outputs(moment.outputs()),
+                            shown(moment),
                             List.of(moment.left()),
                             states(moment.right(), i == trace.size() - 1)));
         }
@@ -104,6 +107,15 @@ public final class VerdictText {
         letter.messages()
                 .forEach((port, values) -> inputs.add(port + " = " + TraceTable.text(values)));
         return inputs;
+    }
+
+    /** In the slice of an error what was sent before is still seen. */
+    static List<String> shown(Moment moment) {
+        List<String> shown = outputs(moment.outputs());
+        if (moment.error()) {
+            shown.add("error");
+        }
+        return shown;
     }
 
     /** Port by port, those that are silent left out; a star where it is left open. */
