@@ -17,7 +17,9 @@ import picocli.CommandLine.Option;
         footer = {
             "  arcomat check-brick --jar build/brick/Fetcher.jar",
             "",
-            "'arcomat generate' and 'arcomat link' check every jar, too."
+            "'arcomat generate' and 'arcomat link' check every jar, too.",
+            "",
+            "Exit status: 0 it fits on the brick; 1 it does not; 2 wrong use."
         })
 final class CheckBrickCommand extends Command {
     @Option(

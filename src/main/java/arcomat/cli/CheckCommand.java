@@ -27,7 +27,10 @@ import java.util.Locale;
             "  arcomat check --profile executable .     is it ready for 'arcomat generate'?",
             "  arcomat check --strict --format json . > findings.json",
             "  arcomat check --format github --report sarif=build/check.sarif .",
-            "  arcomat check --write-baseline known.txt .    from now on: --baseline known.txt"
+            "  arcomat check --write-baseline known.txt .    from now on: --baseline known.txt",
+            "",
+            "Exit status: 0 no errors, with --strict no findings; 1 some that are not in the",
+            "baseline; 2 wrong use, or input that cannot be read."
         })
 final class CheckCommand extends Command {
     /** What a model must fulfil. */

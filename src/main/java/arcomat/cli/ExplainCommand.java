@@ -16,7 +16,9 @@ import picocli.CommandLine.Parameters;
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat explain ARC0104",
-            "  arcomat explain                          lists every code with its title"
+            "  arcomat explain                          lists every code with its title",
+            "",
+            "Exit status: 0 explained; 2 there is no such code."
         })
 final class ExplainCommand extends Command {
     @Parameters(

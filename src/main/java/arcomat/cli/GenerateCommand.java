@@ -30,7 +30,9 @@ import java.util.Optional;
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
             "generate. Code for the JVM needs the installation's lib/arcomat-runtime-VERSION.jar"
                     + " on",
-            "its class path."
+            "its class path.",
+            "",
+            "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be read."
         })
 final class GenerateCommand extends Command {
     enum Choose {

@@ -23,7 +23,9 @@ import java.util.Optional;
             "  arcomat link --jar build/brick/Fetcher.jar --out Fetcher.nxj --nxj-home /opt/lejos",
             "",
             "The jar is checked first: what does not fit on the brick is not linked.",
-            "Send the program to the brick with leJOS' own nxjupload."
+            "Send the program to the brick with leJOS' own nxjupload.",
+            "",
+            "Exit status: 0 linked; 1 it does not fit, or the linker failed; 2 wrong use."
         })
 final class LinkCommand extends Command {
     @Option(

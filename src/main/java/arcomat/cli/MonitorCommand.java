@@ -24,7 +24,9 @@ import java.util.List;
             "",
             "The classes need the installation's lib/arcomat-runtime-VERSION.jar on their class"
                     + " path.",
-            "To watch a run of the simulator: arcomat simulate --monitor."
+            "To watch a run of the simulator: arcomat simulate --monitor.",
+            "",
+            "Exit status: 0 written; 2 wrong use or models with errors."
         })
 final class MonitorCommand extends AnalysisCommand {
     @Option(

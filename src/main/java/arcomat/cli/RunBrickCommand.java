@@ -33,7 +33,9 @@ import java.util.OptionalInt;
             "  0     S1 255              a sensor's value in its own unit",
             "  1500  S4 pressed          also released, unplugged, raw 612",
             "  3000  button ESCAPE       pressed for a moment; also ESCAPE 800, ESCAPE down, up",
-            "  10000 end"
+            "  10000 end",
+            "",
+            "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 2 wrong use."
         })
 final class RunBrickCommand extends Command {
     enum TraceFormat {

@@ -39,7 +39,13 @@ import java.util.OptionalInt;
             "  arcomat simulate --input RobotTest.mt#waits --engine compiled",
             "  arcomat simulate --input RobotTest.mt#waits --report build/run models/coffee",
             "",
-            "Without --input, letters are drawn with the seed: the same seed, the same run."
+            "Without --input, letters are drawn with the seed: the same seed, the same run.",
+            "",
+            "A run that errs shows in its last slice what was sent before, and no reaction.",
+            "",
+            "Exit status: 0 it ran, and all that was watched is kept; 1 the model went wrong, a",
+            "requirement is violated, or models have errors; 3 it is unknown whether one is kept;",
+            "2 wrong use, or input that cannot be read."
         })
 final class SimulateCommand extends Command {
     enum Choose {

@@ -58,6 +58,9 @@ final class Distinctions {
 
     private final Budget budget;
 
+    /** For second looks, so that they take nothing from the first ones. */
+    private final Budget again;
+
     /** A run that a mistaken component does not have. */
     record Run(Mistake mistake, List<Letter> inputs, Map<String, List<List<Value>>> expected) {}
 
@@ -69,6 +72,7 @@ final class Distinctions {
         this.chosen = chosen.automata();
         this.promise = Promise.of(chosen.component(), chosen.arguments());
         this.budget = budget.atMost(PAIRS).patient(PATIENCE);
+        this.again = budget.atMost(PAIRS).patient(PATIENCE);
         this.driven = asRun(promise);
         this.promising = promising();
     }
@@ -120,12 +124,20 @@ final class Distinctions {
                     return untold;
                 }
                 Promise mistaken = promise.withAutomata(replaced(i, mutant.automaton()));
-                if (allowsAll(mistaken, tests)) {
-                    tell(mutant.mistake(), mistaken, named, tests).ifPresent(untold::add);
-                }
+                look(mutant.mistake(), mistaken, named, tests).ifPresent(untold::add);
             }
         }
         return untold;
+    }
+
+    private Optional<Untold> look(
+            Mistake mistake, Promise mistaken, Function<Run, Test> named, List<Test> tests) {
+        return Budget.within(
+                () ->
+                        allowsAll(mistaken, tests)
+                                ? tell(mistake, mistaken, named, tests)
+                                : Optional.empty(),
+                spent -> Optional.of(new Untold(mistake, spent, false)));
     }
 
     private boolean allowsAll(Promise mistaken, List<Test> tests) {
@@ -159,7 +171,7 @@ final class Distinctions {
     /** The shortest run that is of use, where the shortest of all errs or ends in chaos. */
     private Optional<Untold> another(
             Mistake mistake, Promise mistaken, Function<Run, Test> named, List<Test> tests) {
-        List<Verdict> found = new ArrayList<>(Refinement.failures(promising, mistaken, budget));
+        List<Verdict> found = new ArrayList<>(Refinement.failures(promising, mistaken, again));
         found.sort(Comparator.comparingInt(each -> each.trace().size()));
         boolean all = isPromisingAll();
         for (Verdict each : found) {

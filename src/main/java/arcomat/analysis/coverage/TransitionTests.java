@@ -188,9 +188,7 @@ public final class TransitionTests {
     private List<Untold> tell(List<Test> tests) {
         boolean timed = promise.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
         return timed
-                ? Budget.within(
-                        () -> new Distinctions(promise, budget).tell(tests, this::telling),
-                        spent -> List.of())
+                ? new Distinctions(promise, budget).tell(tests, this::telling)
                 : List.of();
     }
 
