@@ -8,6 +8,7 @@ import arcomat.analysis.engine.Comparison;
 import arcomat.analysis.engine.CompositeSide;
 import arcomat.analysis.engine.Inclusion;
 import arcomat.analysis.engine.Side;
+import arcomat.model.Automaton;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +16,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Whether one component keeps what another one promises: every trace of the first, restricted to
@@ -201,7 +203,24 @@ public final class Refinement {
         List<Sentence> explanation =
                 Explanation.of(left, right, comparison.forbidden(failure), trace.size() - 1);
         Verdict verdict = Verdict.fails(trace, explanation, explored);
-        return sides.shifted().isEmpty() ? verdict : verdict.with(shifted(sides.shifted()));
+        List<String> shifted =
+                sides.shifted().stream().filter(port -> isAsked(right, port)).toList();
+        return shifted.isEmpty() ? verdict : verdict.with(shifted(shifted));
+    }
+
+    /** An automaton on a decomposed component asks about the ports that it writes. */
+    private static boolean isAsked(Promise right, String port) {
+        return !right.component().isComposite()
+                || right.isComposition()
+                || right.automata().stream().anyMatch(automaton -> writes(automaton, port));
+    }
+
+    private static boolean writes(Automaton automaton, String port) {
+        return Stream.concat(
+                        automaton.initials().stream().map(Automaton.Initial::sends),
+                        automaton.transitions().stream().map(Automaton.Transition::sends))
+                .flatMap(List::stream)
+                .anyMatch(send -> send.port().name().equals(port));
     }
 
     /** A step pairs an input with its reaction; not where the delays of both sides differ. */

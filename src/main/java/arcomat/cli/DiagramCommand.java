@@ -29,9 +29,11 @@ import java.util.Optional;
             "  arcomat diagram --highlight analysis --out build/pictures models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
-            "write. Each picture is a file by the name of what it shows; index.html shows them all.",
+            "write. Each picture is a file by the name of what it shows; index.html shows them"
+                    + " all.",
             "",
-            "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be read."
+            "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
+                    + " read."
         })
 final class DiagramCommand extends LimitedCommand {
     enum Highlight {

@@ -17,8 +17,10 @@ import java.util.List;
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat format models/coffee             rewrites in place",
-            "  arcomat format --check models/coffee     lists files that would change, exit status"
-                    + " 1"
+            "  arcomat format --check models/coffee     lists files that would change",
+            "",
+            "Exit status: 0 done; 1 models with errors, or with --check files that would change;",
+            "2 wrong use, or input that cannot be read."
         })
 final class FormatCommand extends Command {
     @Option(names = "--check", description = "Change nothing; list the files that would change.")

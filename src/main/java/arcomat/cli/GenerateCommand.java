@@ -32,7 +32,8 @@ import java.util.Optional;
                     + " on",
             "its class path.",
             "",
-            "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be read."
+            "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
+                    + " read."
         })
 final class GenerateCommand extends Command {
     enum Choose {

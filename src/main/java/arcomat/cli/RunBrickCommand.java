@@ -35,7 +35,8 @@ import java.util.OptionalInt;
             "  3000  button ESCAPE       pressed for a moment; also ESCAPE 800, ESCAPE down, up",
             "  10000 end",
             "",
-            "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 2 wrong use."
+            "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 2 wrong"
+                    + " use."
         })
 final class RunBrickCommand extends Command {
     enum TraceFormat {

@@ -26,10 +26,7 @@ final class Accusation {
         List<Integer> said = judged.stream().filter(this::isPromised).toList();
         Set<String> allowed = new LinkedHashSet<>();
         ways.forEach(way -> allowed.add(promised(way, said) + " (" + way.cause() + ")"));
-        return " forbids "
-                + seen(said, shown)
-                + "; it allows "
-                + String.join(" or ", allowed);
+        return " forbids " + seen(said, shown) + "; it allows " + String.join(" or ", allowed);
     }
 
     /** What ports show, as {@code y = 1, z = --}. */

@@ -253,8 +253,7 @@ final class AllowedRuns {
                 && isFromChaos(possibility, signal)) {
             possibility.standing = possibility.standing.and(Standing.VACUOUS);
             boolean known = possibility.chaotic >= 0;
-            possibility.chaotic =
-                    known ? possibility.chaotic : wires.sender(signal).getAsInt();
+            possibility.chaotic = known ? possibility.chaotic : wires.sender(signal).getAsInt();
         }
         possibility.visible[signal] = sent;
     }

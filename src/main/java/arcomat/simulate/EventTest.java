@@ -36,9 +36,7 @@ final class EventTest {
             return failed(Optional.of(problem.getMessage()));
         }
         if (best.isEmpty()) {
-            return gaveUp.isPresent()
-                    ? passing(Verdict.UNKNOWN, gaveUp)
-                    : failed(problem());
+            return gaveUp.isPresent() ? passing(Verdict.UNKNOWN, gaveUp) : failed(problem());
         }
         return best.get().standing == Standing.SURE
                 ? passing(Verdict.PASSED, Optional.empty())

@@ -15,7 +15,9 @@ final class Possibility {
     private final List<List<Configuration>> before;
     Standing standing;
 
-    /** The first instance that allows, from chaos, what is decided in this slice; -1 if none does. */
+    /**
+     * The first instance that allows, from chaos, what is decided in this slice; -1 if none does.
+     */
     int chaotic = -1;
 
     Possibility(World world, Standing standing) {

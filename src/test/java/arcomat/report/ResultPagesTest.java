@@ -172,6 +172,38 @@ class ResultPagesTest {
     }
 
     @Test
+    void theSliceInWhichARunErrsIsThere() throws Exception {
+        write(
+                "Up.arc",
+                """
+                component Up {
+                  port in Boolean up, out Integer[0..1] n;
+                  automaton {
+                    variable Integer[0..1] now = 0;
+                    state s;
+                    initial s / {n = 0};
+                    s {up == true} / {now = now + 1, n = now + 1};
+                  }
+                }
+                """);
+        write(
+                "UpTest.mt",
+                """
+                testsuite UpTest for Up {
+                  test ends { input { up: <true, Tk, true, Tk>; } expect { n: <0, Tk, 0, Tk>; } }
+                }
+                """);
+        Trace trace = StreamTests.firstRun(tests().get(0).test());
+        Story story = TracePage.of(trace, List.of()).stories().get(0);
+        assertThat(texts(track(story, "n"))).containsExactly("0", "1");
+        assertThat(texts(track(story, "state"))).containsExactly("s", "s");
+        assertThat(story.timeline().flaws()).extracting(Flaw::at).containsExactly(1);
+        Story tested = StreamTestPage.of("all", tests()).stories().get(0);
+        assertThat(texts(track(tested, "n expected"))).containsExactly("0", "0");
+        assertThat(tested.timeline().length()).isEqualTo(2);
+    }
+
+    @Test
     void aCounterexampleGoesThroughBothAutomata() throws Exception {
         write("Door.arc", DOOR);
         write(

@@ -108,6 +108,19 @@ class StreamTestsTest {
         assertThat(result.failure()).hasValueSatisfying(f -> assertThat(f).contains("forbids"));
     }
 
+    /** The slice after the inputs shows what was sent before, also where it goes wrong. */
+    @Test
+    void anExecutionThatErrsHasShownWhatItSent() {
+        Component avoid = CoffeeFigures.figure3(Completion.ERROR);
+        List<Letter> letters = Runs.letters(avoid, "frontUS=tooClose");
+        StreamTest test = test(avoid, letters, "cmd", "fwd", "backRight");
+        List<Letter> longer = Runs.letters(avoid, "frontUS=tooClose", "");
+        assertThat(Simulation.run(first(avoid), longer).end()).isPresent();
+        assertThat(StreamTests.run(test, first(avoid)).verdict()).isEqualTo(Verdict.PASSED);
+        StreamTest other = test(avoid, letters, "cmd", "fwd", "fwd");
+        assertThat(StreamTests.run(other, first(avoid)).verdict()).isEqualTo(Verdict.FAILED);
+    }
+
     @Test
     void anAbsentTotalInputFails() {
         Component avoid = CoffeeFigures.figure6(Completion.IGNORE, true);

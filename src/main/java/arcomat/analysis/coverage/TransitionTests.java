@@ -187,9 +187,7 @@ public final class TransitionTests {
      */
     private List<Untold> tell(List<Test> tests) {
         boolean timed = promise.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
-        return timed
-                ? new Distinctions(promise, budget).tell(tests, this::telling)
-                : List.of();
+        return timed ? new Distinctions(promise, budget).tell(tests, this::telling) : List.of();
     }
 
     private Test telling(Distinctions.Run run) {

@@ -157,7 +157,9 @@ class MonitorsTest {
                     .isEqualTo(readable(watched(component, arguments, damaged), component));
             assertThat(said.unknown()).isEmpty();
             boolean slices = component.profile() == Component.Profile.TIME_SYNCHRONOUS;
-            if (slices && !component.isComposite() && damaged.end().isEmpty()) {
+            // where automata contradict each other to begin with, a test fails that sees nothing
+            boolean seen = !damaged.steps().isEmpty() && damaged.end().isEmpty();
+            if (slices && !component.isComposite() && seen) {
                 int slice = slice(said.violation()).orElse(-1);
                 assertThat(slice).isEqualTo(judged(component, arguments, damaged));
             }

@@ -47,7 +47,9 @@ final class ShownEvents {
             latch(run.end().get().inputs());
             write(run.end().get().inputs());
             // what was sent before it went wrong is not looked at
-            run.steps().stream().skip(Math.max(0, run.steps().size() - 1)).forEach(step -> send(step.outputs()));
+            run.steps().stream()
+                    .skip(Math.max(0, run.steps().size() - 1))
+                    .forEach(step -> send(step.outputs()));
             CompiledMonitor.call(monitor, "error");
         }
     }
