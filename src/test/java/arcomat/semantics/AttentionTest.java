@@ -8,6 +8,7 @@ import arcomat.model.Component.Profile;
 import arcomat.model.Expression;
 import arcomat.model.Value;
 import arcomat.semantics.Attention.Compared;
+import arcomat.semantics.Attention.Copied;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
 import arcomat.symbols.Scenario;
@@ -131,6 +132,9 @@ class AttentionTest {
     }
 
     private static String text(Look look) {
+        if (look instanceof Copied) {
+            return "copied";
+        }
         if (!(look instanceof Compared compared)) {
             return "whole";
         }

@@ -162,7 +162,7 @@ public final class ComponentBuilder {
                 constants,
                 ports,
                 body,
-                List.of(),
+                parts.isEmpty() ? List.of() : automata,
                 List.of(),
                 NOWHERE);
     }
