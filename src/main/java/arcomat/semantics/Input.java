@@ -51,9 +51,4 @@ public final class Input {
     public int hashCode() {
         return Arrays.hashCode(messages);
     }
-
-    @Override
-    public String toString() {
-        return Arrays.toString(messages);
-    }
 }

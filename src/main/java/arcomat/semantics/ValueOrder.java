@@ -4,16 +4,13 @@ import arcomat.model.Value;
 
 import java.util.Comparator;
 
-/** An order of the values of one type: numbers by size, constants by declaration, texts by code. */
+/** An order of the values of one type: numbers by size, constants by declaration, all else by its text. */
 public final class ValueOrder {
     public static final Comparator<Value> NATURAL = ValueOrder::compare;
 
     private ValueOrder() {}
 
     private static int compare(Value one, Value other) {
-        if (one instanceof Value.BooleanValue left && other instanceof Value.BooleanValue right) {
-            return Boolean.compare(left.value(), right.value());
-        }
         if (one instanceof Value.IntegerValue left && other instanceof Value.IntegerValue right) {
             return Long.compare(left.value(), right.value());
         }

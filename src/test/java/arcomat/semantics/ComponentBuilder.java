@@ -95,7 +95,11 @@ public final class ComponentBuilder {
     }
 
     public ComponentBuilder parameter(Type type, String parameterName) {
-        parameters.add(new Parameter(parameterName, type, Optional.empty()));
+        return parameter(new Parameter(parameterName, type, Optional.empty()));
+    }
+
+    public ComponentBuilder parameter(Parameter parameter) {
+        parameters.add(parameter);
         return this;
     }
 

@@ -114,6 +114,19 @@ class CompositionTest {
         assertThat(order(whole)).containsExactly("lanes.two", "lanes.one");
     }
 
+    /** Paths are followed in the order of the schedule, not by a call per part. */
+    @Test
+    void aVeryLongChainIsNoDeepRecursion() {
+        ComponentBuilder chain =
+                component("Chain").in(INTEGER, "i").instantOut(INTEGER, "o").connect("i", "p0.i");
+        int length = 20_000;
+        for (int k = 0; k < length; k++) {
+            chain.part("p" + k, INSTANT);
+            chain.connect("p" + k + ".o", k + 1 < length ? "p" + (k + 1) + ".i" : "o");
+        }
+        assertThat(Feedthrough.of(chain.build(), true).get("o").get(0)).isTrue();
+    }
+
     @Test
     void nestedCompositesDissolveAsFarAsNeeded() {
         Component outer =

@@ -14,12 +14,14 @@ import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Letter;
+import arcomat.model.Parameter;
 import arcomat.model.Value;
 
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 class StepRelationTest {
@@ -68,6 +70,54 @@ class StepRelationTest {
                 .singleElement(STRING)
                 .startsWith("error: ")
                 .endsWith("the automaton forbids this input");
+    }
+
+    @Test
+    void inputsAreWhatTheyCarry() {
+        Component avoid = CoffeeFigures.figure3(Completion.CHAOS);
+        assertThat(input(avoid, "frontUS", "clear")).isEqualTo(input(avoid, "frontUS", "clear"));
+        assertThat(input(avoid, "frontUS", "clear")).isNotEqualTo(input(avoid, "frontUS", ""));
+    }
+
+    @Test
+    void aConditionThatIsUndefinedOrGoesWrongDoesNotHold() {
+        ComponentBuilder builder = component("C").in(INTEGER, "i");
+        Component component = builder.automaton(Completion.CHAOS, "s").initial("s", "").build();
+        Expression quotient =
+                new Expression.Binary(
+                        Expression.BinaryOperator.DIVIDE,
+                        constant(INTEGER, "4"),
+                        builder.read("i"),
+                        INTEGER,
+                        NOWHERE);
+        Expression isTwo =
+                Expressions.binary(
+                        Expression.BinaryOperator.EQUAL, quotient, constant(INTEGER, "2"));
+        StepRelation relation = sole(component);
+        Configuration start = relation.starts().get(0).configuration();
+        assertThat(List.of("2", "4", "0", ""))
+                .filteredOn(
+                        message ->
+                                relation.condition(isTwo)
+                                        .test(start, input(component, "i", message)))
+                .containsExactly("2");
+    }
+
+    @Test
+    void argumentsThatAreNotGivenHaveDefaults() {
+        Parameter one = new Parameter("one", INTEGER, Optional.of(constant(INTEGER, "1")));
+        Expression plusOne =
+                new Expression.Binary(
+                        Expression.BinaryOperator.PLUS,
+                        new Expression.ParameterRead(one, NOWHERE),
+                        constant(INTEGER, "1"),
+                        INTEGER,
+                        NOWHERE);
+        Component component =
+                component("C").parameter(one).parameter(new Parameter("next", INTEGER, Optional.of(plusOne))).build();
+        assertThat(Arguments.complete(component, List.of())).hasToString("[1, 2]");
+        assertThat(Arguments.complete(component, List.of(new Value.IntegerValue(5))))
+                .hasToString("[5, 6]");
     }
 
     @Test
