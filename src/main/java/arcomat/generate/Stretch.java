@@ -24,6 +24,7 @@ record Stretch(String field, int first, int end, boolean merged) {
         return composition.nodes().get(first).path()
                 + ", "
                 + second
-                + (length() > 2 ? " .. " + composition.nodes().get(end - 1).path() : "");
+                + " .. "
+                + composition.nodes().get(end - 1).path();
     }
 }

@@ -38,7 +38,7 @@ class GoldenTest {
         List<DynamicTest> tests = new ArrayList<>();
         tests.addAll(compare("jvm/fetcher", Request.program(fetcher, Choosing.FIRST)));
         tests.addAll(compare("jvm/random", Request.library(fig3, Choosing.RANDOM)));
-        for (String folder : List.of("chain", "events", "expressions", "names")) {
+        for (String folder : List.of("chain", "composition", "events", "expressions", "latched", "mentions", "names")) {
             Path file = Path.of("src/test/resources/agreement", folder + ".txt");
             Model model = Lowering.lower(Scenario.read(file).workspace());
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));
@@ -52,6 +52,10 @@ class GoldenTest {
         Path events = Path.of("src/test/resources/monitors/events.txt");
         Model bells = Lowering.lower(Scenario.read(events).workspace());
         tests.addAll(monitor("monitor/bell", bells, "p.Bell"));
+        Path mentions = Path.of("src/test/resources/agreement/mentions.txt");
+        Model counts = Lowering.lower(Scenario.read(mentions).workspace());
+        tests.addAll(monitor("monitor/counts", counts, "p.Counts"));
+        tests.addAll(monitor("monitor/ports", counts, "p.Ports"));
         return tests;
     }
 

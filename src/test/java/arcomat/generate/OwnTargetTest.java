@@ -2,8 +2,11 @@ package arcomat.generate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.lower.Lowering;
 import arcomat.model.Component;
+import arcomat.model.Model;
 import arcomat.source.Diagnostic;
+import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -49,6 +52,23 @@ class OwnTargetTest {
                                         + "waiting: frontUS = CLEAR\n"));
     }
 
+    /** In whatever country the machine stands. */
+    @Test
+    void numbersHaveNoSeparators() {
+        assertThat(generate("${1234567} ${0.5}", "{name}.txt").files())
+                .extracting(GeneratedFile::text)
+                .containsExactly("1234567 0.5");
+    }
+
+    @Test
+    void aMistakeInATemplateIsShownWhereItIs() {
+        Diagnostic finding = generate("one\n  ${missing}", "{name}.txt").findings().get(0);
+        assertThat(finding.span().startPosition().column()).isEqualTo(5);
+        assertThat(finding.message())
+                .startsWith("template t.ftl cannot be filled in: The following has evaluated to")
+                .doesNotContain("Tip", "\n");
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -63,7 +83,9 @@ class OwnTargetTest {
                 "<#include \"../../secret.txt\">",
                 "${missing}",
                 "<#if>",
-                "<#list sections as s>${s.x.y}</#list>"
+                "<#list sections as s>${s.x.y}</#list>",
+                "${sections[1]}",
+                "${sections[-1]}"
             })
     void templatesReachNothingElse(String template) {
         Generation generation = generate("\n" + template, "{name}.txt");
@@ -136,6 +158,69 @@ class OwnTargetTest {
         assertThat(Generator.generate(Request.library(whole, Choosing.FIRST), target).findings())
                 .extracting(Diagnostic::code)
                 .contains("ARC0804");
+        Output output = new Output(target, new TargetFindings(target));
+        output.copy("a", "first");
+        output.copy("A", "second");
+        assertThat(output.files()).containsExactly(new GeneratedFile("a", "first"));
+    }
+
+    private static final String DEVICES =
+            """
+            ==== p/Words.cd
+            package p;
+            classdiagram Words { enum Socket { A, B, C } }
+            ==== p/Lamp.arc
+            package p;
+            import p.Words.*;
+            <<platform, layer = "actuators">> component Lamp(Socket socket) { port in Boolean on; }
+            ==== p/Box.arc
+            package p;
+            <<platform, layer = "actuators">> component Box<T> { port in T filled; }
+            ==== p/Robot.arc
+            package p;
+            import p.Words.*;
+            <<deploy>> component Robot {
+              port in Boolean on, in Integer number, in Socket word;
+              component Lamp(Socket.A) left;
+              component Lamp(Socket.A) right;
+              component Box<Integer> numbers;
+              component Box<Socket> words;
+              connect on -> left.on, right.on;
+              connect number -> numbers.filled;
+              connect word -> words.filled;
+            }
+            """;
+
+    private static Generation robot(Map<String, String> handwritten, String... entries) {
+        Target jvm = Target.shipped("jvm").orElseThrow();
+        Map<String, String> files = new HashMap<>(jvm.files());
+        files.merge("target.properties", "\n" + String.join("\n", entries), String::concat);
+        Model model = Lowering.lower(Scenario.of(DEVICES).workspace());
+        Component robot = model.component("p.Robot").orElseThrow();
+        return Generator.generate(
+                Request.program(robot, Choosing.FIRST).with(handwritten),
+                new Target("own", files));
+    }
+
+    @Test
+    void twoDevicesDoNotFitIntoOneSocket() {
+        assertThat(robot(Map.of()).findings()).isEmpty();
+        assertThat(robot(Map.of(), "sockets = p.Words.Socket").findings())
+                .extracting(Diagnostic::message)
+                .containsExactly(
+                        "'right' is plugged into socket A like 'left'; free are B, C");
+    }
+
+    /** Messages that are enums are numbers, whatever the enum; others are not alike. */
+    @Test
+    void aClassForAllInstantiationsServesThoseWithEnums() {
+        Generation generation =
+                robot(Map.of("p/actuators/Box.java", "by hand", "p/actuators/Lamp.java", "by hand"), "platform = class");
+        assertThat(generation.findings())
+                .extracting(Diagnostic::message)
+                .singleElement()
+                .asString()
+                .contains("platform component p.Box<Integer> needs an implementation");
     }
 
     /** A target may leave platform components to classes that somebody writes. */

@@ -43,7 +43,7 @@ final class ViewWrapper implements ObjectWrapper {
     private record ListModel(ViewWrapper wrapper, List<?> list) implements TemplateSequenceModel {
         @Override
         public TemplateModel get(int index) throws TemplateModelException {
-            return index < 0 || index >= list.size() ? null : wrapper.wrap(list.get(index));
+            return wrapper.wrap(list.get(index)); // FreeMarker has looked at the size
         }
 
         @Override
