@@ -5,11 +5,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.generate.view.AssignmentView;
 import arcomat.generate.view.FieldView;
 import arcomat.generate.view.TransitionView;
+import arcomat.semantics.ComponentBuilder;
 
 import org.junit.jupiter.api.Test;
 
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
 
 /** Virtual machines want small methods: how large they are, and where they are cut. */
 class SizesTest {
@@ -48,5 +53,57 @@ class SizesTest {
         assertThat(MethodSize.split(many)).allMatch(MethodSize::fits);
         TransitionView huge = transition("a ".repeat(2400), 0, 0);
         assertThat(MethodSize.split(List.of(huge, huge))).hasSize(2);
+    }
+
+    /** The classes of a whole with many parts, for a target that has no arrays of them. */
+    private static Map<String, String> classes(int parts) {
+        Target jvm = Target.shipped("jvm").orElseThrow();
+        Map<String, String> files = new HashMap<>(jvm.files());
+        files.computeIfPresent(
+                "target.properties", (name, text) -> text.replaceAll("(?m)^element .*", ""));
+        ComponentBuilder whole = ComponentBuilder.component("Whole");
+        for (int i = 0; i < parts; i++) {
+            whole.part("p" + i, SampleComponents.undecided());
+        }
+        Generation generation =
+                Generator.generate(
+                        Request.library(whole.build(), Choosing.FIRST), new Target("own", files));
+        assertThat(generation.findings()).isEmpty();
+        Map<String, String> classes = new TreeMap<>();
+        for (GeneratedFile file : generation.files()) {
+            String name = file.path().replaceAll(".*/|\\.java", "");
+            if (name.startsWith("Whole")) {
+                classes.put(name, file.text());
+            }
+        }
+        return classes;
+    }
+
+    private static long parts(String text) {
+        return Pattern.compile(" = new Undecided\\(").matcher(text).results().count();
+    }
+
+    @Test
+    void manyPartsAreHeldByClassesOfTheirOwn() {
+        assertThat(classes(10)).containsOnlyKeys("Whole");
+        Map<String, String> classes = classes(100);
+        assertThat(classes).containsOnlyKeys("Whole", "WholeSection0", "WholeSection1");
+        assertThat(parts(classes.get("Whole"))).isZero();
+        assertThat(parts(classes.get("WholeSection0")) + parts(classes.get("WholeSection1")))
+                .isEqualTo(100);
+        assertThat(classes.get("Whole")).contains("section0.step();", "section1.step();");
+    }
+
+    @Test
+    void manySectionsAreHeldBySections() {
+        Map<String, String> classes = classes(7000);
+        assertThat(classes.values().stream().mapToLong(SizesTest::parts).sum()).isEqualTo(7000);
+        assertThat(classes).allSatisfy((name, text) -> assertThat(parts(text)).isLessThan(101));
+        assertThat(classes.get("Whole"))
+                .contains("new WholeLevel1section0(", "new WholeLevel1section1(")
+                .doesNotContain("new WholeSection0(");
+        assertThat(classes.get("WholeLevel1section0"))
+                .contains("new WholeSection0(", "new WholeSection99(")
+                .doesNotContain("new WholeSection100(");
     }
 }
