@@ -1,6 +1,7 @@
 package arcomat.semantics;
 
 import static arcomat.semantics.ComponentBuilder.INTEGER;
+import static arcomat.semantics.ComponentBuilder.NOWHERE;
 import static arcomat.semantics.ComponentBuilder.component;
 import static arcomat.semantics.ComponentBuilder.constant;
 
@@ -112,6 +113,24 @@ class CompositionTest {
                         .connect("lanes.o1", "o")
                         .build();
         assertThat(order(whole)).containsExactly("lanes.two", "lanes.one");
+    }
+
+    @Test
+    void argumentsThatGoWrongAreNamedWithTheirPart() {
+        Expression quotient =
+                new Expression.Binary(
+                        Expression.BinaryOperator.DIVIDE,
+                        constant(INTEGER, "1"),
+                        constant(INTEGER, "0"),
+                        INTEGER,
+                        NOWHERE);
+        Component part = component("Part").parameter(INTEGER, "n").build();
+        Component whole = component("Whole").part("divide", part, quotient).build();
+        assertThatThrownBy(() -> Network.of(whole, List.of()))
+                .isInstanceOfSatisfying(
+                        Fault.class,
+                        fault -> assertThat(fault.problem()).isEqualTo("division by zero"))
+                .hasMessage("Whole, arguments of divide: division by zero");
     }
 
     /** Paths are followed in the order of the schedule, not by a call per part. */

@@ -71,6 +71,10 @@ class SamplesTest {
                 .isNegative();
         assertThat(
                         ValueOrder.NATURAL.compare(
+                                new Value.CharacterValue('\n'), new Value.CharacterValue('Z')))
+                .isNegative();
+        assertThat(
+                        ValueOrder.NATURAL.compare(
                                 value(ComponentBuilder.DISTANCE, "tooClose"),
                                 value(ComponentBuilder.DISTANCE, "clear")))
                 .isPositive();

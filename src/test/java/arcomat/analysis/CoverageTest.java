@@ -1,0 +1,73 @@
+package arcomat.analysis;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.coverage.Goal;
+import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.coverage.TransitionTests.Mistake;
+import arcomat.lower.Lowering;
+import arcomat.model.Component;
+import arcomat.model.StreamTest;
+import arcomat.model.Value;
+import arcomat.symbols.Scenario;
+
+import org.junit.jupiter.api.Test;
+
+import java.nio.file.Path;
+import java.util.Collections;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The tests of some components, line by line, and what they leave open. */
+class CoverageTest {
+    private static final Path DATA = Path.of("src/test/resources/analysis/tests/coverage.txt");
+
+    @Test
+    void whatIsTestedAndWhatIsNot() {
+        Scenario scenario = Scenario.read(DATA);
+        String text =
+                Lowering.lower(scenario.workspace()).components().stream()
+                        .flatMap(CoverageTest::text)
+                        .collect(Collectors.joining("\n", "", "\n"));
+        assertThat(text).isEqualTo(scenario.expected());
+    }
+
+    private static Stream<String> text(Component component) {
+        List<Value> arguments =
+                Collections.nCopies(component.parameters().size(), new Value.IntegerValue(3));
+        Promise promise = Promise.of(component, arguments);
+        TransitionTests.Result result =
+                TransitionTests.of(promise, "Tests", new Budget(() -> false, 20_000));
+        return Stream.of(
+                        Stream.of(component.name()),
+                        result.tests().stream().map(CoverageTest::text),
+                        result.uncovered().stream()
+                                .map(each -> move(each.transition()) + ": " + each.reason()),
+                        result.untold().stream()
+                                .map(each -> text(each.mistake()) + ": " + each.reason()))
+                .flatMap(lines -> lines);
+    }
+
+    private static String text(TransitionTests.Test test) {
+        StreamTest streams = test.streams();
+        return Stream.concat(
+                                test.covers().stream().map(CoverageTest::move),
+                                test.tells().stream().map(CoverageTest::text))
+                        .collect(Collectors.joining(", ", "  ", ": "))
+                + streams.inputs().stream()
+                        .map(letter -> new TreeMap<>(letter.messages()).toString())
+                        .collect(Collectors.joining(" "))
+                + " / "
+                + new TreeMap<>(streams.expected());
+    }
+
+    private static String text(Mistake mistake) {
+        return move(mistake.transition()) + " " + mistake.what();
+    }
+
+    private static String move(Goal goal) {
+        return goal.source() + " -> " + goal.target();
+    }
+}
