@@ -4,7 +4,10 @@ import arcomat.model.Value;
 
 import java.util.Comparator;
 
-/** An order of the values of one type: numbers by size, constants by declaration, all else by its text. */
+/**
+ * An order of the values of one type: numbers by size, constants by declaration, all else by its
+ * text.
+ */
 public final class ValueOrder {
     public static final Comparator<Value> NATURAL = ValueOrder::compare;
 

@@ -13,7 +13,8 @@ public final class FirstFailure implements InvocationInterceptor {
             DynamicTestInvocationContext dynamic,
             ExtensionContext context)
             throws Throwable {
-        var store = context.getRoot().getStore(ExtensionContext.Namespace.create(FirstFailure.class));
+        var store =
+                context.getRoot().getStore(ExtensionContext.Namespace.create(FirstFailure.class));
         if (store.get("failed") != null) {
             invocation.skip();
             return;

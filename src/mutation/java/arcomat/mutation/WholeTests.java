@@ -23,9 +23,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The tests of PIT are the methods, of JUnit and of jqwik, and are found without running them. A method that makes a test
- * of each line of a file is one test: PIT's own plugin runs them all to learn their names, and has the file read again
- * for each line.
+ * The tests of PIT are the methods, of JUnit and of jqwik, and are found without running them. A
+ * method that makes a test of each line of a file is one test: PIT's own plugin runs them all to
+ * learn their names, and has the file read again for each line.
  */
 public final class WholeTests implements TestPluginFactory {
 

@@ -39,6 +39,7 @@ class MonaTextTest {
                                         promise(model, right),
                                         Budget.ofMemory())
                                 .formula());
+        assertThat(MonaText.isQuestion(text)).isTrue();
         Path golden = FOLDER.resolve(file);
         if (Boolean.getBoolean("golden.refresh")) {
             Files.createDirectories(FOLDER);
@@ -54,5 +55,11 @@ class MonaTextTest {
     @Test
     void itsTemplateIsNoTargetForCode() {
         assertThat(Target.shipped("mona")).isEmpty();
+    }
+
+    /** What somebody else has written is not overwritten. */
+    @Test
+    void aQuestionOfSomebodyElseIsNone() {
+        assertThat(MonaText.isQuestion("# By hand.\nm2l-str;\n")).isFalse();
     }
 }

@@ -38,7 +38,15 @@ class GoldenTest {
         List<DynamicTest> tests = new ArrayList<>();
         tests.addAll(compare("jvm/fetcher", Request.program(fetcher, Choosing.FIRST)));
         tests.addAll(compare("jvm/random", Request.library(fig3, Choosing.RANDOM)));
-        for (String folder : List.of("chain", "composition", "events", "expressions", "latched", "mentions", "names")) {
+        for (String folder :
+                List.of(
+                        "chain",
+                        "composition",
+                        "events",
+                        "expressions",
+                        "latched",
+                        "mentions",
+                        "names")) {
             Path file = Path.of("src/test/resources/agreement", folder + ".txt");
             Model model = Lowering.lower(Scenario.read(file).workspace());
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));

@@ -3,8 +3,10 @@ package arcomat.generate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.lower.Lowering;
+import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Model;
+import arcomat.semantics.ComponentBuilder;
 import arcomat.source.Diagnostic;
 import arcomat.symbols.Scenario;
 
@@ -198,8 +200,7 @@ class OwnTargetTest {
         Model model = Lowering.lower(Scenario.of(DEVICES).workspace());
         Component robot = model.component("p.Robot").orElseThrow();
         return Generator.generate(
-                Request.program(robot, Choosing.FIRST).with(handwritten),
-                new Target("own", files));
+                Request.program(robot, Choosing.FIRST).with(handwritten), new Target("own", files));
     }
 
     @Test
@@ -207,20 +208,42 @@ class OwnTargetTest {
         assertThat(robot(Map.of()).findings()).isEmpty();
         assertThat(robot(Map.of(), "sockets = p.Words.Socket").findings())
                 .extracting(Diagnostic::message)
-                .containsExactly(
-                        "'right' is plugged into socket A like 'left'; free are B, C");
+                .containsExactly("'right' is plugged into socket A like 'left'; free are B, C");
     }
 
     /** Messages that are enums are numbers, whatever the enum; others are not alike. */
     @Test
     void aClassForAllInstantiationsServesThoseWithEnums() {
         Generation generation =
-                robot(Map.of("p/actuators/Box.java", "by hand", "p/actuators/Lamp.java", "by hand"), "platform = class");
+                robot(
+                        Map.of(
+                                "p/actuators/Box.java",
+                                "by hand",
+                                "p/actuators/Lamp.java",
+                                "by hand"),
+                        "platform = class");
         assertThat(generation.findings())
                 .extracting(Diagnostic::message)
                 .singleElement()
                 .asString()
                 .contains("platform component p.Box<Integer> needs an implementation");
+    }
+
+    /** Code for a random choice has a case for each set of enabled transitions. */
+    @Test
+    void tooManyAlternativesForARandomChoiceAreNamed() {
+        ComponentBuilder.AutomatonBuilder undecided =
+                ComponentBuilder.component("Undecided")
+                        .in(ComponentBuilder.MOTOR, "x")
+                        .automaton(Completion.CHAOS, "only")
+                        .initial("only", "");
+        for (int i = 0; i < 70; i++) {
+            undecided.on("only", "x = ?", "");
+        }
+        Request request = Request.library(undecided.build(), Choosing.RANDOM);
+        Generation generation = Generator.generate(request, Target.shipped("jvm").orElseThrow());
+        assertThat(generation.files()).isEmpty();
+        assertThat(generation.findings()).extracting(Diagnostic::code).containsExactly("ARC0805");
     }
 
     /** A target may leave platform components to classes that somebody writes. */

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.generate.view.AssignmentView;
 import arcomat.generate.view.FieldView;
+import arcomat.generate.view.StateView;
 import arcomat.generate.view.TransitionView;
 import arcomat.semantics.ComponentBuilder;
 
@@ -56,7 +57,7 @@ class SizesTest {
     }
 
     /** The classes of a whole with many parts, for a target that has no arrays of them. */
-    private static Map<String, String> classes(int parts) {
+    private static Map<String, String> classes(int parts, Choosing choosing) {
         Target jvm = Target.shipped("jvm").orElseThrow();
         Map<String, String> files = new HashMap<>(jvm.files());
         files.computeIfPresent(
@@ -67,7 +68,7 @@ class SizesTest {
         }
         Generation generation =
                 Generator.generate(
-                        Request.library(whole.build(), Choosing.FIRST), new Target("own", files));
+                        Request.library(whole.build(), choosing), new Target("own", files));
         assertThat(generation.findings()).isEmpty();
         Map<String, String> classes = new TreeMap<>();
         for (GeneratedFile file : generation.files()) {
@@ -85,8 +86,8 @@ class SizesTest {
 
     @Test
     void manyPartsAreHeldByClassesOfTheirOwn() {
-        assertThat(classes(10)).containsOnlyKeys("Whole");
-        Map<String, String> classes = classes(100);
+        assertThat(classes(10, Choosing.FIRST)).containsOnlyKeys("Whole");
+        Map<String, String> classes = classes(100, Choosing.FIRST);
         assertThat(classes).containsOnlyKeys("Whole", "WholeSection0", "WholeSection1");
         assertThat(parts(classes.get("Whole"))).isZero();
         assertThat(parts(classes.get("WholeSection0")) + parts(classes.get("WholeSection1")))
@@ -95,8 +96,30 @@ class SizesTest {
     }
 
     @Test
+    void sectionsThatDrawAreGivenTheGenerator() {
+        assertThat(classes(100, Choosing.RANDOM).get("Whole"))
+                .contains("new WholeSection0(this, choice)");
+        assertThat(classes(100, Choosing.FIRST).get("Whole")).contains("new WholeSection0(this)");
+    }
+
+    private static StateView state(TransitionView... transitions) {
+        return new StateView("", "S", List.of(transitions), false, false, false, List.of(), "");
+    }
+
+    @Test
+    void statesShareAMethodAsLongAsItStaysSmall() {
+        StateView small = state(transition("a ".repeat(240), 0, 0));
+        assertThat(MethodSize.statesPerMethod(Collections.nCopies(3, small))).isZero();
+        assertThat(MethodSize.statesPerMethod(Collections.nCopies(4, small))).isEqualTo(2);
+        assertThat(MethodSize.statesPerMethod(Collections.nCopies(9, small))).isEqualTo(3);
+        StateView huge = state(transition("a ".repeat(2400), 0, 0));
+        assertThat(MethodSize.statesPerMethod(List.of(huge, huge))).isEqualTo(1);
+        assertThat(MethodSize.statesPerMethod(List.of(huge))).isZero();
+    }
+
+    @Test
     void manySectionsAreHeldBySections() {
-        Map<String, String> classes = classes(7000);
+        Map<String, String> classes = classes(7000, Choosing.FIRST);
         assertThat(classes.values().stream().mapToLong(SizesTest::parts).sum()).isEqualTo(7000);
         assertThat(classes).allSatisfy((name, text) -> assertThat(parts(text)).isLessThan(101));
         assertThat(classes.get("Whole"))

@@ -14,7 +14,10 @@ import org.junit.jupiter.api.Test;
 import java.util.List;
 import java.util.stream.DoubleStream;
 
-/** Which values are tried, and what is said where there are too many. {@link KindsTest} says why they are enough. */
+/**
+ * Which values are tried, and what is said where there are too many. {@link KindsTest} says why
+ * they are enough.
+ */
 class SamplesTest {
     private static final Type.RealType DOUBLE = new Type.RealType(false);
     private static final Type.RealType FLOAT = new Type.RealType(true);
@@ -43,8 +46,7 @@ class SamplesTest {
     @Test
     void infinityIsTheLastResort() {
         assertThat(beside(DOUBLE, Double.NEGATIVE_INFINITY, 0, Double.POSITIVE_INFINITY))
-                .allSatisfy(
-                        each -> assertThat(((Value.RealValue) each).value()).isFinite())
+                .allSatisfy(each -> assertThat(((Value.RealValue) each).value()).isFinite())
                 .hasSize(2);
         assertThat(beside(DOUBLE, Double.MAX_VALUE))
                 .contains(new Value.RealValue(Double.POSITIVE_INFINITY));

@@ -114,7 +114,10 @@ class StepRelationTest {
                         INTEGER,
                         NOWHERE);
         Component component =
-                component("C").parameter(one).parameter(new Parameter("next", INTEGER, Optional.of(plusOne))).build();
+                component("C")
+                        .parameter(one)
+                        .parameter(new Parameter("next", INTEGER, Optional.of(plusOne)))
+                        .build();
         assertThat(Arguments.complete(component, List.of())).hasToString("[1, 2]");
         assertThat(Arguments.complete(component, List.of(new Value.IntegerValue(5))))
                 .hasToString("[5, 6]");

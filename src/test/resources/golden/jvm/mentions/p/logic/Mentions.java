@@ -3,6 +3,7 @@
 package p.logic;
 
 import p.words.FirstCode;
+import p.words.FourthCode;
 import p.words.SecondCode;
 import p.words.ThirdCode;
 
@@ -20,6 +21,7 @@ public final class Mentions {
     public boolean hasDone;
 
     private final int given;
+    private final int kind;
     private int kept = SecondCode.D;
     private int count;
 
@@ -28,8 +30,9 @@ public final class Mentions {
     /** The transition taken last, by its position in the automaton; -1 for none. */
     private int taken = -1;
 
-    public Mentions(int given) {
+    public Mentions(int given, int kind) {
         this.given = given;
+        this.kind = kind;
         count = ThirdCode.F == ThirdCode.E ? 1 : 2;
         // line 10: initial s / {done = false};
         done = false;
