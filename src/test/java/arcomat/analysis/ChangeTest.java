@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Change.Relation;
 import arcomat.analysis.Change.Witness;
+import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.Verdict.Explored;
 
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,5 +69,20 @@ class ChangeTest {
     void whatIsGoneOrLessIsBroken(Relation relation, boolean breaks, boolean doubtful) {
         assertThat(relation.breaks()).isEqualTo(breaks);
         assertThat(relation.isDoubtful()).isEqualTo(doubtful);
+    }
+
+    /** What is asked for where all has to hold. */
+    @ParameterizedTest
+    @CsvSource({
+        "HOLDS, HOLDS, HOLDS",
+        "HOLDS, UNKNOWN, UNKNOWN",
+        "HOLDS, FAILS, FAILS",
+        "UNKNOWN, UNKNOWN, UNKNOWN",
+        "UNKNOWN, FAILS, FAILS",
+        "FAILS, FAILS, FAILS"
+    })
+    void theWorstAnswerCounts(Answer one, Answer other, Answer both) {
+        assertThat(one.and(other)).isEqualTo(both);
+        assertThat(other.and(one)).isEqualTo(both);
     }
 }

@@ -52,7 +52,8 @@ class ContradictionsTest {
     private static void check(Model model, Sections.Section ask) {
         Promise promise = promise(model, ask.rest());
         Consistency found = Contradictions.check(promise, ask.kind().equals("ask-all"), BUDGET);
-        assertThat(text(found)).isEqualTo(String.join("\n", ask.lines()));
+        String why = ask.kind().equals("ask-why") ? why(found) : "";
+        assertThat(text(found) + why).isEqualTo(String.join("\n", ask.lines()));
         assertThat(found.answer() == Answer.FAILS).isEqualTo(!found.contradictions().isEmpty());
         found.contradictions().forEach(each -> verify(promise, each));
         found.controller().ifPresent(each -> ControllerChecks.check(promise, each));
@@ -122,6 +123,15 @@ class ContradictionsTest {
         }
         found.notes().forEach(lines::add);
         return String.join("\n", lines);
+    }
+
+    /** What is asked for where no answer is left. */
+    private static String why(Consistency found) {
+        return found.contradictions().stream()
+                .flatMap(each -> each.steps().stream())
+                .flatMap(step -> step.demands().stream())
+                .map(sentence -> "\n" + sentence.text())
+                .collect(Collectors.joining());
     }
 
     private static String word(List<Letter> word) {
