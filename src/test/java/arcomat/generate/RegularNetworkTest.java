@@ -3,12 +3,14 @@ package arcomat.generate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.lower.Lowering;
+import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
 
 import java.nio.file.Path;
+import java.util.Map;
 
 /** Networks of many parts of one component get loops; the agreement test runs the same models. */
 class RegularNetworkTest {
@@ -68,5 +70,25 @@ class RegularNetworkTest {
     @Test
     void partsThatMayFailKeepTheirOrder() {
         assertThat(step("OneIsTight", Choosing.FIRST)).doesNotContain("Receivers before senders");
+    }
+
+    /** Who drives generated code looks into its parts, wherever they are held. */
+    @Test
+    void eachPartHasItsPlace() {
+        Map<String, String> parts = parts("Shuffled");
+        assertThat(parts)
+                .hasSize(14)
+                .containsEntry("c12", "cells[1]")
+                .containsEntry("c13", "cells[0]");
+    }
+
+    private static Map<String, String> parts(String component) {
+        Component whole = NETWORKS.component("p." + component).orElseThrow();
+        Target target = Target.shipped("jvm").orElseThrow();
+        return Generator.generate(Request.library(whole, Choosing.FIRST), target)
+                .layout()
+                .components()
+                .get(whole.qualifiedName())
+                .parts();
     }
 }
