@@ -129,7 +129,10 @@ class CompositionTest {
         assertThatThrownBy(() -> Network.of(whole, List.of()))
                 .isInstanceOfSatisfying(
                         Fault.class,
-                        fault -> assertThat(fault.problem()).isEqualTo("division by zero"))
+                        fault -> {
+                            assertThat(fault.problem()).isEqualTo("division by zero");
+                            assertThat(fault.kind()).isEqualTo(Fault.Kind.DIVISION_BY_ZERO);
+                        })
                 .hasMessage("Whole, arguments of divide: division by zero");
     }
 
