@@ -144,7 +144,8 @@ final class NaiveExploration {
     }
 
     private void noteUnhandled(Configuration configuration, Input letter) {
-        boolean silent = letter.toString().replaceAll("null|\\W", "").isEmpty();
+        int ports = relation.component().inputs().size();
+        boolean silent = letter.equals(Input.of(new Value[ports]));
         Automaton.Completion completion = automaton.completion();
         String place = automaton.places().get(configuration.state()).startPosition().toString();
         if (silent && completion == Automaton.Completion.CHAOS) {
