@@ -11,8 +11,9 @@ import java.util.Optional;
 /** The program MONA of the machine that the tests run on, if it has one. */
 public final class InstalledMona {
     private static final PathNames NAMES = new PathNames(Path.of("").toAbsolutePath());
+    /** Other tests run beside it, on a machine that may be slow. */
     private static final AnalysisLimits LIMITS =
-            new AnalysisLimits(Optional.of(30), Optional.empty());
+            new AnalysisLimits(Optional.of(240), Optional.empty());
 
     private InstalledMona() {}
 
