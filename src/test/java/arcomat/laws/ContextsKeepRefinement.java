@@ -40,7 +40,9 @@ final class ContextsKeepRefinement implements Law {
     public Outcome check(Models models) {
         Component a = models.component(Pairs.LEFT);
         Component b = models.component(Pairs.RIGHT);
-        if (interleaves(a, b) || !Questions.holds(Questions.refines(a, b))) {
+        if (interleaves(a, b)
+                || !Questions.begins(b)
+                || !Questions.holds(Questions.refines(a, b))) {
             return Outcome.SKIPPED;
         }
         Component inA = models.component("x.InA");

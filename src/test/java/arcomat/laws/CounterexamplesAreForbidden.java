@@ -69,29 +69,18 @@ final class CounterexamplesAreForbidden implements Law {
         }
         StreamTest other = test(right, left, right, shown);
         boolean rejected = StreamTests.run(other).verdict() == StreamTestResult.Verdict.FAILED;
-        if (rejected == error && (!error || begins(right))) {
+        if (rejected == error && (!error || Questions.begins(right))) {
             String says = error ? "too early" : "not at all";
             return broken("test rejects the counterexample " + says, refines, other);
         }
         StreamTest before = test(right, left, right, trace.subList(0, trace.size() - 1));
         boolean early = StreamTests.run(before).verdict() == StreamTestResult.Verdict.FAILED;
-        if (early && trace.size() > 1 && begins(right)) {
+        if (early && trace.size() > 1 && Questions.begins(right)) {
             return broken("test rejects the counterexample too early", refines, before);
         }
         return error || right.isComposite()
                 ? Outcome.KEPT
                 : watched(right, other).map(p -> broken(p, refines, other)).orElse(Outcome.KEPT);
-    }
-
-    /**
-     * Automata that contradict each other to begin with have no run, not even one that shows
-     * nothing; each of them is refined until something is seen.
-     */
-    private static boolean begins(Component right) {
-        StreamTest nothing =
-                new StreamTest(
-                        "Run", "nothing", right, List.of(), List.of(), Map.of(), right.span());
-        return StreamTests.run(nothing).verdict() != StreamTestResult.Verdict.FAILED;
     }
 
     /** A test of events does not say what follows from which; the monitor sees it. */

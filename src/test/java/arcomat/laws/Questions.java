@@ -6,8 +6,12 @@ import arcomat.analysis.Refinement;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.model.Component;
+import arcomat.model.StreamTest;
+import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.StreamTests;
 
 import java.util.List;
+import java.util.Map;
 
 /** What laws ask again and again, with a bound that is the same on every machine. */
 final class Questions {
@@ -51,5 +55,22 @@ final class Questions {
 
     static String command(String left, String right) {
         return "refines " + left + " " + right;
+    }
+
+    /**
+     * Automata that contradict each other to begin with have no run, not even one that shows
+     * nothing; each of them is refined until something is seen.
+     */
+    static boolean begins(Component component) {
+        StreamTest nothing =
+                new StreamTest(
+                        "Run",
+                        "nothing",
+                        component,
+                        List.of(),
+                        List.of(),
+                        Map.of(),
+                        component.span());
+        return StreamTests.run(nothing).verdict() != StreamTestResult.Verdict.FAILED;
     }
 }

@@ -11,6 +11,7 @@ import java.util.Optional;
 /** The program MONA of the machine that the tests run on, if it has one. */
 public final class InstalledMona {
     private static final PathNames NAMES = new PathNames(Path.of("").toAbsolutePath());
+
     /** Other tests run beside it, on a machine that may be slow. */
     private static final AnalysisLimits LIMITS =
             new AnalysisLimits(Optional.of(240), Optional.empty());
@@ -26,8 +27,17 @@ public final class InstalledMona {
         }
     }
 
-    /** What the program says about a refinement. */
+    /**
+     * What the program says about a refinement. Now and then it crashes on a question that it
+     * answers the next time.
+     */
     public static Verdict verdict(Promise left, Promise right) {
+        Verdict verdict = answer(left, right);
+        boolean crashed = verdict.reason().equals("MONA failed with exit status 139");
+        return crashed ? answer(left, right) : verdict;
+    }
+
+    private static Verdict answer(Promise left, Promise right) {
         try {
             return MonaStep.verdict(
                     left,
