@@ -41,7 +41,7 @@ final class ExpressionText {
         if (expression instanceof Expression.Binary binary) {
             int level = level(binary.operator());
             String left = within(binary.left(), level);
-            return left + " " + sign(binary.operator()) + " " + within(binary.right(), level + 1);
+            return left + " " + binary.operator().sign() + " " + within(binary.right(), level + 1);
         }
         if (expression instanceof Expression.Conditional choice) {
             return within(choice.condition(), CONDITIONAL + 1)
@@ -136,26 +136,6 @@ final class ExpressionText {
             case NOT -> "!";
             case NEGATE -> "-";
             case COMPLEMENT -> "~";
-        };
-    }
-
-    private static String sign(BinaryOperator operator) {
-        return switch (operator) {
-            case MULTIPLY -> "*";
-            case DIVIDE -> "/";
-            case REMAINDER -> "%";
-            case PLUS -> "+";
-            case MINUS -> "-";
-            case LESS -> "<";
-            case LESS_OR_EQUAL -> "<=";
-            case GREATER -> ">";
-            case GREATER_OR_EQUAL -> ">=";
-            case EQUAL -> "==";
-            case NOT_EQUAL -> "!=";
-            case AND -> "&&";
-            case OR -> "||";
-            case IMPLIES -> "implies";
-            case EQUIVALENT -> "<=>";
         };
     }
 }

@@ -22,15 +22,6 @@ import java.util.stream.Collectors;
  * Types, messages and conditions as a model writes them, with short names where these are clear.
  */
 final class ModelWords {
-    private static final Map<BinaryOperator, String> COMPARISONS =
-            Map.of(
-                    BinaryOperator.EQUAL, "==",
-                    BinaryOperator.NOT_EQUAL, "!=",
-                    BinaryOperator.LESS, "<",
-                    BinaryOperator.LESS_OR_EQUAL, "<=",
-                    BinaryOperator.GREATER, ">",
-                    BinaryOperator.GREATER_OR_EQUAL, ">=");
-
     private final Map<String, Set<String>> qualified = new TreeMap<>();
     private final Set<String> ports;
 
@@ -184,7 +175,7 @@ final class ModelWords {
         }
         return ((Expression.PortRead) binary.left()).port().name()
                 + " "
-                + COMPARISONS.get(binary.operator())
+                + binary.operator().sign()
                 + " "
                 + operand(binary.right());
     }

@@ -82,20 +82,31 @@ public sealed interface Expression {
     }
 
     enum BinaryOperator {
-        MULTIPLY,
-        DIVIDE,
-        REMAINDER,
-        PLUS,
-        MINUS,
-        LESS,
-        LESS_OR_EQUAL,
-        GREATER,
-        GREATER_OR_EQUAL,
-        EQUAL,
-        NOT_EQUAL,
-        AND,
-        OR,
-        IMPLIES,
-        EQUIVALENT
+        MULTIPLY("*"),
+        DIVIDE("/"),
+        REMAINDER("%"),
+        PLUS("+"),
+        MINUS("-"),
+        LESS("<"),
+        LESS_OR_EQUAL("<="),
+        GREATER(">"),
+        GREATER_OR_EQUAL(">="),
+        EQUAL("=="),
+        NOT_EQUAL("!="),
+        AND("&&"),
+        OR("||"),
+        IMPLIES("implies"),
+        EQUIVALENT("<=>");
+
+        private final String sign;
+
+        BinaryOperator(String sign) {
+            this.sign = sign;
+        }
+
+        /** As models write it. */
+        public String sign() {
+            return sign;
+        }
     }
 }

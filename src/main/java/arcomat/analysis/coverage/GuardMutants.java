@@ -24,17 +24,6 @@ final class GuardMutants {
                     BinaryOperator.AND, BinaryOperator.OR,
                     BinaryOperator.OR, BinaryOperator.AND);
 
-    private static final Map<BinaryOperator, String> SIGNS =
-            Map.of(
-                    BinaryOperator.LESS, "<",
-                    BinaryOperator.LESS_OR_EQUAL, "<=",
-                    BinaryOperator.GREATER, ">",
-                    BinaryOperator.GREATER_OR_EQUAL, ">=",
-                    BinaryOperator.EQUAL, "==",
-                    BinaryOperator.NOT_EQUAL, "!=",
-                    BinaryOperator.AND, "&&",
-                    BinaryOperator.OR, "||");
-
     private final Expression guard;
 
     GuardMutants(Expression guard) {
@@ -67,7 +56,7 @@ final class GuardMutants {
 
     private static String sign(Expression e) {
         return e instanceof Expression.Binary binary
-                ? SIGNS.get(binary.operator())
+                ? binary.operator().sign()
                 : ((Expression.Constant) e).value().toString();
     }
 
