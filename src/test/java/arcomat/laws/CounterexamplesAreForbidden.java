@@ -16,8 +16,6 @@ import arcomat.semantics.Sent;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTests;
 import arcomat.simulate.Violation;
-import arcomat.simulate.Watch;
-import arcomat.simulate.Watched;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;
@@ -104,11 +102,7 @@ final class CounterexamplesAreForbidden implements Law {
     }
 
     private static OptionalInt violated(Component right, Component running, Trace run) {
-        List<Watch> watches =
-                right.automata().stream()
-                        .map(a -> new Watch(right, a, List.of(), running))
-                        .toList();
-        return Watched.all(watches, run).stream()
+        return Questions.watched(right, running, run).stream()
                 .flatMap(each -> each.violation().stream())
                 .mapToInt(Violation::slice)
                 .min();

@@ -7,8 +7,11 @@ import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.model.Component;
 import arcomat.model.StreamTest;
+import arcomat.model.Trace;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTests;
+import arcomat.simulate.Watch;
+import arcomat.simulate.Watched;
 
 import java.util.List;
 import java.util.Map;
@@ -72,5 +75,14 @@ final class Questions {
                         Map.of(),
                         component.span());
         return StreamTests.run(nothing).verdict() != StreamTestResult.Verdict.FAILED;
+    }
+
+    /** What the monitors of all automata of a requirement say of a run. */
+    static List<Watched> watched(Component required, Component running, Trace run) {
+        List<Watch> watches =
+                required.automata().stream()
+                        .map(a -> new Watch(required, a, List.of(), running))
+                        .toList();
+        return Watched.all(watches, run);
     }
 }

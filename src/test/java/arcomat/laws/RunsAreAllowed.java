@@ -12,7 +12,6 @@ import arcomat.simulate.Interpreter;
 import arcomat.simulate.Simulation;
 import arcomat.simulate.StreamTestResult;
 import arcomat.simulate.StreamTests;
-import arcomat.simulate.Watch;
 import arcomat.simulate.Watched;
 import arcomat.source.SourceFile;
 
@@ -94,9 +93,7 @@ final class RunsAreAllowed implements Law {
         if (right.isComposite()) {
             return Outcome.KEPT;
         }
-        List<Watch> watches =
-                right.automata().stream().map(a -> new Watch(right, a, List.of(), left)).toList();
-        for (Watched each : Watched.all(watches, run)) {
+        for (Watched each : Questions.watched(right, left, run)) {
             if (each.violation().isPresent()) {
                 return Outcome.broken(
                                 "a run of the left side is rejected by the right one's monitor: "
