@@ -4,6 +4,7 @@ import arcomat.semantics.Behaviour;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Network;
 
+import java.util.List;
 import java.util.Optional;
 
 /** Whether a side can begin at all: a value that it starts with may be none of its type. */
@@ -21,13 +22,10 @@ final class Beginning {
     }
 
     private static void begin(Promise promise) {
-        if (!promise.isComposition()) {
-            promise.behaviour().starts();
-            return;
-        }
-        for (Network.Instance part :
-                Network.of(promise.component(), promise.arguments()).instances()) {
-            Behaviour.of(part.component(), part.arguments()).starts();
-        }
+        List<Behaviour> all =
+                promise.isComposition()
+                        ? Behaviour.ofParts(Network.of(promise.component(), promise.arguments()))
+                        : List.of(promise.behaviour());
+        all.forEach(Behaviour::starts);
     }
 }

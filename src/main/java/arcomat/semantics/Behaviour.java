@@ -40,6 +40,13 @@ public final class Behaviour {
         return of(component, automata, arguments);
     }
 
+    /** Those of the instances of a network, in their order. */
+    public static List<Behaviour> ofParts(Network network) {
+        return network.instances().stream()
+                .map(part -> of(part.component(), part.arguments()))
+                .toList();
+    }
+
     /**
      * Some automata of a component, perhaps with another completion.
      *

@@ -11,6 +11,9 @@ import java.util.Optional;
  * 0 and shows the initial outputs where outputs have delay 1.
  */
 public interface Execution {
+    /** After so many reactions to one event, messages are taken to circle for ever. */
+    int MOST_REACTIONS = 100_000;
+
     Component component();
 
     /**

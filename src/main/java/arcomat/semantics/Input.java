@@ -38,6 +38,25 @@ public final class Input {
         return new Input(messages);
     }
 
+    /**
+     * What a part reads, of what is visible in a slice.
+     *
+     * @param signals one per input port, {@link Network#UNCONNECTED} where there is none
+     * @param visible by signal; what is left open is read by nobody
+     */
+    public static Input of(List<Integer> signals, Sent[] visible) {
+        Value[] messages = new Value[signals.size()];
+        for (int i = 0; i < messages.length; i++) {
+            int signal = signals.get(i);
+            if (signal != Network.UNCONNECTED
+                    && visible[signal] instanceof Sent.Messages sent
+                    && !sent.values().isEmpty()) {
+                messages[i] = sent.values().get(0);
+            }
+        }
+        return new Input(messages);
+    }
+
     Value[] slots() {
         return messages;
     }

@@ -77,6 +77,11 @@ public record Network(
             inputSignals = List.copyOf(inputSignals);
             outputSignals = List.copyOf(outputSignals);
         }
+
+        /** A problem, with the path of the instance that has it. */
+        public String with(String problem) {
+            return path.isEmpty() ? problem : path + ": " + problem;
+        }
     }
 
     /**

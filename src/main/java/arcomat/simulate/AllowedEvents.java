@@ -8,6 +8,7 @@ import arcomat.semantics.Behaviour.JointReaction;
 import arcomat.semantics.Behaviour.JointStart;
 import arcomat.semantics.Behaviour.Prospect;
 import arcomat.semantics.Configuration;
+import arcomat.semantics.Execution;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 import arcomat.semantics.Sent;
@@ -32,7 +33,7 @@ final class AllowedEvents {
     private static final int MOST_MOMENTS = 200_000;
 
     private final Network network;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<Behaviour> behaviours;
     private final Posts posts;
     private int event;
     private String lastProblem;
@@ -40,9 +41,7 @@ final class AllowedEvents {
 
     AllowedEvents(Network network, StreamTest test, Collection<Value> mentioned) {
         this.network = network;
-        for (Network.Instance instance : network.instances()) {
-            behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
-        }
+        behaviours = Behaviour.ofParts(network);
         posts = new Posts(network, test, mentioned);
     }
 
@@ -129,7 +128,7 @@ final class AllowedEvents {
                 gaveUp = tooMany(quiet.size() > MOST_RUNS);
                 break;
             }
-            if (reactions > Events.MOST_REACTIONS) {
+            if (reactions > Execution.MOST_REACTIONS) {
                 break;
             }
         }
@@ -160,20 +159,20 @@ final class AllowedEvents {
         Input input = Input.of(taken.take(instance));
         Prospect prospect =
                 behaviours.get(instance).prospect(taken.configurations.get(instance), input);
-        prospect.errors().forEach(error -> lastProblem = at(instance, error.message()));
+        prospect.errors()
+                .forEach(
+                        error ->
+                                lastProblem =
+                                        network.instances().get(instance).with(error.message()));
         if (prospect.isContradiction()) {
-            lastProblem = at(instance, "its automata contradict each other");
+            lastProblem =
+                    network.instances().get(instance).with("its automata contradict each other");
         }
         for (JointReaction reaction : prospect.reactions()) {
             EventRun after = taken.copy();
             after.configurations.set(instance, reaction.next());
             send(after, instance, reaction.output().ports(), next);
         }
-    }
-
-    private String at(int instance, String problem) {
-        String path = network.instances().get(instance).path();
-        return path.isEmpty() ? problem : path + ": " + problem;
     }
 
     private void send(EventRun run, int instance, List<Sent> sent, List<EventRun> next) {

@@ -38,7 +38,7 @@ final class AllowedRuns {
     private final Network network;
     private final Wires wires;
     private final Division division;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<Behaviour> behaviours;
     private String lastProblem;
     private String tooMany;
     private String untried;
@@ -49,9 +49,7 @@ final class AllowedRuns {
     AllowedRuns(Network network, Collection<Value> mentioned) {
         this.network = network;
         wires = new Wires(network);
-        for (Network.Instance instance : network.instances()) {
-            behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
-        }
+        behaviours = Behaviour.ofParts(network);
         division = new Division(wires, behaviours, mentioned);
     }
 
@@ -262,10 +260,21 @@ final class AllowedRuns {
             Possibility before, int instance, Expected expected, List<Possibility> next) {
         List<Configuration> configurations = before.configurations.get(instance);
         Prospect prospect =
-                behaviours.get(instance).prospect(configurations, input(before, instance));
-        prospect.errors().forEach(error -> lastProblem = at(instance, error.message()));
+                behaviours
+                        .get(instance)
+                        .prospect(
+                                configurations,
+                                Input.of(
+                                        network.instances().get(instance).inputSignals(),
+                                        before.visible));
+        prospect.errors()
+                .forEach(
+                        error ->
+                                lastProblem =
+                                        network.instances().get(instance).with(error.message()));
         if (prospect.isContradiction()) {
-            lastProblem = at(instance, "its automata contradict each other");
+            lastProblem =
+                    network.instances().get(instance).with("its automata contradict each other");
         }
         for (JointReaction reaction : prospect.reactions()) {
             Possibility after = before.copy();
@@ -274,25 +283,6 @@ final class AllowedRuns {
                 next.add(after);
             }
         }
-    }
-
-    private String at(int instance, String problem) {
-        String path = network.instances().get(instance).path();
-        return path.isEmpty() ? problem : path + ": " + problem;
-    }
-
-    private Input input(Possibility possibility, int instance) {
-        List<Integer> signals = network.instances().get(instance).inputSignals();
-        Value[] messages = new Value[signals.size()];
-        for (int i = 0; i < messages.length; i++) {
-            int signal = signals.get(i);
-            if (signal != Network.UNCONNECTED
-                    && possibility.visible[signal] instanceof Sent.Messages sent
-                    && !sent.values().isEmpty()) {
-                messages[i] = sent.values().get(0);
-            }
-        }
-        return Input.of(messages);
     }
 
     /** Puts messages on their signals; false where those without delay are not as expected. */

@@ -5,6 +5,7 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
+import arcomat.semantics.Execution;
 import arcomat.semantics.Input;
 import arcomat.semantics.Network;
 
@@ -18,9 +19,6 @@ import java.util.Optional;
 
 /** The event-driven engine: queues, latches, run to completion as {@link Network} describes it. */
 final class Events implements Interpreter.Engine {
-    /** After so many reactions to one event, messages are taken to circle for ever. */
-    static final int MOST_REACTIONS = 100_000;
-
     private record Event(int port, Value message) {}
 
     private record Receiver(Mailbox mailbox, int port, boolean latched) {}
@@ -126,10 +124,10 @@ final class Events implements Interpreter.Engine {
                     reactions++;
                 }
             }
-            if (reactions > MOST_REACTIONS) {
+            if (reactions > Execution.MOST_REACTIONS) {
                 throw new ModelError(
                         "messages circle without end: "
-                                + MOST_REACTIONS
+                                + Execution.MOST_REACTIONS
                                 + " reactions to one event, and still some wait");
             }
         }

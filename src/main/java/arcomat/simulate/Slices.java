@@ -92,8 +92,7 @@ final class Slices implements Interpreter.Engine {
     }
 
     static ModelError at(Network.Instance instance, RuntimeException problem) {
-        String path = instance.path().isEmpty() ? "" : instance.path() + ": ";
-        String message = path + problem.getMessage();
+        String message = instance.with(problem.getMessage());
         return problem instanceof Impasse ? new Impasse(message) : new ModelError(message);
     }
 

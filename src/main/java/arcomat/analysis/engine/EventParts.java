@@ -30,7 +30,7 @@ final class EventParts {
     private final Budget budget;
     private final Network network;
     private final Wiring wiring;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<Behaviour> behaviours;
 
     /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
     private final int[][] held;
@@ -41,11 +41,11 @@ final class EventParts {
         this.budget = budget;
         this.network = network;
         this.wiring = wiring;
+        this.behaviours = Behaviour.ofParts(network);
         this.held = new int[network.instances().size()][];
         int[] latchedInputs = latchedInputs(network);
         for (int part = 0; part < held.length; part++) {
             Network.Instance instance = network.instances().get(part);
-            behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
             held[part] =
                     instance.inputSignals().stream()
                             .mapToInt(s -> s < 0 ? EventRun.INSIDE : latchedInputs[s])

@@ -122,12 +122,22 @@ final class EventUnfolding implements Unfolding {
     /** The parts begin one after the other, and only then the first of them takes an event. */
     @Override
     public List<Outcome> beginnings() {
+        return inOrder(new EventRun(List.of(), nothingLatched()), parts::start);
+    }
+
+    /** What a part does when it is its turn, once. */
+    private interface Turn {
+        void take(EventRun run, int part, List<EventRun> next, List<Outcome> errors);
+    }
+
+    /** The parts have their turn one after the other; then what they have caused is worked off. */
+    private List<Outcome> inOrder(EventRun beginning, Turn turn) {
         List<Outcome> outcomes = new ArrayList<>();
-        List<EventRun> runs = List.of(new EventRun(List.of(), nothingLatched()));
+        List<EventRun> runs = List.of(beginning);
         for (int part = 0; part < network.instances().size(); part++) {
             List<EventRun> longer = new ArrayList<>();
             for (EventRun run : runs) {
-                parts.start(run, part, longer, outcomes);
+                turn.take(run, part, longer, outcomes);
             }
             runs = longer;
         }
@@ -165,7 +175,8 @@ final class EventUnfolding implements Unfolding {
     private List<Outcome> run(Whole before, Value[] letter, Look[] looks) {
         EventRun run = new EventRun(before.parts(), latched(before, letter));
         if (isEmpty(letter)) {
-            return idling(run);
+            // No port is there for the event: as in an empty slice, each part is completed.
+            return inOrder(run, parts::idle);
         }
         for (int i = 0; i < letter.length; i++) {
             if (letter[i] != null && !inputs.get(i).latched()) {
@@ -188,24 +199,6 @@ final class EventUnfolding implements Unfolding {
             }
         }
         return true;
-    }
-
-    /**
-     * An event that no port is there for: as in an empty slice each part takes its completion, one
-     * after the other, and only then the first of them takes an event.
-     */
-    private List<Outcome> idling(EventRun beginning) {
-        List<Outcome> outcomes = new ArrayList<>();
-        List<EventRun> runs = List.of(beginning);
-        for (int part = 0; part < network.instances().size(); part++) {
-            List<EventRun> longer = new ArrayList<>();
-            for (EventRun run : runs) {
-                parts.idle(run, part, longer, outcomes);
-            }
-            runs = longer;
-        }
-        complete(runs, null, outcomes);
-        return outcomes;
     }
 
     private Value[][] latched(Whole before, Value[] letter) {

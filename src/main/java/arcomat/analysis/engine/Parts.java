@@ -2,7 +2,6 @@ package arcomat.analysis.engine;
 
 import arcomat.analysis.Budget;
 import arcomat.model.Port;
-import arcomat.model.Value;
 import arcomat.semantics.Attention.Look;
 import arcomat.semantics.Attention.Unseen;
 import arcomat.semantics.Behaviour;
@@ -29,15 +28,13 @@ final class Parts {
     private final Network network;
     private final Wiring wiring;
     private final Budget budget;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<Behaviour> behaviours;
 
     Parts(Network network, Wiring wiring, Budget budget) {
         this.budget = budget;
         this.network = network;
         this.wiring = wiring;
-        for (Network.Instance instance : network.instances()) {
-            behaviours.add(Behaviour.of(instance.component(), instance.arguments()));
-        }
+        behaviours = Behaviour.ofParts(network);
     }
 
     List<Behaviour> behaviours() {
@@ -131,7 +128,12 @@ final class Parts {
         Prospect prospect =
                 behaviours
                         .get(part)
-                        .prospect(before.parts().get(part), input(slice, part), budget::insist);
+                        .prospect(
+                                before.parts().get(part),
+                                Input.of(
+                                        network.instances().get(part).inputSignals(),
+                                        slice.visible),
+                                budget::insist);
         for (JointError error : prospect.errors()) {
             Slice copy = slice.copy();
             copy.after.add(List.of(Configuration.ERROR));
@@ -144,20 +146,6 @@ final class Parts {
             reaction.reactions().forEach(r -> copy.causes.add(r.cause()));
             send(copy, part, reaction.output().ports(), next);
         }
-    }
-
-    private Input input(Slice slice, int part) {
-        List<Integer> signals = network.instances().get(part).inputSignals();
-        Value[] messages = new Value[signals.size()];
-        for (int i = 0; i < messages.length; i++) {
-            int signal = signals.get(i);
-            if (signal != Network.UNCONNECTED
-                    && slice.visible[signal] instanceof Sent.Messages sent
-                    && !sent.values().isEmpty()) {
-                messages[i] = sent.values().get(0);
-            }
-        }
-        return Input.of(messages);
     }
 
     /**

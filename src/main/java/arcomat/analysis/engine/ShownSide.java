@@ -59,7 +59,7 @@ public final class ShownSide extends RememberingSide<List<Sent>> {
 
     @Override
     public Steps openings() {
-        return shown(side.openings(), Collections.nCopies(observed, Sent.SILENCE));
+        return shown(side.openings(), silence());
     }
 
     @Override

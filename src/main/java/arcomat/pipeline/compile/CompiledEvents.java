@@ -6,6 +6,7 @@ import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
+import arcomat.semantics.Execution;
 import arcomat.semantics.Network;
 import arcomat.simulate.Surroundings;
 
@@ -20,9 +21,6 @@ import java.util.Optional;
  * instances itself, in the order in which the generated network does, to see every reaction.
  */
 final class CompiledEvents implements CompiledExecution.Engine {
-    /** As the interpreter has it: then messages circle for ever. */
-    private static final int MOST_REACTIONS = 100_000;
-
     private final CompiledModel model;
     private final Network network;
     private final Messages messages;
@@ -139,10 +137,10 @@ final class CompiledEvents implements CompiledExecution.Engine {
                     reactions++;
                 }
             }
-            if (reactions > MOST_REACTIONS) {
+            if (reactions > Execution.MOST_REACTIONS) {
                 throw new ModelError(
                         "messages circle without end: "
-                                + MOST_REACTIONS
+                                + Execution.MOST_REACTIONS
                                 + " reactions to one event, and still some wait");
             }
         }
