@@ -12,12 +12,12 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.SmallType;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import java.util.stream.IntStream;
 
 /**
  * Small mistakes in the transitions of an automaton: each is the automaton with one of them, as
@@ -55,9 +55,7 @@ public final class Mutants {
     }
 
     private Mutant mutant(String what, int index, List<Transition> instead) {
-        List<Transition> transitions = new ArrayList<>(automaton.transitions());
-        transitions.remove(index);
-        transitions.addAll(index, instead);
+        List<Transition> transitions = replaced(automaton.transitions(), index, instead);
         Mistake mistake = new Mistake(new Goal(automaton, index), what);
         return new Mutant(mistake, automaton.withTransitions(transitions));
     }
@@ -145,13 +143,9 @@ public final class Mutants {
     }
 
     private static List<Value> some(Type type) {
-        if (type instanceof Type.EnumType constants) {
-            return IntStream.range(0, Math.min(FEW_MESSAGES, constants.constants().size()))
-                    .<Value>mapToObj(i -> new Value.EnumValue(constants, i))
-                    .toList();
-        }
-        return type instanceof Type.BooleanType
-                ? List.of(new Value.BooleanValue(false), new Value.BooleanValue(true))
+        boolean words = type instanceof Type.EnumType || type instanceof Type.BooleanType;
+        return words
+                ? SmallType.values(type).orElseThrow().stream().limit(FEW_MESSAGES).toList()
                 : List.of();
     }
 
