@@ -13,6 +13,8 @@ import arcomat.semantics.Source;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 
 /**
  * The views of event-driven components. A message is delivered when it is sent: the composite
@@ -120,13 +122,8 @@ final class EventViews {
         }
         Composition composition = context.composition().get();
         for (Composition.Node node : composition.nodes()) {
-            for (int i = 0; i < node.inputs().size(); i++) {
-                if (isFrom(node.inputs().get(i), sender, port)) {
-                    Port input = node.component().inputs().get(i);
-                    String method = program.members(node.component()).method(input);
-                    calls.add(context.members().part(node.path()) + "." + method);
-                }
-            }
+            List<Port> inputs = inputs(node, source -> isFrom(source, sender, port));
+            deliver(context.members().part(node.path()), node.component(), inputs, calls);
         }
         for (Composition.Output output : composition.outputs()) {
             if (isFrom(output.source(), sender, port)) {
@@ -134,6 +131,34 @@ final class EventViews {
             }
         }
         return calls;
+    }
+
+    private static List<Port> inputs(Composition.Node node, Predicate<Source> isFed) {
+        return IntStream.range(0, node.inputs().size())
+                .filter(i -> isFed.test(node.inputs().get(i)))
+                .mapToObj(node.component().inputs()::get)
+                .toList();
+    }
+
+    /**
+     * Where one message goes to several inputs of a composite, each of its parts takes it on all of
+     * its own inputs before the next part does: how parts are grouped makes no difference.
+     */
+    private void deliver(String part, Component component, List<Port> inputs, List<String> calls) {
+        FileContext inside = program.context(component);
+        if (inputs.size() < 2 || inside.composition().isEmpty()) {
+            inputs.forEach(input -> calls.add(part + "." + inside.members().method(input)));
+            return;
+        }
+        for (Composition.Node node : inside.composition().get().nodes()) {
+            List<Port> fed =
+                    inputs(
+                            node,
+                            source ->
+                                    source instanceof Source.FromOutside outside
+                                            && inputs.contains(outside.port()));
+            deliver(part + "." + inside.members().part(node.path()), node.component(), fed, calls);
+        }
     }
 
     private static boolean isFrom(Source source, int sender, Port port) {

@@ -12,7 +12,6 @@ import arcomat.source.SourceFile;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 
 /** What refines may stand wherever the other one may: {@code x.InA} for {@code x.InB}. */
 final class ContextsKeepRefinement implements Law {
@@ -76,13 +75,14 @@ final class ContextsKeepRefinement implements Law {
     /**
      * Where a neighbour errs, a message that has passed through a part without delay is not seen,
      * and one that was sent a slice before is: no definition of what an error shows could hide that
-     * from the outside. The same goes for a message that is only passed on.
+     * from the outside. The same goes for a message that is only passed on, and for a part whose
+     * automata contradict each other in that slice: it has no run that goes on.
      */
     private static boolean endsEarlier(Component a, Component b, Verdict verdict) {
         boolean mixed = verdict.notes().stream().anyMatch(n -> n.contains("different delays"));
         return Questions.fails(verdict)
                 && (mixed || passesOn(a) || passesOn(b))
-                && verdict.trace().get(verdict.trace().size() - 1).error();
+                && (endsInError(verdict) || hasSeveralAutomata(a));
     }
 
     /** Whether an input is connected straight to an output. */
@@ -101,10 +101,17 @@ final class ContextsKeepRefinement implements Law {
      */
     private static boolean errsFirst(Verdict verdict, Component left, Component right) {
         return Questions.fails(verdict)
-                && Stream.of(left, right)
-                        .flatMap(whole -> Network.of(whole, List.of()).instances().stream())
-                        .anyMatch(part -> part.component().automata().size() > 1)
-                && verdict.trace().get(verdict.trace().size() - 1).error();
+                && (hasSeveralAutomata(left) || hasSeveralAutomata(right))
+                && endsInError(verdict);
+    }
+
+    private static boolean hasSeveralAutomata(Component whole) {
+        return Network.of(whole, List.of()).instances().stream()
+                .anyMatch(part -> part.component().automata().size() > 1);
+    }
+
+    private static boolean endsInError(Verdict verdict) {
+        return verdict.trace().get(verdict.trace().size() - 1).error();
     }
 
     /** The context of the left side is made from that of the right one. */
