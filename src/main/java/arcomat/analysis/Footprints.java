@@ -2,6 +2,7 @@ package arcomat.analysis;
 
 import arcomat.analysis.engine.Descriptions;
 import arcomat.model.Automaton;
+import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.semantics.Behaviour;
 import arcomat.semantics.Configuration;
@@ -14,8 +15,10 @@ import arcomat.semantics.StepRelation;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -27,6 +30,7 @@ import java.util.function.Function;
  */
 public final class Footprints {
     private final Promise side;
+    private final Set<String> late;
     private final Behaviour behaviour;
     private final StepRelation relation;
 
@@ -66,8 +70,12 @@ public final class Footprints {
         }
     }
 
-    private Footprints(Promise side, Automaton automaton) {
+    /**
+     * @param late ports on which a reaction stands in the moment after it
+     */
+    private Footprints(Promise side, Automaton automaton, Set<String> late) {
         this.side = side;
+        this.late = late;
         behaviour = Behaviour.of(side.component(), List.of(automaton), side.arguments());
         relation = behaviour.relations().get(0);
     }
@@ -75,38 +83,61 @@ public final class Footprints {
     /**
      * One footprint per moment; an empty one where the words say nothing about the automaton.
      *
-     * @param automaton of the side
-     * @param isLeft whether it is the left side of the trace
+     * @param sides of the comparison that the trace comes from, the left one first
+     * @param side the position of that with the automaton
      */
     public static List<Footprint> of(
-            Promise side, Automaton automaton, List<Moment> trace, boolean isLeft) {
-        return new Footprints(side, automaton)
+            List<Promise> sides, int side, Automaton automaton, List<Moment> trace) {
+        if (trace.isEmpty()) {
+            return List.of();
+        }
+        boolean isLeft = side == 0;
+        Set<String> late = Sides.late(sides.get(0), sides.get(1), isLeft);
+        return new Footprints(sides.get(side), automaton, late)
                 .follow(trace, each -> Optional.of(isLeft ? List.of(each.left()) : each.right()));
     }
 
     /** As {@link #of}, where the moments do not say where a side is: wherever it may be. */
     public static List<Footprint> anywhere(Promise side, Automaton automaton, List<Moment> trace) {
-        return new Footprints(side, automaton).follow(trace, each -> Optional.empty());
+        return new Footprints(side, automaton, Set.of()).follow(trace, each -> Optional.empty());
     }
 
     private List<Footprint> follow(
             List<Moment> trace, Function<Moment, Optional<List<String>>> words) {
         List<Footprint> found = new ArrayList<>();
         Step last = null;
-        for (Moment moment : trace) {
+        for (int i = 0; i < trace.size(); i++) {
+            Moment moment = trace.get(i);
+            Map<String, Sent> shown = shown(trace, i);
             last =
                     last == null
-                            ? begin(words.apply(moment))
-                            : step(last.configurations, moment, words.apply(moment));
+                            ? begin(shown, words.apply(moment))
+                            : step(
+                                    last.configurations,
+                                    moment.input(),
+                                    shown,
+                                    words.apply(moment));
             found.add(last.footprint());
         }
         return found;
     }
 
-    private Step begin(Optional<List<String>> words) {
+    /** Where the reaction of a moment is seen; a late one of the last moment is not seen at all. */
+    private Map<String, Sent> shown(List<Moment> trace, int position) {
+        Map<String, Sent> shown = new HashMap<>(trace.get(position).outputs());
+        shown.keySet().removeAll(late);
+        if (position + 1 < trace.size()) {
+            trace.get(position + 1).outputs().entrySet().stream()
+                    .filter(each -> late.contains(each.getKey()))
+                    .forEach(each -> shown.put(each.getKey(), each.getValue()));
+        }
+        return shown;
+    }
+
+    private Step begin(Map<String, Sent> shown, Optional<List<String>> words) {
         Step step = new Step();
         for (Start start : relation.starts()) {
-            if (isMeant(start.configuration(), words)) {
+            if (isMeant(start.configuration(), words) && allows(start.output(), shown)) {
                 step.configurations.add(start.configuration());
                 step.initials.add(relation.automaton().initials().indexOf(start.initial()));
             }
@@ -114,12 +145,16 @@ public final class Footprints {
         return step;
     }
 
-    private Step step(Set<Configuration> before, Moment moment, Optional<List<String>> words) {
+    private Step step(
+            Set<Configuration> before,
+            Letter letter,
+            Map<String, Sent> shown,
+            Optional<List<String>> words) {
         Step step = new Step();
-        Input input = Input.of(side.component(), moment.input());
+        Input input = Input.of(side.component(), letter);
         for (Configuration each : before) {
             for (Reaction reaction : reactions(each, input)) {
-                if (isMeant(reaction.next(), words) && allows(reaction.output(), moment)) {
+                if (isMeant(reaction.next(), words) && allows(reaction.output(), shown)) {
                     step.configurations.add(reaction.next());
                     if (reaction.cause() instanceof Trace.Taken taken) {
                         step.transitions.add(taken.index());
@@ -135,10 +170,10 @@ public final class Footprints {
     }
 
     /** What a moment leaves open, the automaton may leave open, too. */
-    private boolean allows(Output output, Moment moment) {
+    private boolean allows(Output output, Map<String, Sent> shown) {
         for (int i = 0; i < output.ports().size(); i++) {
             String port = side.component().outputs().get(i).name();
-            Sent sent = moment.outputs().get(port);
+            Sent sent = shown.get(port);
             Optional<Sent> both =
                     sent == null ? Optional.of(sent(output, i)) : sent.meet(sent(output, i));
             if (both.isEmpty()) {

@@ -2,6 +2,8 @@ package arcomat.analysis;
 
 import arcomat.model.Component;
 import arcomat.model.Model;
+import arcomat.model.Parameter;
+import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Arguments;
 
@@ -61,10 +63,10 @@ public final class Obligations {
         }
     }
 
-    /** Parameters that correspond get the same arguments. */
+    /** Parameters that correspond, as many of the same types, get the same arguments. */
     private void addRefined(Promise own, Component other) {
         Optional<List<Value>> arguments =
-                other.parameters().size() == own.arguments().size()
+                types(other).equals(types(own.component()))
                         ? Optional.of(own.arguments())
                         : defaults(other);
         if (arguments.isPresent()) {
@@ -73,6 +75,10 @@ public final class Obligations {
         } else {
             open.add(other.qualifiedName());
         }
+    }
+
+    private static List<Type> types(Component component) {
+        return component.parameters().stream().map(Parameter::type).toList();
     }
 
     private static Optional<List<Value>> defaults(Component component) {

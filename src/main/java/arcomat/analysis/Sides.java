@@ -12,6 +12,8 @@ import arcomat.analysis.engine.Side;
 import arcomat.model.Port;
 
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -79,12 +81,23 @@ final class Sides {
 
     /** Compared ports on which only one of the sides sends with delay, by name. */
     List<String> shifted() {
-        return Stream.of(left, right)
-                .filter(ShownSide.class::isInstance)
-                .flatMap(side -> ((ShownSide) side).late().stream().boxed())
-                .sorted()
-                .map(port -> observed.get(port).name())
-                .toList();
+        return Stream.of(left, right).flatMap(this::late).sorted().map(this::name).toList();
+    }
+
+    /** Compared ports on which one of the sides is seen later than it sends, by name. */
+    static Set<String> late(Promise left, Promise right, boolean isLeft) {
+        Sides sides = of(left, right, Budget.ofMemory());
+        return sides.late(isLeft ? sides.left : sides.right)
+                .map(sides::name)
+                .collect(Collectors.toSet());
+    }
+
+    private Stream<Integer> late(Side side) {
+        return side instanceof ShownSide shown ? shown.late().stream().boxed() : Stream.of();
+    }
+
+    private String name(int port) {
+        return observed.get(port).name();
     }
 
     Comparison comparison(Budget budget) {

@@ -33,8 +33,8 @@ public final class FailurePicture {
         return FailureGraph.of(
                 title,
                 steps,
-                side(left, "left: ", trace, true),
-                side(right, "right: ", trace, false));
+                side(List.of(left, right), 0, trace),
+                side(List.of(left, right), 1, trace));
     }
 
     private static FailureGraph.Step step(Moment moment) {
@@ -68,13 +68,14 @@ public final class FailurePicture {
     }
 
     /** The automaton of a side, with the numbers of the steps at its states and transitions. */
-    private static Optional<Graph> side(
-            Promise side, String which, List<Moment> trace, boolean isLeft) {
+    private static Optional<Graph> side(List<Promise> sides, int position, List<Moment> trace) {
+        Promise side = sides.get(position);
+        boolean isLeft = position == 0;
         if (side.automata().size() != 1) {
             return Optional.empty();
         }
         Automaton automaton = side.automata().get(0);
-        List<Footprint> footprints = Footprints.of(side, automaton, trace, isLeft);
+        List<Footprint> footprints = Footprints.of(sides, position, automaton, trace);
         Map<Integer, List<Highlight>> states = new LinkedHashMap<>();
         Map<Integer, List<Highlight>> transitions = new LinkedHashMap<>();
         for (int i = 0; i < trace.size(); i++) {
@@ -87,7 +88,8 @@ public final class FailurePicture {
             }
         }
         Highlights highlights = new Highlights(states, transitions);
-        return Optional.of(AutomatonGraph.of(which + side.title(), automaton, highlights));
+        String title = (isLeft ? "left: " : "right: ") + side.title();
+        return Optional.of(AutomatonGraph.of(title, automaton, highlights));
     }
 
     private static void add(Map<Integer, List<Highlight>> map, int index, Highlight highlight) {

@@ -41,7 +41,7 @@ final class MomentTracks {
             states();
         }
         for (int side = 0; side < answered.sides().size(); side++) {
-            automata(answered.sides().get(side), side == 0);
+            automata(side);
         }
     }
 
@@ -85,12 +85,15 @@ final class MomentTracks {
         tracks.add(right.build());
     }
 
-    private void automata(Promise side, boolean isLeft) {
+    private void automata(int position) {
+        Promise side = answered.sides().get(position);
         for (Automaton automaton : side.automata()) {
-            String sideName = isLeft ? "left" : "right";
+            String sideName = position == 0 ? "left" : "right";
             String title = side.component().title(automaton);
             String name = sideName + ": " + title + WAY;
-            tracks.add(AutomatonDrawing.way(name, Footprints.of(side, automaton, trace, isLeft)));
+            tracks.add(
+                    AutomatonDrawing.way(
+                            name, Footprints.of(answered.sides(), position, automaton, trace)));
             drawings.add(
                     pictures.of(
                             sideName + ": " + title, side.component(), automaton, List.of(name)));
