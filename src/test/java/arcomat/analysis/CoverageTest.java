@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -41,21 +42,46 @@ class CoverageTest {
         TransitionTests.Result result =
                 TransitionTests.of(promise, "Tests", new Budget(() -> false, 20_000));
         return Stream.of(
-                        Stream.of(component.name()),
+                        Stream.of(component.name() + text(result)),
                         result.tests().stream().map(CoverageTest::text),
                         result.uncovered().stream()
-                                .map(each -> move(each.transition()) + ": " + each.reason()),
-                        result.untold().stream()
-                                .map(each -> text(each.mistake()) + ": " + each.reason()))
+                                .map(
+                                        each ->
+                                                move(each.transition())
+                                                        + sure(each.certain())
+                                                        + each.reason()),
+                        result.gaps().stream()
+                                .map(
+                                        each ->
+                                                move(each.transition())
+                                                        + " "
+                                                        + each.words()
+                                                        + sure(each.certain())
+                                                        + each.reason()))
                 .flatMap(lines -> lines);
+    }
+
+    private static String text(TransitionTests.Result result) {
+        return " %s: %d transitions, %d configurations%s"
+                .formatted(
+                        result.answer().name().toLowerCase(Locale.ROOT),
+                        result.transitions(),
+                        result.configurations(),
+                        result.stopped().map(why -> ", " + why).orElse(""));
+    }
+
+    private static String sure(boolean certain) {
+        return certain ? ": " : " (not certain): ";
     }
 
     private static String text(TransitionTests.Test test) {
         StreamTest streams = test.streams();
-        return Stream.concat(
+        return "  "
+                + streams.name()
+                + Stream.concat(
                                 test.covers().stream().map(CoverageTest::move),
                                 test.tells().stream().map(CoverageTest::text))
-                        .collect(Collectors.joining(", ", "  ", ": "))
+                        .collect(Collectors.joining(", ", " (", "): "))
                 + streams.inputs().stream()
                         .map(letter -> new TreeMap<>(letter.messages()).toString())
                         .collect(Collectors.joining(" "))
