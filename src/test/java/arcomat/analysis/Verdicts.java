@@ -1,6 +1,7 @@
 package arcomat.analysis;
 
 import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.Verdict.Sentence;
 import arcomat.model.Letter;
 import arcomat.semantics.Sent;
 
@@ -20,18 +21,33 @@ final class Verdicts {
         if (expected.equals(answer)) {
             return answer;
         }
-        if (verdict.answer() == Answer.FAILS && expected.contains("{")) {
+        if (expected.startsWith(answer + " says ")) {
+            return answer + " says " + sentences(verdict);
+        }
+        if (expected.startsWith("fails {") && verdict.answer() == Answer.FAILS) {
             return answer + " " + trace(verdict.trace());
         }
         String notes = String.join("; ", verdict.notes());
         String more =
                 switch (verdict.answer()) {
-                    case HOLDS -> simulation(verdict) + "; " + notes;
+                    case HOLDS -> simulation(verdict) + "; " + notes + explored(verdict);
                     case FAILS -> verdict.reason() + ", " + (notes.isEmpty() ? "not late" : notes);
                     case UNKNOWN -> verdict.reason();
                 };
         String wanted = expected.substring(Math.min(expected.length(), answer.length() + 1));
         return answer + " " + (more.contains(wanted) ? wanted : more);
+    }
+
+    private static String sentences(Verdict verdict) {
+        return verdict.explanation().stream().map(Sentence::text).collect(Collectors.joining(" | "));
+    }
+
+    private static String explored(Verdict verdict) {
+        return "; %d pairs of %d and %d configurations"
+                .formatted(
+                        verdict.explored().pairs(),
+                        verdict.explored().left(),
+                        verdict.explored().right());
     }
 
     private static String simulation(Verdict verdict) {
