@@ -70,7 +70,10 @@ public final class Succession {
         }
     }
 
-    /** Ports are the same whatever the arguments are, and so is a promise of nothing. */
+    /**
+     * Ports are the same whatever the arguments are, and so is a promise of nothing. Whether a side
+     * can begin is not asked: that depends on them.
+     */
     private Change compareInterfaces() {
         Promise before = new Promise(old, List.of(), automata(old)).marked(mark);
         Promise after = new Promise(fresh, List.of(), automata(fresh));
@@ -80,7 +83,7 @@ public final class Succession {
     }
 
     private static Verdict compareInterfaces(Promise left, Promise right) {
-        return Refinement.comparable(left, right)
+        return Interfaces.compare(left, right)
                 .orElseGet(
                         () ->
                                 promisesNothing(right)

@@ -7,6 +7,7 @@ import arcomat.analysis.Change.Witness;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.Verdict.Explored;
 
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -69,6 +70,42 @@ class ChangeTest {
     void whatIsGoneOrLessIsBroken(Relation relation, boolean breaks, boolean doubtful) {
         assertThat(relation.breaks()).isEqualTo(breaks);
         assertThat(relation.isDoubtful()).isEqualTo(doubtful);
+    }
+
+    /** A reason excuses what is not kept, and what is not known to be. */
+    @ParameterizedTest
+    @CsvSource({
+        "UNCHANGED, HOLDS, HOLDS",
+        "EQUIVALENT, HOLDS, HOLDS",
+        "REFINES, HOLDS, HOLDS",
+        "WIDENS, FAILS, HOLDS",
+        "INCOMPARABLE, FAILS, HOLDS",
+        "NEW, HOLDS, HOLDS",
+        "GONE, FAILS, HOLDS",
+        "UNKNOWN, UNKNOWN, HOLDS"
+    })
+    void theGateIsShutWithoutAReason(Relation relation, Answer alone, Answer excused) {
+        Change change = new Change(relation, List.of(), "");
+        assertThat(entry(change, Optional.empty()).answer()).isEqualTo(alone);
+        assertThat(entry(change, Optional.of("wanted")).answer()).isEqualTo(excused);
+        Gate.Entry fine = entry(Change.UNCHANGED, Optional.empty());
+        Gate.Entry bad = entry(change, Optional.empty());
+        assertThat(new Gate(List.of(fine, bad, fine)).answer()).isEqualTo(alone);
+        assertThat(new Gate(List.of()).answer()).isEqualTo(Answer.HOLDS);
+    }
+
+    @Test
+    void whatIsOwedToAPartIsOwedToWhatThatIsOwedTo() {
+        Gate.Entry part = entry(Change.GONE, Optional.of("wanted"));
+        Gate.Entry whole = entry(Change.GONE, Optional.empty()).owedTo(part);
+        assertThat(whole.excuse()).contains("wanted");
+        assertThat(whole.cause()).contains("p.Part");
+        assertThat(entry(Change.GONE, Optional.empty()).owedTo(whole).cause()).contains("p.Part");
+    }
+
+    private static Gate.Entry entry(Change change, Optional<String> excuse) {
+        return new Gate.Entry(
+                "p.Part", change, Optional.empty(), Optional.empty(), excuse, Optional.empty());
     }
 
     /** What is asked for where all has to hold. */

@@ -5,16 +5,33 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.analysis.Change.Relation;
 import arcomat.analysis.RandomPairs.Pair;
 import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.model.Value;
+import arcomat.models.ReadModels;
+import arcomat.source.SourceFile;
 
+import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
 
+import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Stream;
 
-/** Versions compare as their promises do. */
+/**
+ * Versions compare as their promises do. Some are data: {@code
+ * src/test/resources/analysis/succession.txt} has files of two models, below {@code old} and {@code
+ * new}. Below {@code == change C}, perhaps with numbers to instantiate C with, stands what became of
+ * C, and then what shows it.
+ */
 class SuccessionTest {
+    private static final Path DATA = Path.of("src/test/resources/analysis/succession.txt");
     private static final Map<Difference.Relation, Relation> SAME =
             Map.of(
                     Difference.Relation.EQUIVALENT, Relation.EQUIVALENT,
@@ -59,6 +76,56 @@ class SuccessionTest {
         }
         assertThat(List.of(Relation.GONE, Relation.WIDENS, Relation.INCOMPARABLE))
                 .allMatch(Relation::breaks);
+    }
+
+    @TestFactory
+    Stream<DynamicTest> changes() {
+        Sections sections = Sections.read(DATA);
+        Model old = model(sections, "old/");
+        Model fresh = model(sections, "new/");
+        return sections.of("change").stream()
+                .map(
+                        each ->
+                                DynamicTest.dynamicTest(
+                                        each.rest(),
+                                        () ->
+                                                assertThat(change(old, fresh, each.rest()))
+                                                        .isEqualTo(each.lines())));
+    }
+
+    private static Model model(Sections sections, String folder) {
+        return ReadModels.model(
+                sections.sources().stream()
+                        .filter(file -> file.path().startsWith(folder))
+                        .map(file -> new SourceFile(file.path().substring(4), file.text()))
+                        .toList());
+    }
+
+    private static List<String> change(Model old, Model fresh, String asked) {
+        String[] words = asked.split(" ");
+        Set<List<Value>> given = new LinkedHashSet<>();
+        for (int i = 1; i < words.length; i++) {
+            given.add(List.of(new Value.IntegerValue(Long.parseLong(words[i]))));
+        }
+        Change change =
+                Succession.of(
+                        old.component(words[0]).orElseThrow(),
+                        " (base)",
+                        fresh.component(words[0]).orElseThrow(),
+                        given,
+                        Budget::ofMemory);
+        List<String> lines = new ArrayList<>();
+        lines.add((change.relation().name().toLowerCase(Locale.ROOT) + " " + change.reason()).strip());
+        for (Change.Witness each : change.witnesses()) {
+            String sides = each.left() + ", " + each.right() + ": ";
+            boolean unknown = each.verdict().answer() == Verdict.Answer.UNKNOWN;
+            lines.add(
+                    sides
+                            + (unknown
+                                    ? each.verdict().reason()
+                                    : Verdicts.text(each.verdict(), "fails says ")));
+        }
+        return lines;
     }
 
     /** The same component under a name that all have in common. */
