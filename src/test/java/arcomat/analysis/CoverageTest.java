@@ -15,8 +15,11 @@ import org.junit.jupiter.api.Test;
 
 import java.nio.file.Path;
 import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -33,6 +36,69 @@ class CoverageTest {
                         .flatMap(CoverageTest::text)
                         .collect(Collectors.joining("\n", "", "\n"));
         assertThat(text).isEqualTo(scenario.expected());
+    }
+
+    private static Promise promise(String text) {
+        Scenario scenario = Scenario.of("==== p/C.arc\npackage p;\n" + text);
+        return Promise.of(
+                Lowering.lower(scenario.workspace()).component("p.C").orElseThrow(), List.of());
+    }
+
+    /** What stays open is not certain then, and says why; the tests that there are, stay. */
+    @Test
+    void timeEndsInTheMiddle() {
+        Promise promise =
+                promise(
+                        """
+                        component C {
+                          port in Boolean x, out Boolean y;
+                          <<completion = "ignore">> automaton {
+                            state a, b, c;
+                            initial a;
+                            a -> b {x == true} / {y = true};
+                            a -> c {x == false} / {y = false};
+                          }
+                        }
+                        """);
+        Set<String> reasons = new LinkedHashSet<>();
+        TransitionTests.Result result;
+        long times = 0;
+        do {
+            result = TransitionTests.of(promise, "Tests", Budget.ofMemory().patient(times++));
+            int tests = result.tests().size();
+            result.uncovered().forEach(each -> reasons.add(tests + " tests, " + each.reason()));
+            assertThat(result.uncovered()).noneMatch(TransitionTests.Uncovered::certain);
+        } while (result.answer() == Verdict.Answer.UNKNOWN);
+        assertThat(reasons)
+                .containsExactly(
+                        "0 tests, not met so far: the time is up",
+                        "0 tests, the time is up",
+                        "1 tests, the time is up");
+    }
+
+    /** A configuration with many inputs costs as much as several. */
+    @Test
+    void inputsCountAsStates() {
+        Promise promise =
+                promise(
+                        """
+                        component C {
+                          port in Integer[0..190] x, out Integer[0..190] y;
+                          <<completion = "ignore">> automaton {
+                            state a, b, c, d;
+                            initial a;
+                            a -> b {x == ?} / {y = x};
+                            b -> c {x == ?} / {y = x};
+                            c -> d {x == ?} / {y = x};
+                          }
+                        }
+                        """);
+        assertThat(stopped(promise, 9)).isEmpty();
+        assertThat(stopped(promise, 8)).contains("more than 8 states");
+    }
+
+    private static Optional<String> stopped(Promise promise, long states) {
+        return TransitionTests.of(promise, "Tests", new Budget(() -> false, states)).stopped();
     }
 
     private static Stream<String> text(Component component) {
