@@ -1,0 +1,97 @@
+package arcomat.analysis.automaton;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.analysis.Budget;
+import arcomat.analysis.smt.Outcome;
+import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.SymbolicSearch;
+import arcomat.lower.Lowering;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Model;
+import arcomat.symbols.Scenario;
+
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * What the solver answers to some questions about automata: the number of letters of a shortest
+ * run, {@code never}, or why it is open. Where trying comes to an end, it says the same.
+ */
+class SolverAnswersTest {
+    private static final Path DATA = Path.of("src/test/resources/analysis/solver.txt");
+
+    @TestFactory
+    Stream<DynamicTest> answers() {
+        Scenario scenario = Scenario.read(DATA);
+        Model model = Lowering.lower(scenario.workspace());
+        return Stream.of(scenario.expected().split("(?m)^(?=\\S)"))
+                .map(part -> part.lines().toList())
+                .map(
+                        part ->
+                                DynamicTest.dynamicTest(
+                                        part.get(0),
+                                        () -> check(model, part.get(0), part.subList(1, part.size()))));
+    }
+
+    private static void check(Model model, String name, List<String> expected) {
+        Component component = model.component("n." + name).orElseThrow();
+        Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
+        Subject subject = Subject.of(component, automaton, Models.arguments(component));
+        Map<String, Question> asked = new LinkedHashMap<>();
+        for (Question question : new Questions(subject).all()) {
+            String words = new Questions(subject).words(question);
+            if (expected.stream().anyMatch(line -> line.endsWith(": " + words))) {
+                asked.put(words, question);
+            }
+        }
+        Map<Question, Outcome> outcomes = outcomes(subject, asked.values());
+        List<String> lines = new ArrayList<>();
+        asked.forEach((words, question) -> lines.add(answer(outcomes.get(question)) + ": " + words));
+        assertThat(lines).containsExactlyElementsOf(expected.stream().map(String::strip).toList());
+        compareWithTrying(subject, outcomes);
+    }
+
+    private static Map<Question, Outcome> outcomes(Subject subject, Collection<Question> asked) {
+        Walk walk = new Walk(subject, Stepper.of(subject));
+        return SymbolicSearch.answer(
+                subject.component(),
+                subject.relation(),
+                subject.arguments(),
+                subject.conditions(),
+                asked,
+                (question, run) -> walk.to(question, run).isPresent(),
+                () -> false);
+    }
+
+    private static String answer(Outcome outcome) {
+        if (outcome instanceof Outcome.Found found) {
+            return String.valueOf(found.run().letters().size());
+        }
+        return outcome instanceof Outcome.Open open ? open.reason() : "never";
+    }
+
+    private static void compareWithTrying(Subject subject, Map<Question, Outcome> outcomes) {
+        Seen seen = new Seen();
+        Budget few = Budget.ofMemory().atMost(500);
+        Exploration explored = new Exploration(subject, List.of(seen), few);
+        explored.run();
+        outcomes.forEach(
+                (question, outcome) -> {
+                    if (outcome instanceof Outcome.Impossible) {
+                        assertThat(seen.questions()).doesNotContain(question);
+                    } else if (outcome instanceof Outcome.Found && explored.isComplete()) {
+                        assertThat(seen.questions()).contains(question);
+                    }
+                });
+    }
+}
