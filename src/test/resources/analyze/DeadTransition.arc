@@ -59,3 +59,35 @@ component BadSum {
 //  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition adding -> adding can never be taken: no input enables it in any configuration that is reached
   }
 }
+
+//// BadLatched.arc
+/** A latched port never loses its message. */
+component BadLatched {
+  timing untimed;
+  port <<state>> in Boolean open, in Boolean tick, in Boolean tock, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state early, late;
+    initial early;
+    early -> late {tick == ?, open == true} / {light = true};
+    late -> early {tock == ?, open == false} / {light = false};
+    late {tick == ?, open == --} / {light = true};
+//  ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ warning ARC1004: transition late -> late can never be taken: no input enables it in any configuration that is reached
+  }
+}
+
+//// GoodLatched.arc
+/** As long as it has none it stays without; and whatever event there was, the next may be another. */
+component GoodLatched {
+  timing untimed;
+  port <<state>> in Boolean open, in Boolean tick, in Boolean tock, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state early, later, late;
+    initial early;
+    early -> later {tick == ?, open == --} / {light = true};
+    later -> late {tock == ?, open == --} / {light = false};
+    late -> early {tick == ?, open == --} / {light = true};
+    late {tock == ?, open == true} / {light = true};
+  }
+}
