@@ -52,7 +52,12 @@ class ContradictionsTest {
     private static void check(Model model, Sections.Section ask) {
         Promise promise = promise(model, ask.rest());
         Consistency found = Contradictions.check(promise, ask.kind().equals("ask-all"), BUDGET);
-        String why = ask.kind().equals("ask-why") ? why(found) : "";
+        String why =
+                switch (ask.kind()) {
+                    case "ask-why" -> why(found);
+                    case "ask-explored" -> "\n" + found.explored() + " positions";
+                    default -> "";
+                };
         assertThat(text(found) + why).isEqualTo(String.join("\n", ask.lines()));
         assertThat(found.answer() == Answer.FAILS).isEqualTo(!found.contradictions().isEmpty());
         found.contradictions().forEach(each -> verify(promise, each));

@@ -40,7 +40,11 @@ class SolverAnswersTest {
                         part ->
                                 DynamicTest.dynamicTest(
                                         part.get(0),
-                                        () -> check(model, part.get(0), part.subList(1, part.size()))));
+                                        () ->
+                                                check(
+                                                        model,
+                                                        part.get(0),
+                                                        part.subList(1, part.size()))));
     }
 
     private static void check(Model model, String name, List<String> expected) {
@@ -56,7 +60,8 @@ class SolverAnswersTest {
         }
         Map<Question, Outcome> outcomes = outcomes(subject, asked.values());
         List<String> lines = new ArrayList<>();
-        asked.forEach((words, question) -> lines.add(answer(outcomes.get(question)) + ": " + words));
+        asked.forEach(
+                (words, question) -> lines.add(answer(outcomes.get(question)) + ": " + words));
         assertThat(lines).containsExactlyElementsOf(expected.stream().map(String::strip).toList());
         compareWithTrying(subject, outcomes);
     }
