@@ -93,3 +93,20 @@ component GoodEvents {
     only [quiet == false && push == 0] {push == ?};
   }
 }
+
+//// BadChoice.arc
+/** Of two ways into a trap that are as short the first is told. */
+component BadChoice {
+  port in Boolean left, out Boolean light;
+
+  <<completion = "ignore">> automaton {
+    state start, one, two;
+//               ~~~ warning ARC1005: from one on nothing is sent any more: no transition that sends can be taken; the trap is {one, two}
+    initial start;
+    start {left == --} / {light = true};
+    start -> two {left == true};
+    start -> one {left == false};
+    one -> two {left == ?};
+    two -> one {left == ?};
+  }
+}

@@ -6,6 +6,7 @@ import arcomat.model.Value;
 import arcomat.semantics.Fault;
 import arcomat.semantics.Reaction;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -23,6 +24,10 @@ record Situation(
         List<Alternative> alternatives,
         List<Fault> faults,
         List<Integer> wrapping) {
+
+    private static final Comparator<Situation> SIMPLE_FIRST =
+            Comparator.<Situation>comparingInt(each -> each.visit.length())
+                    .thenComparingInt(Situation::messages);
 
     /**
      * An enabled transition.
@@ -48,10 +53,7 @@ record Situation(
 
     /** Whether this is the better witness: the way to it is shorter, or has fewer messages. */
     boolean isSimplerThan(Situation other) {
-        if (visit.length() != other.visit.length()) {
-            return visit.length() < other.visit.length();
-        }
-        return messages() < other.messages();
+        return SIMPLE_FIRST.compare(this, other) < 0;
     }
 
     private int messages() {

@@ -6,6 +6,7 @@ import arcomat.semantics.Configuration;
 import arcomat.semantics.Output;
 import arcomat.semantics.Reaction;
 
+import java.util.Comparator;
 import java.util.Set;
 
 /**
@@ -28,6 +29,9 @@ record Visit(
         Output output,
         int length,
         int messages) {
+
+    private static final Comparator<Visit> SIMPLE_FIRST =
+            Comparator.comparingInt(Visit::length).thenComparingInt(Visit::messages);
 
     /** Where to go on from: visits to the same place are the same. */
     record Place(Configuration configuration, Set<Integer> latched) {}
@@ -56,6 +60,6 @@ record Visit(
 
     /** Whether the way is shorter, or as long with fewer messages. */
     boolean isSimplerThan(Visit other) {
-        return length != other.length ? length < other.length : messages < other.messages;
+        return SIMPLE_FIRST.compare(this, other) < 0;
     }
 }

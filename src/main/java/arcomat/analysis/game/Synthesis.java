@@ -64,12 +64,7 @@ public final class Synthesis {
             }
             all.add(state.get());
         }
-        return Optional.of(new Machine(inputs, outputs, opening(openings), all));
-    }
-
-    /** Before anything is read nothing is sent without delay, whether total or not. */
-    private Output opening(List<Rules.Option> openings) {
-        return sent(openings, port -> port.total() && port.delay() > 0);
+        return Optional.of(new Machine(inputs, outputs, sent(openings), all));
     }
 
     /** Better not to err; where it cannot be avoided for ever, later is better than now. */
@@ -148,15 +143,14 @@ public final class Synthesis {
         }
         return moves.stream().anyMatch(move -> move.sent() == null)
                 ? new Machine.Reaction(null, 0)
-                : new Machine.Reaction(sent(moves, Port::total), number(moves));
+                : new Machine.Reaction(sent(moves), number(moves));
     }
 
-    private interface MustSend {
-        boolean on(Port port);
-    }
-
-    /** What all moves allow; silence where they leave that open. */
-    private Output sent(List<Rules.Option> moves, MustSend mustSend) {
+    /**
+     * What all moves allow; silence where they leave that open, on a port that may be silent.
+     * Before anything is read nothing is sent without delay: no move leaves that open.
+     */
+    private Output sent(List<Rules.Option> moves) {
         Output all = Output.anything(outputs.size());
         for (Rules.Option move : moves) {
             all = all.meet(move.sent()).orElseThrow();
@@ -165,8 +159,7 @@ public final class Synthesis {
         for (int i = 0; i < outputs.size(); i++) {
             Port port = outputs.get(i);
             Sent sent = all.ports().get(i);
-            if (sent instanceof Sent.AnyMessage
-                    || sent instanceof Sent.Anything && mustSend.on(port)) {
+            if (sent instanceof Sent.AnyMessage || sent instanceof Sent.Anything && port.total()) {
                 sent = new Sent.Messages(Collections.singletonList(FirstValue.of(port.type())));
             }
             letter.add(sent instanceof Sent.Anything ? Sent.SILENCE : sent);
