@@ -15,6 +15,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 
@@ -40,7 +41,8 @@ class CompositionInclusionTest {
     private static void agree(long seed, int count) {
         RandomNetworks random = new RandomNetworks(seed);
         int kept = 0;
-        int failed = 0;
+        int held = 0;
+        int decided = 0;
         int late = 0;
         for (int i = 0; i < count; i++) {
             Question question = random.question();
@@ -65,15 +67,28 @@ class CompositionInclusionTest {
                 assertThat(possible(right, left, verdict.trace()))
                         .as("right all but the last")
                         .isEqualTo(last - 1);
-                failed++;
                 late += last > 2 ? 1 : 0;
             } else {
                 assertThat(verdict.answer()).isEqualTo(Answer.HOLDS);
+                decided += isSimulationRight(verdict, left, right) ? 1 : 0;
+                held++;
                 kept += RandomPairsTest.isEmpty(verdict) ? 0 : 1;
             }
         }
         assertThat(kept).as("hold, not vacuously").isGreaterThan(count * 3 / 10);
+        assertThat(decided).as("say whether there is a simulation").isGreaterThan(held / 2);
         assertThat(late).as("fail at length 2 or more").isGreaterThan(count / 12);
+    }
+
+    /** False where the engine does not say. */
+    private static boolean isSimulationRight(Verdict verdict, Promise left, Promise right) {
+        Optional<Boolean> told = verdict.simulation();
+        told.ifPresent(
+                simulates ->
+                        assertThat(simulates)
+                                .as("there is a simulation")
+                                .isEqualTo(new NaiveSimulation(left, right).holds()));
+        return told.isPresent();
     }
 
     /** The length of the counterexample, if enumeration can have found it. */

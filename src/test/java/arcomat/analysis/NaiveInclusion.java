@@ -19,10 +19,10 @@ import java.util.Set;
 final class NaiveInclusion {
     private record Node(Object left, Set<Object> right) {}
 
-    private final NaiveMachine left;
-    private final NaiveMachine right;
-    private final List<Map<String, Value>> inputs;
-    private final List<Map<String, Value>> outputs;
+    final NaiveMachine left;
+    final NaiveMachine right;
+    final List<Map<String, Value>> inputs;
+    final List<Map<String, Value>> outputs;
 
     NaiveInclusion(Promise left, Promise right) {
         this(left, right, NaiveMachine.of(right));

@@ -3,7 +3,6 @@ package arcomat.analysis;
 import arcomat.model.Value;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.List;
@@ -24,11 +23,11 @@ final class NaiveSimulation {
     private final Set<Pair> related = new HashSet<>();
 
     NaiveSimulation(Promise left, Promise right) {
-        this.left = new NumberedMachine(NaiveMachine.of(left));
-        this.right = new NumberedMachine(NaiveMachine.of(right));
-        this.inputs = NaiveInclusion.letters(left.component().inputs());
-        this.outputs = new ArrayList<>(NaiveInclusion.letters(right.component().outputs()));
-        this.outputs.add(NaiveMachine.ERROR);
+        NaiveInclusion letters = new NaiveInclusion(left, right);
+        this.left = letters.left;
+        this.right = letters.right;
+        this.inputs = letters.inputs;
+        this.outputs = letters.outputs;
     }
 
     boolean holds() {

@@ -51,7 +51,9 @@ final class Verdicts {
     }
 
     private static String simulation(Verdict verdict) {
-        return verdict.simulation().map(s -> s ? "simulates" : "does not simulate").orElse("");
+        return verdict.simulation()
+                .map(s -> s ? "simulates" : "does not simulate")
+                .orElse("may simulate");
     }
 
     static String trace(List<Moment> trace) {

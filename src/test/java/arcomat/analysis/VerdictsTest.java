@@ -20,10 +20,10 @@ import java.util.stream.Stream;
  * Verdicts as data: {@code src/test/resources/analysis/refinement}. Below {@code == ask A B}, or
  * {@code == ask A !B} for what automata on a decomposed component ask for, a line names the
  * completions of both sides, {@code -} for those of the models, and what is to be answered: {@code
- * holds}, with a part of a note if one is expected, or {@code simulates} or {@code does not
- * simulate}, or how much was explored, {@code fails}, with the whole trace, or behind {@code says}
- * all sentences, or a part of the reason and the note, {@code not late} where there is none, or
- * {@code unknown}.
+ * holds}, with a part of a note if one is expected, or {@code simulates}, {@code does not simulate}
+ * or {@code may simulate}, or how much was explored, {@code fails}, with the whole trace, or behind
+ * {@code says} all sentences, or a part of the reason and the note, {@code not late} where there is
+ * none, or {@code unknown}.
  */
 class VerdictsTest {
     static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");

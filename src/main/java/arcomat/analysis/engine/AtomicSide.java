@@ -155,6 +155,11 @@ public final class AtomicSide implements Side {
     }
 
     @Override
+    public boolean postpones() {
+        return false;
+    }
+
+    @Override
     public boolean mayErr() {
         return behaviour.relations().stream()
                 .anyMatch(relation -> RunErrors.arePossible(relation.automaton()));

@@ -198,6 +198,11 @@ public final class CompositeSide implements Side {
         return number;
     }
 
+    @Override
+    public boolean postpones() {
+        return unfolding.postpones();
+    }
+
     /** Never: even where every part is in chaos, what it sends has its type. Sound without. */
     @Override
     public boolean isChaos(int configuration) {

@@ -115,6 +115,11 @@ final class EventUnfolding implements Unfolding {
     }
 
     @Override
+    public boolean postpones() {
+        return false;
+    }
+
+    @Override
     public Optional<String> leftOut() {
         return parts.leftOut();
     }

@@ -171,8 +171,8 @@ public final class Inclusion {
                         : best != null
                                 ? Optional.of(false)
                                 : determined && budget.takes(Shortcut.DETERMINED)
-                                        ? Optional.of(true)
-                                        : simulation.verdict();
+                                        ? certain(true)
+                                        : simulation.verdict().flatMap(this::certain);
         return new Result(
                 Optional.ofNullable(best),
                 stopped,
@@ -180,6 +180,12 @@ public final class Inclusion {
                 chaosReached,
                 promising,
                 lefts.size());
+    }
+
+    /** Who decides late about a message simulates more easily, and is less easily simulated. */
+    private Optional<Boolean> certain(boolean simulates) {
+        Side late = simulates ? pairing.right : pairing.left;
+        return late.postpones() ? Optional.empty() : Optional.of(simulates);
     }
 
     private void open() {

@@ -29,6 +29,7 @@ final class Parts {
     private final Wiring wiring;
     private final Budget budget;
     private final List<Behaviour> behaviours;
+    private boolean postpone;
 
     Parts(Network network, Wiring wiring, Budget budget) {
         this.budget = budget;
@@ -39,6 +40,11 @@ final class Parts {
 
     List<Behaviour> behaviours() {
         return behaviours;
+    }
+
+    /** Whether a message has been divided a slice after it was sent. */
+    boolean postpone() {
+        return postpone;
     }
 
     /** The beginnings of all parts at once. */
@@ -89,8 +95,10 @@ final class Parts {
                 continue;
             }
             List<Slice> divided = new ArrayList<>();
+            List<Sent> samples = samples(signal, slice.visible[signal], before);
+            postpone |= wiring.delayed[signal] && samples.size() > 1;
             for (Slice each : settled) {
-                for (Sent sent : samples(signal, slice.visible[signal], before)) {
+                for (Sent sent : samples) {
                     budget.insist();
                     Slice copy = each.copy();
                     copy.visible[signal] = sent;

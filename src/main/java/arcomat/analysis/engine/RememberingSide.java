@@ -111,6 +111,11 @@ abstract class RememberingSide<M> implements Side {
     }
 
     @Override
+    public boolean postpones() {
+        return side.postpones();
+    }
+
+    @Override
     public final boolean mayErr() {
         return side.mayErr();
     }

@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * A side whose reactions on some ports stand in the slice in which they are seen, one after that in
@@ -106,6 +107,16 @@ public final class ShownSide extends RememberingSide<List<Sent>> {
 
     private static boolean isOpen(Sent sent, boolean total) {
         return sent instanceof Sent.Anything || total && sent instanceof Sent.AnyMessage;
+    }
+
+    @Override
+    public boolean postpones() {
+        return super.postpones() || IntStream.range(0, size()).anyMatch(this::isOpen);
+    }
+
+    private boolean isOpen(int configuration) {
+        List<Sent> memory = state(configuration).memory();
+        return late.stream().anyMatch(port -> !(memory.get(port) instanceof Sent.Messages));
     }
 
     @Override

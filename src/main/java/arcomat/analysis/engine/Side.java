@@ -52,6 +52,12 @@ public interface Side {
     /** Whether any output may be sent from here on; that a run ends in an error is not allowed. */
     boolean isChaos(int configuration);
 
+    /**
+     * Whether some configuration that was met stands for several: what it has sent is left open
+     * until it is read or seen, a slice later.
+     */
+    boolean postpones();
+
     /** Whether some run may end in an error; says yes where that is not sure. */
     boolean mayErr();
 

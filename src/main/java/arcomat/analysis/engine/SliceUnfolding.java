@@ -93,6 +93,11 @@ final class SliceUnfolding implements Unfolding {
     }
 
     @Override
+    public boolean postpones() {
+        return parts.postpone();
+    }
+
+    @Override
     public Optional<String> leftOut() {
         return Optional.empty();
     }

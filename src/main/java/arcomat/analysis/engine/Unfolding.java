@@ -32,6 +32,9 @@ interface Unfolding {
     /** The signal whose message a register of a {@link Whole} keeps. */
     int signal(int register);
 
+    /** Whether a message has been left open until it was read in a later slice. */
+    boolean postpones();
+
     /** Why some ways have been left out; empty where none has been so far. */
     Optional<String> leftOut();
 }
