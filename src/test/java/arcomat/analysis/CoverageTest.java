@@ -144,9 +144,11 @@ class CoverageTest {
         StreamTest streams = test.streams();
         return "  "
                 + streams.name()
-                + Stream.concat(
+                + Stream.of(
                                 test.covers().stream().map(CoverageTest::move),
-                                test.tells().stream().map(CoverageTest::text))
+                                test.tells().stream().map(CoverageTest::text),
+                                Stream.of("chaos").filter(end -> !test.promised()))
+                        .flatMap(words -> words)
                         .collect(Collectors.joining(", ", " (", "): "))
                 + streams.inputs().stream()
                         .map(letter -> new TreeMap<>(letter.messages()).toString())

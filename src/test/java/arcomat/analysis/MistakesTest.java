@@ -28,16 +28,19 @@ import java.util.stream.Collectors;
 class MistakesTest {
     @Test
     void mistakesAreTold() {
-        told(7, 15);
+        told(7, 15, 96);
     }
 
     @Tag("slow")
     @Test
     void mistakesAreToldInHundreds() {
-        told(8, 150);
+        told(8, 150, 97);
     }
 
-    private static void told(long seed, int count) {
+    /**
+     * @param percent at least so many fail a test; the others are named
+     */
+    private static void told(long seed, int count, int percent) {
         int losing = 0;
         int told = 0;
         for (int i = 0; i < count; i++) {
@@ -49,7 +52,7 @@ class MistakesTest {
             List<StreamTest> tests = TransitionTestsTest.streams(result);
             assertThat(TransitionTestsTest.verdicts(tests, component))
                     .as("seed %d, component %d passes its own tests", seed, i)
-                    .allMatch(StreamTestResult.Verdict.PASSED::equals);
+                    .isEqualTo(result.tests().stream().map(TransitionTestsTest::passes).toList());
             Set<Mistake> untold =
                     result.untold().stream().map(Untold::mistake).collect(Collectors.toSet());
             for (Mutant mutant : new Mutants(component, component.automata().get(0)).all()) {
@@ -70,7 +73,7 @@ class MistakesTest {
                         .isTrue();
             }
         }
-        assertThat(told).as("%d mistakes", losing).isGreaterThan(losing * 9 / 10);
+        assertThat(told).as("%d mistakes", losing).isGreaterThan(losing * percent / 100);
     }
 
     private static boolean isMet(Mutant mutant, TransitionTests.Result result) {

@@ -53,6 +53,9 @@ final class Distinctions {
     private final Promise promise;
     private final Promise driven;
 
+    /** Whether code sends nothing where no transition is enabled: no message has to be made up. */
+    private final boolean isCodeSilent;
+
     /** Errs where it would promise nothing any more, or errs: all other runs promise something. */
     private final Promise promising;
 
@@ -61,8 +64,21 @@ final class Distinctions {
     /** For second looks, so that they take nothing from the first ones. */
     private final Budget again;
 
-    /** A run that a mistaken component does not have. */
-    record Run(Mistake mistake, List<Letter> inputs, Map<String, List<List<Value>>> expected) {}
+    /**
+     * A run that a mistaken component does not have.
+     *
+     * @param promised whether the right one promises something to the end of it
+     */
+    record Run(
+            Mistake mistake,
+            List<Letter> inputs,
+            Map<String, List<List<Value>>> expected,
+            boolean promised) {}
+
+    /** A run that shows a mistake where the right component promises nothing any more. */
+    private record Beyond(Promise mistaken, Run run) {}
+
+    private final List<Beyond> beyond = new ArrayList<>();
 
     /**
      * @param chosen an atomic component that works slice by slice, or some of its automata: those
@@ -73,14 +89,14 @@ final class Distinctions {
         this.promise = Promise.of(chosen.component(), chosen.arguments());
         this.budget = budget.atMost(PAIRS).patient(PATIENCE);
         this.again = budget.atMost(PAIRS).patient(PATIENCE);
-        this.driven = asRun(promise);
+        this.isCodeSilent = promise.component().outputs().stream().noneMatch(Port::total);
+        this.driven = asRun();
         this.promising = promising();
     }
 
     /** As code runs it: where a completion leaves things open, nothing is sent. */
-    private static Promise asRun(Promise promise) {
-        boolean silent = promise.component().outputs().stream().noneMatch(Port::total);
-        return silent
+    private Promise asRun() {
+        return isCodeSilent
                 ? promise.withAutomata(
                         promise.automata().stream().map(Distinctions::asRun).toList())
                 : promise;
@@ -111,6 +127,14 @@ final class Distinctions {
      */
     List<Untold> tell(List<Test> tests, Function<Run, Test> named) {
         List<Untold> untold = new ArrayList<>();
+        firstLooks(tests, named, untold);
+        for (Beyond each : beyond) {
+            lastLook(each, named, tests).ifPresent(untold::add);
+        }
+        return untold;
+    }
+
+    private void firstLooks(List<Test> tests, Function<Run, Test> named, List<Untold> untold) {
         long compiled = 0;
         for (int i = 0; i < promise.automata().size(); i++) {
             Automaton automaton = promise.automata().get(i);
@@ -121,13 +145,24 @@ final class Distinctions {
                 compiled += automaton.transitions().size();
                 if (compiled > MOST_TRANSITIONS || budget.isSpent()) {
                     untold.add(new Untold(mutant.mistake(), NOT_LOOKED_AT, false));
-                    return untold;
+                    return;
                 }
                 Promise mistaken = promise.withAutomata(replaced(i, mutant.automaton()));
                 look(mutant.mistake(), mistaken, named, tests).ifPresent(untold::add);
             }
         }
-        return untold;
+    }
+
+    /** A test that ends in chaos is written where no other one tells the mistake. */
+    private Optional<Untold> lastLook(Beyond each, Function<Run, Test> named, List<Test> tests) {
+        return Budget.within(
+                () -> {
+                    if (allowsAll(each.mistaken, tests)) {
+                        tests.add(named.apply(each.run));
+                    }
+                    return Optional.empty();
+                },
+                spent -> Optional.of(new Untold(each.run.mistake, spent, false)));
     }
 
     private Optional<Untold> look(
@@ -162,7 +197,7 @@ final class Distinctions {
         }
         Optional<Run> shortest = testable(mistake, verdict);
         if (shortest.isEmpty()) {
-            return another(mistake, mistaken, named, tests);
+            return another(mistake, mistaken, verdict, named, tests);
         }
         tests.add(named.apply(shortest.get()));
         return Optional.empty();
@@ -170,7 +205,11 @@ final class Distinctions {
 
     /** The shortest run that is of use, where the shortest of all errs or ends in chaos. */
     private Optional<Untold> another(
-            Mistake mistake, Promise mistaken, Function<Run, Test> named, List<Test> tests) {
+            Mistake mistake,
+            Promise mistaken,
+            Verdict shortest,
+            Function<Run, Test> named,
+            List<Test> tests) {
         List<Verdict> found = new ArrayList<>(Refinement.failures(promising, mistaken, again));
         found.sort(Comparator.comparingInt(each -> each.trace().size()));
         boolean all = isPromisingAll();
@@ -181,7 +220,11 @@ final class Distinctions {
                 tests.add(named.apply(run.get()));
                 return Optional.empty();
             }
-            all &= fails && each.trace().stream().anyMatch(Moment::error);
+            all &= fails && errs(each);
+        }
+        if (isCodeSilent && !errs(shortest)) {
+            beyond.add(new Beyond(mistaken, run(mistake, shortest.trace(), false)));
+            return Optional.empty();
         }
         return Optional.of(new Untold(mistake, all ? BARRED : BARRED_SO_FAR, all));
     }
@@ -203,12 +246,16 @@ final class Distinctions {
 
     /** A run that a test can ask for: it goes on, and something is promised at its end. */
     private Optional<Run> testable(Mistake mistake, Verdict failure) {
-        if (failure.trace().stream().anyMatch(Moment::error)) {
+        if (errs(failure)) {
             return Optional.empty();
         }
-        Run run = run(mistake, failure.trace());
+        Run run = run(mistake, failure.trace(), true);
         boolean lost = new Following(promise, budget).isLost(run.inputs, run.expected);
         return lost ? Optional.empty() : Optional.of(run);
+    }
+
+    private static boolean errs(Verdict failure) {
+        return failure.trace().stream().anyMatch(Moment::error);
     }
 
     /** As it is run it does no less; what the model leaves open may still be missing. */
@@ -226,7 +273,7 @@ final class Distinctions {
         };
     }
 
-    private Run run(Mistake mistake, List<Moment> trace) {
+    private Run run(Mistake mistake, List<Moment> trace, boolean promised) {
         List<Letter> inputs = trace.stream().skip(1).map(Moment::input).toList();
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         for (Port port : promise.component().outputs()) {
@@ -237,7 +284,7 @@ final class Distinctions {
                             .map(moment -> messages(moment.outputs().get(port.name())))
                             .toList());
         }
-        return new Run(mistake, inputs, expected);
+        return new Run(mistake, inputs, expected, promised);
     }
 
     private static List<Value> messages(Sent sent) {

@@ -36,8 +36,11 @@ public final class TransitionTests {
      * @param covers the transitions that no earlier test takes, in the order in which it takes them
      * @param tells the mistake that it is there for: a transition, and what may have become of it;
      *     empty for a test that is there for what it covers
+     * @param promised whether the component promises something to its end; else it ends in chaos,
+     *     and what it expects there is what code does
      */
-    public record Test(StreamTest streams, List<Goal> covers, Optional<Mistake> tells) {
+    public record Test(
+            StreamTest streams, List<Goal> covers, Optional<Mistake> tells, boolean promised) {
         public Test {
             covers = List.copyOf(covers);
         }
@@ -201,7 +204,7 @@ public final class TransitionTests {
                         run.inputs(),
                         run.expected(),
                         promise.component().span());
-        return new Test(streams, List.of(), Optional.of(run.mistake()));
+        return new Test(streams, List.of(), Optional.of(run.mistake()), run.promised());
     }
 
     /** Empty where nothing stays open that can be taken. */
@@ -226,7 +229,7 @@ public final class TransitionTests {
             next = exploration.path(List.of(end), open, anew.size());
         }
         StreamTest streams = streams(nameOf(covers.get(0)), beginning(start), word);
-        return new Test(streams, covers, Optional.empty());
+        return new Test(streams, covers, Optional.empty(), true);
     }
 
     /** And goes on until it would be noticed if what is new had been missing. */

@@ -109,6 +109,9 @@ public final class TransitionTestsStep {
                                                 + each.words()
                                                 + ": "
                                                 + each.reason()));
+        if (promise.component().profile() == Component.Profile.EVENT_DRIVEN) {
+            remarks.add("Small mistakes in transitions are not looked for among events.");
+        }
         List<SuiteText.Entry> entries = new ArrayList<>();
         for (TransitionTests.Test test : found.tests()) {
             entries.add(new SuiteText.Entry(purpose(test), test.streams()));
@@ -119,9 +122,10 @@ public final class TransitionTestsStep {
     }
 
     private static List<String> purpose(TransitionTests.Test test) {
+        String end = test.promised() ? "" : ", seen where the model promises nothing any more";
         return Stream.concat(
                         test.covers().stream().map(TransitionTestsStep::line),
-                        test.tells().stream().map(each -> "if " + mistake(each)))
+                        test.tells().stream().map(each -> "if " + mistake(each) + end))
                 .toList();
     }
 

@@ -65,6 +65,7 @@ public final class TransitionTestsJson {
             json.writeEndObject();
         }
         json.writeEndArray();
+        json.writeBooleanField("promised", test.promised());
         if (test.tells().isPresent()) {
             json.writeObjectFieldStart("tells");
             write(json, test.tells().get());

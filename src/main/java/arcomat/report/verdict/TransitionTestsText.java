@@ -35,7 +35,8 @@ public final class TransitionTestsText {
                     .append(Printable.escape(file))
                     .append("\n\n")
                     .append(table(found).render(style))
-                    .append('\n');
+                    .append('\n')
+                    .append(vacuous(found));
         }
         found.uncovered().forEach(each -> out.append(uncovered(each, style)));
         out.append(gaps(found.gaps(), style));
@@ -58,6 +59,18 @@ public final class TransitionTestsText {
                             String.valueOf(test.covers().size())));
         }
         return table;
+    }
+
+    /** Who runs the tests is told of these again. */
+    private static String vacuous(TransitionTests.Result found) {
+        long count = found.tests().stream().filter(test -> !test.promised()).count();
+        return count == 0
+                ? ""
+                : FindingsText.count((int) count, "test")
+                        + (count == 1 ? " ends" : " end")
+                        + " where the model promises nothing any more, and "
+                        + (count == 1 ? "expects" : "expect")
+                        + " there what code does\n\n";
     }
 
     /** What no test tells, by the reason, then by the transition. */
