@@ -193,7 +193,7 @@ public final class TransitionTests {
         return timed ? new Distinctions(promise, budget).tell(tests, this::telling) : List.of();
     }
 
-    private Test telling(Distinctions.Run run) {
+    private Test telling(Distinction.Run run) {
         Goal transition = run.mistake().transition();
         StreamTest streams =
                 new StreamTest(

@@ -49,7 +49,7 @@ public final class Inclusion {
     private boolean chaosReached;
     private boolean promising;
     private Failure best;
-    private final Map<List<Trace.Cause>, Failure> failures = new LinkedHashMap<>();
+    private final Map<Kind, Failure> failures = new LinkedHashMap<>();
     private boolean goesOn;
     private int level;
     private long tried;
@@ -95,6 +95,9 @@ public final class Inclusion {
             Split.Case sent,
             int cost,
             int level) {}
+
+    /** Failures are alike that do the same, or go wrong in doing the same. */
+    private record Kind(List<Trace.Cause> causes, boolean error) {}
 
     /** Ends with the first failure. */
     Result search() {
@@ -206,7 +209,8 @@ public final class Inclusion {
     private void fail(Failure failure) {
         best = better(best, failure);
         if (goesOn) {
-            failures.merge(failure.steps.causes().get(failure.step), failure, Inclusion::better);
+            List<Trace.Cause> causes = failure.steps.causes().get(failure.step);
+            failures.merge(new Kind(causes, failure.sent.error()), failure, Inclusion::better);
         }
     }
 
