@@ -16,6 +16,7 @@ final class Laws {
                     new DifferenceIsBothWays(),
                     new ControllersKeepAll(),
                     new TestsPassOnTheirModel(),
+                    new MistakesAreToldOrNamed(),
                     new DeadIsNeverTaken(),
                     new EnginesAgree(),
                     new MonaAgrees());
