@@ -10,6 +10,7 @@ final class BrickLaws {
                     new ClassEstimate(),
                     new ClassLimit(),
                     new ConstantLimit(),
+                    new DisplayLetters(),
                     new FieldLimit(),
                     new KnownDefects(),
                     new LocalLimit(),

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Cli;
 import arcomat.cli.Console;
+import arcomat.pipeline.brick.ForwardingObserver;
 import arcomat.report.text.Style;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.Key;
+import arcomat.sim.device.Observer;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.Program;
@@ -24,7 +26,9 @@ import java.io.StringWriter;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
+import java.util.HashSet;
+import java.util.Set;
+import java.util.stream.IntStream;
 
 /** What the library's components do with devices, seen on the simulated brick. */
 class LibraryOnBrickTest {
@@ -58,18 +62,6 @@ class LibraryOnBrickTest {
      */
     @Test
     void robotsTalk() throws Exception {
-        for (String robot : List.of("Caller", "Answerer")) {
-            String folder = out + "/" + robot;
-            arcomat(
-                    "generate",
-                    "--target",
-                    "lejos",
-                    "--main",
-                    "robots." + robot,
-                    "--out",
-                    folder,
-                    ".");
-        }
         try (Laboratory laboratory = new Laboratory()) {
             SimulatedBrick caller = laboratory.place("Alice", program("Caller"));
             caller.expose(SensorName.S1, Stimulus.value(77));
@@ -90,8 +82,34 @@ class LibraryOnBrickTest {
         }
     }
 
+    /** Packets may arrive in parts; each slice sends a number, and each number is seen. */
+    @Test
+    void noMessageIsLost() throws Exception {
+        Set<String> shown = new HashSet<>();
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick caller = laboratory.place("Alice", program("Caller"));
+            SimulatedBrick answerer = laboratory.place("Bob", program("Answerer"));
+            laboratory.runUntil(3000);
+            answerer.observe(
+                    new ForwardingObserver(Observer.NONE) {
+                        @Override
+                        public void slept(long from, long until) {
+                            shown.add(answerer.screen().get(0).strip());
+                        }
+                    });
+            for (int distance = 1; distance <= 60; distance++) {
+                caller.expose(SensorName.S1, Stimulus.value(distance));
+                laboratory.runUntil(laboratory.time() + 100);
+            }
+            laboratory.runUntil(laboratory.time() + 1000);
+        }
+        assertThat(shown).containsAll(IntStream.rangeClosed(1, 60).mapToObj(i -> "" + i).toList());
+    }
+
     private Program program(String robot) throws IOException, ProgramException {
-        return Program.read(out.resolve(robot).resolve(robot + ".jar"));
+        String folder = out + "/" + robot;
+        arcomat("generate", "--target", "lejos", "--main", "robots." + robot, "--out", folder, ".");
+        return Program.read(Path.of(folder, robot + ".jar"));
     }
 
     private static String arcomat(String... words) {

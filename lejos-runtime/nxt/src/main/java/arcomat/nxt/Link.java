@@ -14,6 +14,9 @@ public final class Link extends Thread {
     private static final int CHANNELS = 8;
     private static final int PACKET = 5;
 
+    /** What a connection is to tell of a packet that arrives: its length, here or not. */
+    private static final int WHOLE_PACKET = 2;
+
     /** How long to wait for a call before looking again, in milliseconds. */
     private static final int PATIENCE = 10000;
 
@@ -93,17 +96,37 @@ public final class Link extends Thread {
                 : Bluetooth.connect(peer, NXTConnection.PACKET);
     }
 
-    /** Takes what has arrived; false if the connection is broken. */
+    /**
+     * Takes what has arrived; false if the connection is broken. A packet may arrive in parts: once
+     * it has begun, this waits some milliseconds for the rest.
+     */
     private boolean receive(NXTConnection connection) {
-        int length = connection.read(packet, PACKET, false);
+        int length = connection.available(WHOLE_PACKET);
         while (length > 0) {
+            int taken = connection.read(packet, PACKET, true);
             // A packet of another program is no message.
-            if (length == PACKET && packet[0] >= 0 && packet[0] < CHANNELS) {
+            if (length == PACKET && taken == PACKET && packet[0] >= 0 && packet[0] < CHANNELS) {
                 incoming(packet[0]).put(message());
             }
-            length = connection.read(packet, PACKET, false);
+            if (taken < 0 || !skip(connection, length - taken)) {
+                return false;
+            }
+            length = connection.available(WHOLE_PACKET);
         }
-        return length == 0;
+        // Reads nothing, but says whether the connection stands.
+        return connection.read(packet, 0, false) == 0;
+    }
+
+    /** Leaves out the rest of a packet that is too long; false if the connection is broken. */
+    private boolean skip(NXTConnection connection, int rest) {
+        while (rest > 0) {
+            int taken = connection.read(packet, Math.min(rest, PACKET), true);
+            if (taken <= 0) {
+                return false;
+            }
+            rest -= taken;
+        }
+        return true;
     }
 
     private int message() {

@@ -14,6 +14,12 @@ public abstract class Robot {
     private static final int COLUMNS = 16;
     private static final int ROWS = 8;
 
+    /** The longest that motors take to stand, in milliseconds. */
+    private static final int BRAKING = 500;
+
+    /** How often motors are looked at that brake, in milliseconds. */
+    private static final int LOOK = 10;
+
     /** How often ESCAPE is looked at while a problem is shown, in milliseconds. */
     private static final int PATIENCE = 50;
 
@@ -49,11 +55,23 @@ public abstract class Robot {
         }
     }
 
-    /** Without waiting until they stand: another motor would run on in the meantime. */
+    /**
+     * All at once, for another motor would run on while one is waited for. Then until they stand:
+     * the end of a program lets them go, braked or not. A motor that something else keeps turning
+     * is not waited for.
+     */
     private static void stopMotors() {
         Motor.A.stop(true);
         Motor.B.stop(true);
         Motor.C.stop(true);
+        Cycle look = new Cycle(LOOK);
+        for (int waited = 0; waited <= BRAKING && isMoving() && look.await(); waited += LOOK) {
+            // They brake.
+        }
+    }
+
+    private static boolean isMoving() {
+        return Motor.A.isMoving() || Motor.B.isMoving() || Motor.C.isMoving();
     }
 
     private static void show(Throwable problem) {

@@ -40,6 +40,8 @@ public final class Row {
     }
 
     private void draw(String text, int column) {
-        LCD.drawChar(column < text.length() ? text.charAt(column) : ' ', column, row);
+        char letter = column < text.length() ? text.charAt(column) : ' ';
+        // The display has ASCII only, and draws nothing over the old letter for any other.
+        LCD.drawChar(letter < ' ' || letter > '~' ? '?' : letter, column, row);
     }
 }

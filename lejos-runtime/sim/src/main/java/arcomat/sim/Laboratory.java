@@ -1,5 +1,6 @@
 package arcomat.sim;
 
+import arcomat.sim.device.Limits;
 import arcomat.sim.load.Program;
 import arcomat.sim.radio.Ether;
 import arcomat.sim.time.Timetable;
@@ -15,8 +16,20 @@ import java.util.List;
  */
 public final class Laboratory implements AutoCloseable {
     private final VirtualTime time = new VirtualTime();
-    private final Ether ether = new Ether();
+    private final Ether ether;
     private final List<SimulatedBrick> bricks = new ArrayList<>();
+    private final Limits limits;
+
+    /** For bricks as they are. */
+    public Laboratory() {
+        this(Limits.OF_THE_BRICK);
+    }
+
+    /** For bricks with other limits than real ones have. */
+    public Laboratory(Limits limits) {
+        this.limits = limits;
+        this.ether = new Ether(limits.packetsInPieces());
+    }
 
     /**
      * A new brick, switched on at this moment with a program on it.
@@ -24,7 +37,7 @@ public final class Laboratory implements AutoCloseable {
      * @throws IllegalArgumentException if another brick has the name
      */
     public SimulatedBrick place(String name, Program program) {
-        SimulatedBrick brick = new SimulatedBrick(name, program, time, ether);
+        SimulatedBrick brick = new SimulatedBrick(name, program, time, ether, limits);
         bricks.add(brick);
         return brick;
     }

@@ -14,15 +14,20 @@ import java.util.Set;
 final class ProgramThreads implements Lifetime {
     private final String name;
     private final VirtualTime time;
+    private final Runnable whenOver;
     private final Map<Thread, Strand> strands = new IdentityHashMap<>();
     private final Set<Thread> started = Collections.newSetFromMap(new IdentityHashMap<>());
     private final Set<Thread> daemons = Collections.newSetFromMap(new IdentityHashMap<>());
     private final Thread main = new Thread("main");
     private Outcome outcome = Outcome.of(Outcome.Kind.RUNNING);
 
-    ProgramThreads(String name, VirtualTime time) {
+    /**
+     * @param whenOver what the brick does as soon as the program is over
+     */
+    ProgramThreads(String name, VirtualTime time, Runnable whenOver) {
         this.name = name;
         this.time = time;
+        this.whenOver = whenOver;
     }
 
     Outcome outcome() {
@@ -126,6 +131,7 @@ final class ProgramThreads implements Lifetime {
             return;
         }
         outcome = reason;
+        whenOver.run();
         strands.values().forEach(time::end);
         time.wakeController();
     }

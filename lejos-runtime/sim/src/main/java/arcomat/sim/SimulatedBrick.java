@@ -2,6 +2,7 @@ package arcomat.sim;
 
 import arcomat.sim.device.Hardware;
 import arcomat.sim.device.Key;
+import arcomat.sim.device.Limits;
 import arcomat.sim.device.MotorDevice;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.Observer;
@@ -25,11 +26,15 @@ public final class SimulatedBrick {
     private final Hardware hardware;
     private final ProgramThreads threads;
 
-    SimulatedBrick(String name, Program program, VirtualTime time, Ether ether) {
-        threads = new ProgramThreads(name, time);
-        hardware = new Hardware(name, time, threads, ether.join(name));
+    SimulatedBrick(String name, Program program, VirtualTime time, Ether ether, Limits limits) {
+        threads = new ProgramThreads(name, time, this::programOver);
+        hardware = new Hardware(name, time, threads, ether.join(name), limits);
         BrickLoader loader = new BrickLoader(program, hardware);
         threads.startMain(() -> runMain(loader, program.mainClass()));
+    }
+
+    private void programOver() {
+        hardware.programEnded();
     }
 
     /** As on the brick, main gets no arguments, not even an empty array. */

@@ -11,6 +11,7 @@ import arcomat.sim.script.ScriptParser;
 
 import org.junit.jupiter.api.Test;
 
+import java.util.List;
 import java.util.Map;
 
 /** How programs end, and what is left of them. */
@@ -70,9 +71,30 @@ class OutcomeTest {
             assertThat(brick.isRunning()).isTrue();
             brick.press(Key.ESCAPE);
             laboratory.runToEnd(10_000);
-            assertThat(laboratory.time()).isEqualTo(200);
+            assertThat(laboratory.time()).isEqualTo(250);
             assertThat(brick.outcome().kind()).isEqualTo(Outcome.Kind.ABORTED);
-            assertThat(brick.motor(MotorName.C).order()).isEqualTo(MotorOrder.TURN);
+        }
+    }
+
+    /** Braked or not: on the brick, too, the motors are let go when the program is over. */
+    @Test
+    void motorsAreLetGoAtTheEnd() {
+        for (String end : List.of("", "int x = 1 / (args == null ? 0 : 1);", "System.exit(0);")) {
+            try (Laboratory laboratory = new Laboratory()) {
+                String[] body = {
+                    "Motor.A.setSpeed(600);",
+                    "Motor.A.forward();",
+                    "Delay.msDelay(500);",
+                    "Motor.A.stop(true);",
+                    end
+                };
+                SimulatedBrick brick = laboratory.place("brick", Compiled.main(body));
+                laboratory.runToEnd(10_000);
+                assertThat(brick.motor(MotorName.A).order()).isEqualTo(MotorOrder.FLOAT);
+                assertThat(brick.motor(MotorName.A).speed()).isGreaterThan(500);
+                laboratory.runUntil(laboratory.time() + 1000);
+                assertThat(brick.motor(MotorName.A).speed()).isZero();
+            }
         }
     }
 

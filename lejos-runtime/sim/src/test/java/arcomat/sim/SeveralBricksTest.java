@@ -3,6 +3,7 @@ package arcomat.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import arcomat.sim.device.Limits;
 import arcomat.sim.load.Program;
 
 import org.junit.jupiter.api.Test;
@@ -54,6 +55,45 @@ class SeveralBricksTest {
             SimulatedBrick brick = laboratory.place("brick", program);
             laboratory.runUntil(8000);
             assertThat(brick.screen().get(0)).isEqualTo("null null null");
+        }
+    }
+
+    private static final Program LISTENER =
+            Compiled.main(
+                    "NXTConnection c = Bluetooth.waitForConnection(0, NXTConnection.PACKET);",
+                    "byte[] packet = new byte[5];",
+                    "String parts = \"\";",
+                    "for (int n = c.read(packet, 5, false); n >= 0;",
+                    "     n = c.read(packet, 5, false)) {",
+                    "  parts += n == 0 ? \"\" : n + \"/\" + (n + c.available(1)) + \" \";",
+                    "  Delay.msDelay(1);",
+                    "}",
+                    "for (int row = 0; row < parts.length() / 16; row++)",
+                    "  LCD.drawString(parts.substring(16 * row, 16 * row + 16), 0, row);");
+
+    private static final Program SPEAKER =
+            Compiled.main(
+                    "NXTConnection c = Bluetooth.connect(\"listener\", NXTConnection.PACKET);",
+                    "for (int i = 0; i < 10; i++) {",
+                    "  c.write(new byte[5], 5);",
+                    "  Delay.msDelay(40);",
+                    "}",
+                    "c.close();");
+
+    /** On the air a packet may break; a reader that does not wait gets its parts one by one. */
+    @Test
+    void somePacketsArriveInTwoParts() {
+        assertThat(parts(Limits.OF_THE_BRICK))
+                .isEqualTo("5/5 5/5 5/5 1/5 4/4 5/5 5/5 5/5 2/5 3/3 5/5 5/5");
+        assertThat(parts(Limits.NONE)).isEqualTo("5/5 5/5 5/5 5/5 5/5 5/5 5/5 5/5");
+    }
+
+    private static String parts(Limits limits) {
+        try (Laboratory laboratory = new Laboratory(limits)) {
+            SimulatedBrick listener = laboratory.place("listener", LISTENER);
+            laboratory.place("speaker", SPEAKER);
+            laboratory.runToEnd(10_000);
+            return String.join(" ", listener.screen()).strip();
         }
     }
 

@@ -57,6 +57,9 @@ class TraceTest {
                 .containsExactly(
                         org.assertj.core.groups.Tuple.tuple(MotorName.A, MotorOrder.TURN, 300));
         assertThat(cycles.get(2).orders()).as("nothing new").isEmpty();
-        assertThat(cycles.get(4).events()).isEmpty();
+        assertThat(cycles.get(4).orders())
+                .as("the end lets the motors go")
+                .extracting(Event.MotorOrdered::order)
+                .containsExactly(MotorOrder.FLOAT);
     }
 }

@@ -25,18 +25,20 @@ public final class Hardware {
     private final Screen screen;
     private final Keypad keypad;
     private final Speaker speaker;
+    private final Limits limits;
     private Observer observer = Observer.NONE;
     private int batteryMillivolts = FULL_BATTERY;
 
-    public Hardware(String name, VirtualTime time, Lifetime lifetime, Radio radio) {
+    public Hardware(String name, VirtualTime time, Lifetime lifetime, Radio radio, Limits limits) {
         this.name = name;
         this.time = time;
         this.lifetime = lifetime;
         this.radio = radio;
+        this.limits = limits;
         this.motors = IntStream.range(0, 3).mapToObj(i -> new MotorDevice(this, i)).toList();
         this.sockets = IntStream.range(0, 4).mapToObj(i -> new SensorSocket(this, i)).toList();
         this.screen = new Screen(this);
-        this.keypad = new Keypad(lifetime::abort);
+        this.keypad = new Keypad(time, limits.keyDelay(), lifetime::abort);
         this.speaker = new Speaker(this);
     }
 
@@ -93,6 +95,18 @@ public final class Hardware {
 
     public Speaker speaker() {
         return speaker;
+    }
+
+    public Limits limits() {
+        return limits;
+    }
+
+    /**
+     * What the brick does when a program is over, however it ended: it lets all motors go. One that
+     * still turned runs out.
+     */
+    public void programEnded() {
+        motors.forEach(MotorDevice::letGo);
     }
 
     public Observer observer() {

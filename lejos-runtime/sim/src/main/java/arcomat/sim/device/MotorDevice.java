@@ -57,6 +57,7 @@ public final class MotorDevice {
         ordered(MotorOrder.FLOAT, 0);
     }
 
+    /** Lets the shaft go without braking. */
     public void letGo() {
         letGo(FRICTION);
     }

@@ -64,13 +64,18 @@ public final class Screen {
     }
 
     private boolean set(int column, int row, char character) {
-        if (column < 0 || column >= COLUMNS || row < 0 || row >= ROWS) {
+        if (column < 0 || column >= COLUMNS || row < 0 || row >= ROWS || !isDrawn(character)) {
             return false;
         }
         int cell = row * COLUMNS + column;
         boolean changed = cells[cell] != character;
         cells[cell] = character;
         return changed;
+    }
+
+    /** The display knows the letters of ASCII; where another one is drawn, the old one stays. */
+    private static boolean isDrawn(char character) {
+        return character >= ' ' && character <= '~';
     }
 
     private void report(boolean changed) {

@@ -7,6 +7,14 @@ import java.util.Optional;
 /** The room in which radios hear each other. */
 public final class Ether {
     private final List<Radio> radios = new ArrayList<>();
+    private final boolean packetsInPieces;
+
+    /**
+     * @param packetsInPieces whether some packets arrive in two parts
+     */
+    public Ether(boolean packetsInPieces) {
+        this.packetsInPieces = packetsInPieces;
+    }
 
     /**
      * A radio under a name by which others call it.
@@ -20,6 +28,10 @@ public final class Ether {
         Radio radio = new Radio(name, this);
         radios.add(radio);
         return radio;
+    }
+
+    Channel channel() {
+        return new Channel(packetsInPieces);
     }
 
     Optional<Radio> find(String name) {

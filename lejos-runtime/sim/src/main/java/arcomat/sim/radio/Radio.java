@@ -58,8 +58,8 @@ public final class Radio {
     }
 
     private Link connectTo(Radio partner) {
-        Channel there = new Channel();
-        Channel back = new Channel();
+        Channel there = ether.channel();
+        Channel back = ether.channel();
         partner.listening = false;
         partner.link = new Link(name, back, there);
         if (partner.sleeper != null) {

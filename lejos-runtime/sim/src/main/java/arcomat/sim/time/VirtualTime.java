@@ -143,6 +143,11 @@ public final class VirtualTime {
         schedule(timetable, first);
     }
 
+    /** Calls a timetable at another moment than it asked for. */
+    public void restart(Timetable timetable, long moment) {
+        schedule(timetable, moment);
+    }
+
     private void leaveIfEnded(Strand strand) {
         if (!strand.isEnded()) {
             return;

@@ -19,7 +19,6 @@ public abstract class NXTConnection implements StreamConnection {
 
     private static final Hardware BRICK = Hardware.of(NXTConnection.class);
     private static final int END = -1;
-    private static final int LOST = -2;
 
     private final Link link;
     private int mode;
@@ -46,20 +45,29 @@ public abstract class NXTConnection implements StreamConnection {
         return available(0);
     }
 
-    /** Bytes that can be read without waiting; in this simulation of one packet only. */
+    /**
+     * Bytes of the packet that is arriving: those that can be read without waiting (0), all that
+     * have not been read (1), or its whole length (2); 0 if none is arriving.
+     */
     public int available(int what) {
-        return Math.max(0, link.incoming().arrived(BRICK.called().time().now()));
+        long now = BRICK.called().time().now();
+        Channel channel = link.incoming();
+        return switch (what) {
+            case 1 -> channel.left(now);
+            case 2 -> channel.length(now);
+            default -> channel.arrived(now);
+        };
     }
 
     public int write(byte[] data, int len) {
         return write(data, len, true);
     }
 
-    /** The number of bytes sent; 0 if there is no room and nothing to wait for; -1 when closed. */
+    /** The number of bytes sent; 0 if there is no room and no time to wait; -1 when closed. */
     public int write(byte[] data, int len, boolean wait) {
         Channel channel = link.outgoing();
         int length = Math.min(len, channel.longest());
-        while (!channel.isClosed()) {
+        while (length > 0 && !channel.isClosed()) {
             if (channel.send(data, length, BRICK.called().time().now())) {
                 BRICK.observer().packetSent(BRICK.time().now(), data, length);
                 return length;
@@ -69,7 +77,7 @@ public abstract class NXTConnection implements StreamConnection {
             }
             BRICK.time().waitUntil(BRICK.tickAfter(1));
         }
-        return END;
+        return length > 0 ? END : 0;
     }
 
     public int sendPacket(byte[] buf, int bufLen) {
@@ -81,15 +89,16 @@ public abstract class NXTConnection implements StreamConnection {
     }
 
     /**
-     * Bytes read; 0 for none yet; -1 when closed; -2 when the packet was longer than the buffer.
+     * Bytes read; 0 for none yet; -1 when closed. Where it waits, it waits for the whole packet or
+     * a full buffer. What does not fit is left for the next time.
      */
     public int read(byte[] data, int len, boolean wait) {
         Channel channel = link.incoming();
-        while (channel.arrived(BRICK.called().time().now()) < 0) {
+        while (!isThere(channel, len, wait)) {
             if (channel.isFinished()) {
                 return END;
             }
-            if (!wait) {
+            if (!wait || len == 0) {
                 return 0;
             }
             BRICK.time().waitUntil(BRICK.tickAfter(1));
@@ -97,14 +106,19 @@ public abstract class NXTConnection implements StreamConnection {
         return take(channel, data, len);
     }
 
+    private boolean isThere(Channel channel, int len, boolean wait) {
+        long now = BRICK.called().time().now();
+        boolean toTheEnd = wait && mode != RAW;
+        int wanted = toTheEnd ? Math.min(len, channel.left(now)) : Math.min(len, 1);
+        return wanted > 0 && channel.arrived(now) >= wanted;
+    }
+
     private int take(Channel channel, byte[] data, int len) {
-        boolean tooLong = mode == PACKET && channel.arrived(BRICK.time().now()) > len;
-        int taken = channel.take(data, 0, len);
-        BRICK.observer().packetReceived(BRICK.time().now(), data, taken);
-        if (tooLong) {
-            channel.drop();
-        }
-        return tooLong ? LOST : taken;
+        long now = BRICK.time().now();
+        int taken = Math.min(len, channel.arrived(now));
+        channel.take(data, taken);
+        BRICK.observer().packetReceived(now, data, taken);
+        return taken;
     }
 
     public int readPacket(byte[] buf, int len) {

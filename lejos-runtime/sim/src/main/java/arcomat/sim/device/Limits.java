@@ -1,0 +1,16 @@
+package arcomat.sim.device;
+
+/**
+ * What a real brick does to programs that a PC would not, measured on leJOS NXJ 0.9.1.
+ *
+ * @param keyDelay microseconds from a press to the moment at which programs see it; a key that is
+ *     released before has not been pressed
+ * @param packetsInPieces whether some packets arrive in two parts, as on the air
+ */
+public record Limits(long keyDelay, boolean packetsInPieces) {
+    /** As on the brick. */
+    public static final Limits OF_THE_BRICK = new Limits(50_000, true);
+
+    /** An ideal brick, for those who want to see their program alone. */
+    public static final Limits NONE = new Limits(0, false);
+}
