@@ -3,6 +3,7 @@ package arcomat.brick;
 import arcomat.source.Diagnostic;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * What is known about a robot's jar before it is linked.
@@ -26,6 +27,13 @@ public record BrickReport(List<Diagnostic> findings, List<Share> shares, int lin
     public BrickReport {
         findings = List.copyOf(findings);
         shares = List.copyOf(shares);
+    }
+
+    /** The same with further findings. */
+    public BrickReport with(List<Diagnostic> more) {
+        List<Diagnostic> all =
+                Stream.concat(findings.stream(), more.stream()).sorted(Diagnostic.ORDER).toList();
+        return new BrickReport(all, shares, linkedClasses);
     }
 
     public boolean fits() {

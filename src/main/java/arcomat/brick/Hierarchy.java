@@ -47,7 +47,8 @@ final class Hierarchy {
                 .filter(method -> method.name().equals(name));
     }
 
-    private boolean declares(String type, Reference.Member member) {
+    /** Whether a type has a member itself. */
+    boolean declares(String type, Reference.Member member) {
         return program.own(type).filter(node -> declares(node, member)).isPresent()
                 || program.table().type(type).filter(t -> declares(t, member)).isPresent();
     }
@@ -74,7 +75,7 @@ final class Hierarchy {
     }
 
     /** The type first; interfaces have the methods of objects as well. */
-    private Set<String> withSupertypes(String name) {
+    Set<String> withSupertypes(String name) {
         Set<String> result = new LinkedHashSet<>();
         collect(name, result);
         result.add("java/lang/Object");

@@ -1,8 +1,6 @@
 package arcomat.pipeline;
 
-import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
-import arcomat.brick.api.BrickTable;
 import arcomat.check.Profile;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.analysis.AnalysisResult;
@@ -210,7 +208,7 @@ public final class Pipeline {
      * @throws WrongUse where there is no such jar
      */
     public BrickReport checkBrick(String jar) throws WrongUse {
-        return BrickCheck.check(JarReader.read(jar, names).jar(), BrickTable.leJos());
+        return JarReader.read(jar, names).report();
     }
 
     /**

@@ -9,7 +9,7 @@ import java.util.Optional;
 /**
  * What came of running a program on a simulated brick.
  *
- * @param findings about the script
+ * @param findings about the program, or about the script
  * @param run empty exactly if the findings did not let the program run
  */
 public record BrickRunResult(List<Diagnostic> findings, Optional<Run> run) {

@@ -34,6 +34,10 @@ public final class BrickRunStep {
     public static BrickRunResult run(BrickRunRequest request, PathNames names, Progress progress)
             throws WrongUse {
         JarReader jar = JarReader.read(request.jar(), names);
+        List<Diagnostic> obstacles = jar.obstacles();
+        if (!obstacles.isEmpty()) {
+            return new BrickRunResult(obstacles, Optional.empty());
+        }
         Script script = new Script(List.of());
         if (request.script().isPresent()) {
             SourceFile file = FileReader.required("script", request.script().get(), names);

@@ -94,6 +94,11 @@ final class WorldPrograms {
             if (jar == null) {
                 return null;
             }
+            List<Diagnostic> obstacles = jar.obstacles();
+            findings.addAll(obstacles);
+            if (!obstacles.isEmpty()) {
+                return null;
+            }
             Program program = jar.program();
             if (!program.classes().containsKey(program.mainClass())) {
                 throw new WrongUse(

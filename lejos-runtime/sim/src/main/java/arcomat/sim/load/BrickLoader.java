@@ -43,9 +43,12 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
     }
 
     private static boolean isInside(String name) {
-        return name.startsWith("lejos.")
-                || name.startsWith("javax.microedition.")
-                || name.startsWith("arcomat.sim.inside.");
+        return isOfTheBrick(name) || name.startsWith("arcomat.sim.inside.");
+    }
+
+    /** Classes that are leJOS' for programs. */
+    static boolean isOfTheBrick(String name) {
+        return name.startsWith("lejos.") || name.startsWith("javax.microedition.");
     }
 
     @Override
