@@ -10,6 +10,7 @@ import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
+import arcomat.sim.time.OutOfPatience;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -35,8 +36,8 @@ import java.util.OptionalInt;
             "  3000  button ESCAPE       pressed for a moment; also ESCAPE 800, ESCAPE down, up",
             "  10000 end",
             "",
-            "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 2 wrong"
-                    + " use."
+            "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 3 it was",
+            "given up; 2 wrong use."
         })
 final class RunBrickCommand extends Command {
     enum TraceFormat {
@@ -75,6 +76,8 @@ final class RunBrickCommand extends Command {
                             + " leaves out cycles that change nothing.")
     private TraceFormat trace;
 
+    @Mixin private PatienceOption timeout = new PatienceOption();
+
     @Mixin private PageOption report = new PageOption();
 
     RunBrickCommand(Console console) {
@@ -88,8 +91,16 @@ final class RunBrickCommand extends Command {
         }
         report.prepare(pipeline);
         OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);
-        BrickRunResult result =
-                pipeline.runBrick(new BrickRunRequest(jar, Optional.ofNullable(script), limit));
+        BrickRunRequest request =
+                new BrickRunRequest(jar, Optional.ofNullable(script), limit, timeout.patience());
+        try {
+            return report(pipeline.runBrick(request), pipeline);
+        } catch (OutOfPatience e) {
+            return PatienceOption.gaveUp(e, console);
+        }
+    }
+
+    private int report(BrickRunResult result, Pipeline pipeline) throws WrongUse {
         if (result.run().isEmpty()) {
             print(FindingsText.render(result.findings(), console.style()));
             printLine(FindingsText.summary(result.findings(), 1, console.style()));

@@ -5,9 +5,11 @@ import arcomat.pipeline.step.WrongUse;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.world.WorldText;
+import arcomat.sim.time.OutOfPatience;
 import arcomat.world.Recording;
 
 import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -24,7 +26,9 @@ import picocli.CommandLine.Parameters;
             "",
             "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
                     + " was",
-            "not reached, or there are errors in the world or its models; 2 wrong use."
+            "not reached, or there are errors in the world or its models; 3 a run was given up; 2"
+                + " wrong",
+            "use."
         })
 final class WorldCommand extends Command {
     @Parameters(
@@ -55,6 +59,8 @@ final class WorldCommand extends Command {
             description = "Run with N seeds, this one and the next; tell only how each ended.")
     private int runs;
 
+    @Mixin private PatienceOption timeout = new PatienceOption();
+
     WorldCommand(Console console) {
         super(console);
     }
@@ -76,11 +82,15 @@ final class WorldCommand extends Command {
             printLine(FindingsText.summary(prepared.findings(), prepared.files(), console.style()));
             return ExitStatus.FINDINGS;
         }
-        return runs == 1 ? runOnce(prepared, pipeline) : runOften(prepared);
+        try {
+            return runs == 1 ? runOnce(prepared, pipeline) : runOften(prepared);
+        } catch (OutOfPatience e) {
+            return PatienceOption.gaveUp(e, console);
+        }
     }
 
     private int runOnce(PreparedWorld prepared, Pipeline pipeline) throws WrongUse {
-        Recording recording = prepared.run(seed);
+        Recording recording = prepared.run(seed, timeout.patience());
         print(WorldText.events(recording, console.style()));
         printLine("");
         printLine(WorldText.summary(recording));
@@ -91,10 +101,10 @@ final class WorldCommand extends Command {
         return status(recording.succeeded());
     }
 
-    private int runOften(PreparedWorld prepared) {
+    private int runOften(PreparedWorld prepared) throws WrongUse {
         int good = 0;
         for (long each = seed; each < seed + runs; each++) {
-            Recording recording = prepared.run(each);
+            Recording recording = prepared.run(each, timeout.patience());
             good += recording.succeeded() ? 1 : 0;
             printLine("seed " + each + ": " + WorldText.summary(recording));
         }

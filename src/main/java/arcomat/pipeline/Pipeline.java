@@ -215,6 +215,7 @@ public final class Pipeline {
      * Runs a robot's jar on a simulated brick.
      *
      * @throws WrongUse where jar or script cannot be read
+     * @throws arcomat.sim.time.OutOfPatience where it takes longer than the request allows
      */
     public BrickRunResult runBrick(BrickRunRequest request) throws WrongUse {
         return BrickRunStep.run(request, names, progress);

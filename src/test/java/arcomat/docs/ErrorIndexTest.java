@@ -47,6 +47,7 @@ class ErrorIndexTest {
     private static final Map<String, String> SPECIAL =
             Map.of(
                     "ARC0007", "error; warning for folders",
+                    "ARC0916", "error; warning of `check-brick`",
                     "ARC1002", "warning; error where completion is `error`");
 
     private static final Map<String, String> CHAPTERS = new LinkedHashMap<>();

@@ -17,6 +17,7 @@ import arcomat.sim.trace.Recorder;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -31,6 +32,12 @@ public final class BrickRunStep {
 
     private BrickRunStep() {}
 
+    /**
+     * Runs the program, if nothing speaks against it.
+     *
+     * @throws WrongUse where jar or script cannot be read
+     * @throws arcomat.sim.time.OutOfPatience where it takes longer than the request allows
+     */
     public static BrickRunResult run(BrickRunRequest request, PathNames names, Progress progress)
             throws WrongUse {
         JarReader jar = JarReader.read(request.jar(), names);
@@ -49,11 +56,14 @@ public final class BrickRunStep {
         }
         progress.step("running " + request.jar() + " on a simulated brick");
         long end = end(request, script);
-        return new BrickRunResult(List.of(), Optional.of(run(jar, script, end)));
+        return new BrickRunResult(
+                List.of(), Optional.of(run(jar, script, end, request.patience())));
     }
 
-    private static BrickRunResult.Run run(JarReader jar, Script script, long end) {
+    private static BrickRunResult.Run run(
+            JarReader jar, Script script, long end, Duration patience) {
         try (Laboratory laboratory = new Laboratory()) {
+            laboratory.limit(patience);
             SimulatedBrick brick = laboratory.place(jar.main(), jar.program());
             Recorder recorder = new Recorder();
             brick.observe(recorder);

@@ -1,10 +1,12 @@
 package arcomat.pipeline.world;
 
+import arcomat.sim.Laboratory;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
 import arcomat.world.World;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 
@@ -38,15 +40,22 @@ public final class PreparedWorld {
         return findings.stream().noneMatch(Diagnostic::isError);
     }
 
+    /** Runs it, as long as usual. */
+    public Recording run(long seed) {
+        return run(seed, Laboratory.PATIENCE);
+    }
+
     /**
      * Runs it, to its goal or to its end.
      *
      * @param seed of everything that is drawn
+     * @param patience how long it may take by the PC's clock
+     * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    public Recording run(long seed) {
+    public Recording run(long seed, Duration patience) {
         if (!canRun()) {
             throw new IllegalStateException("a world with errors");
         }
-        return WorldRun.run(world, seed, programs);
+        return WorldRun.run(world, seed, programs, patience);
     }
 }

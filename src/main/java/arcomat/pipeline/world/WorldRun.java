@@ -13,6 +13,7 @@ import arcomat.world.Scene;
 import arcomat.world.Senses;
 import arcomat.world.World;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -57,13 +58,21 @@ final class WorldRun {
         }
     }
 
+    /** Runs a world as long as usual. */
+    static Recording run(World world, long seed, Map<String, Program> programs) {
+        return run(world, seed, programs, Laboratory.PATIENCE);
+    }
+
     /**
      * Runs a world to its goal, or to its end.
      *
      * @param programs by the names of robots
+     * @param patience how long it may take by the PC's clock
+     * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    static Recording run(World world, long seed, Map<String, Program> programs) {
+    static Recording run(World world, long seed, Map<String, Program> programs, Duration patience) {
         try (Laboratory laboratory = new Laboratory()) {
+            laboratory.limit(patience);
             return new WorldRun(world, seed, laboratory).run(programs);
         }
     }

@@ -17,11 +17,8 @@ public abstract class Robot {
     /** The longest that motors take to stand, in milliseconds. */
     private static final int BRAKING = 500;
 
-    /** How often motors are looked at that brake, in milliseconds. */
-    private static final int LOOK = 10;
-
-    /** How often ESCAPE is looked at while a problem is shown, in milliseconds. */
-    private static final int PATIENCE = 50;
+    /** From one look at motors that brake, or at ESCAPE, to the next, in milliseconds. */
+    private static final int LOOK = 50;
 
     /** Creates the components. */
     protected abstract void start();
@@ -81,7 +78,7 @@ public abstract class Robot {
             int end = Math.min(text.length(), (row + 1) * COLUMNS);
             LCD.drawString(text.substring(row * COLUMNS, end), 0, row);
         }
-        Cycle cycle = new Cycle(PATIENCE);
+        Cycle cycle = new Cycle(LOOK);
         while (cycle.await() && !Button.ESCAPE.isDown()) {
             // The text stays.
         }

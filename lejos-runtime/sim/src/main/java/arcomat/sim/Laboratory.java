@@ -6,6 +6,7 @@ import arcomat.sim.radio.Ether;
 import arcomat.sim.time.Timetable;
 import arcomat.sim.time.VirtualTime;
 
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -15,6 +16,9 @@ import java.util.List;
  * nothing else: done again, it is the same.
  */
 public final class Laboratory implements AutoCloseable {
+    /** What runs may take of the PC's time where nobody says: hours of a robot take less. */
+    public static final Duration PATIENCE = Duration.ofMinutes(5);
+
     private final VirtualTime time = new VirtualTime();
     private final Ether ether;
     private final List<SimulatedBrick> bricks = new ArrayList<>();
@@ -34,12 +38,21 @@ public final class Laboratory implements AutoCloseable {
     /**
      * A new brick, switched on at this moment with a program on it.
      *
-     * @throws IllegalArgumentException if another brick has the name
+     * @throws IllegalArgumentException if another brick has the name, or if the program brings
+     *     classes of leJOS or of the simulation, which are there already
      */
     public SimulatedBrick place(String name, Program program) {
         SimulatedBrick brick = new SimulatedBrick(name, program, time, ether, limits);
         bricks.add(brick);
         return brick;
+    }
+
+    /**
+     * From now on all runs together may take so long by the PC's clock; then they end with an
+     * {@link arcomat.sim.time.OutOfPatience}. Programs that compute and compute let no time pass.
+     */
+    public void limit(Duration patience) {
+        time.limit(patience);
     }
 
     /**
@@ -82,9 +95,12 @@ public final class Laboratory implements AutoCloseable {
         }
     }
 
-    /** Switches every brick off. */
+    /** Switches every brick off; programs that nobody could wait for are left behind. */
     @Override
     public void close() {
+        if (time.isAbandoned()) {
+            return;
+        }
         bricks.forEach(SimulatedBrick::stop);
         time.runUntil(time.now());
     }

@@ -12,6 +12,7 @@ import org.junit.jupiter.api.io.TempDir;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
@@ -47,6 +48,20 @@ class LoadTest {
             SimulatedBrick brick = laboratory.place("brick", program);
             laboratory.runToEnd(1000);
             assertThat(brick.screen().get(0)).isEqualTo("hello");
+        }
+    }
+
+    @Test
+    void noProgramBringsClassesOfTheSimulation() {
+        for (String name : List.of("arcomat.sim.Outcome", "lejos.nxt.LCD", "java.lang.Own")) {
+            Program program =
+                    new Program(
+                            "Main", Map.of("Main", HELLO.classes().get("Main"), name, new byte[0]));
+            try (Laboratory laboratory = new Laboratory()) {
+                assertThatThrownBy(() -> laboratory.place("brick", program))
+                        .isInstanceOf(IllegalArgumentException.class)
+                        .hasMessageContaining(name);
+            }
         }
     }
 

@@ -8,9 +8,11 @@ import arcomat.sim.device.MotorName;
 import arcomat.sim.device.MotorOrder;
 import arcomat.sim.load.Program;
 import arcomat.sim.script.ScriptParser;
+import arcomat.sim.time.OutOfPatience;
 
 import org.junit.jupiter.api.Test;
 
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 
@@ -107,6 +109,38 @@ class OutcomeTest {
                                 "finally { LCD.drawString(\"late\", 0, 0); }"),
                         "100 end");
         assertThat(brick.screen().get(0)).isEmpty();
+    }
+
+    /** It holds what the other thread needs to be loaded, and sleeps for ever: nobody goes on. */
+    @Test
+    void whatStandsStillIsGivenUp() {
+        Program program =
+                Compiled.source(
+                        "Locked",
+                        """
+                        public class Locked {
+                            static class Slow {
+                                static int value = sleep();
+                                static int sleep() {
+                                    lejos.util.Delay.msDelay(100000000);
+                                    return 1;
+                                }
+                            }
+                            public static void main(String[] args) {
+                                new Thread() {
+                                    public void run() {
+                                        System.out.println(Slow.value);
+                                    }
+                                }.start();
+                                System.out.println(Slow.value);
+                            }
+                        }
+                        """);
+        try (Laboratory laboratory = new Laboratory()) {
+            laboratory.place("brick", program);
+            laboratory.limit(Duration.ofMillis(300));
+            assertThatThrownBy(() -> laboratory.runToEnd(1000)).isInstanceOf(OutOfPatience.class);
+        }
     }
 
     @Test

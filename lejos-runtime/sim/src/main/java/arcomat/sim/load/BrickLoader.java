@@ -16,6 +16,11 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
 
     public BrickLoader(Program program, Hardware hardware) {
         super("brick " + hardware.name(), BrickLoader.class.getClassLoader());
+        for (String name : program.classes().keySet()) {
+            if (isShared(name) || isInside(name)) {
+                throw new IllegalArgumentException(name + " lies in a package of the simulation");
+            }
+        }
         this.hardware = hardware;
         this.program = program;
         this.rewriter = Rewriter.of(program.classes());

@@ -33,6 +33,19 @@ public final class Strand extends Actor {
         hasBaton = false;
     }
 
+    /** Like {@link #awaitBaton}, up to a moment of the PC's clock; false if it came first. */
+    boolean awaitBatonUntil(long nanoTime) {
+        while (!hasBaton) {
+            long rest = nanoTime - System.nanoTime();
+            if (rest <= 0) {
+                return false;
+            }
+            LockSupport.parkNanos(this, rest);
+        }
+        hasBaton = false;
+        return true;
+    }
+
     void giveBaton() {
         hasBaton = true;
         LockSupport.unpark(thread);

@@ -1,5 +1,7 @@
 package arcomat.sim.time;
 
+import java.time.Duration;
+
 /**
  * The clock. It stands still while code runs and moves when every thread waits. Waiting allocates
  * nothing, and a thread that is the next to wake does not even stop.
@@ -16,6 +18,9 @@ public final class VirtualTime {
     private Strand running = controller;
     private long now;
     private long turns;
+    private Duration patience;
+    private long started;
+    private boolean abandoned;
 
     public VirtualTime() {
         add(controller);
@@ -54,9 +59,34 @@ public final class VirtualTime {
         Strand next = advance();
         if (next != strand) {
             next.giveBaton();
-            strand.awaitBaton();
+            await(strand);
         }
         leaveIfEnded(strand);
+    }
+
+    /** Programs that never wait would keep whoever steers the run for ever. */
+    private void await(Strand strand) {
+        if (strand != controller || patience == null) {
+            strand.awaitBaton();
+        } else if (!strand.awaitBatonUntil(started + patience.toNanos())) {
+            abandoned = true;
+            throw new OutOfPatience(patience);
+        }
+    }
+
+    /**
+     * From now on the controller waits so long by the PC's clock, all in all.
+     *
+     * @see OutOfPatience
+     */
+    public void limit(Duration newPatience) {
+        started = System.nanoTime();
+        patience = newPatience;
+    }
+
+    /** Whether the controller has given up: programs may still be running, for good. */
+    public boolean isAbandoned() {
+        return abandoned;
     }
 
     /** Ends the wait of another strand at this moment. */
