@@ -4,6 +4,8 @@ import arcomat.world.Scene.DrinkerState;
 
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
 
 /**
  * What happened in a world: enough to show it again, without running anything.
@@ -12,21 +14,30 @@ import java.util.Map;
  * @param frames the world every {@value #PERIOD} milliseconds
  * @param events what people would tell of, in the order of time
  * @param failures why programs stopped, by robot
+ * @param blind sockets that programs have read, and in which their robots have no sensor
  */
 public record Recording(
         World world,
         long seed,
         List<Frame> frames,
         List<Event> events,
-        Map<String, String> failures) {
+        Map<String, String> failures,
+        List<Blind> blind) {
     /** From one frame to the next, in milliseconds. */
     public static final int PERIOD = 100;
+
+    /** So long, in milliseconds, no robot waits for another. */
+    private static final int LONG = 10_000;
 
     public Recording {
         frames = List.copyOf(frames);
         events = List.copyOf(events);
         failures = Map.copyOf(failures);
+        blind = List.copyOf(blind);
     }
+
+    /** A robot, and a socket of its brick, from 1. */
+    public record Blind(String robot, int socket) {}
 
     /**
      * The world at a moment.
@@ -82,6 +93,25 @@ public record Recording(
     public int duration() {
         int seen = frames.isEmpty() ? 0 : frames.get(frames.size() - 1).time();
         return events.isEmpty() ? seen : Math.max(seen, events.get(events.size() - 1).time());
+    }
+
+    /**
+     * When the last robot has moved, in milliseconds, if none has for a long time and none will
+     * reach anything any more; empty while they move, or have done what they should.
+     */
+    public OptionalInt stillSince() {
+        int last = frames.size() - 1;
+        while (last > 0 && !isMoving(frames.get(last - 1), frames.get(last))) {
+            last--;
+        }
+        int since = frames.isEmpty() ? 0 : frames.get(Math.max(last, 0)).time();
+        boolean done = world.goal() > 0 && delivered() >= world.goal();
+        return done || duration() - since < LONG ? OptionalInt.empty() : OptionalInt.of(since);
+    }
+
+    private static boolean isMoving(Frame before, Frame after) {
+        return IntStream.range(0, after.robots().size())
+                .anyMatch(i -> !after.robots().get(i).pose().equals(before.robots().get(i).pose()));
     }
 
     /** Cups that drinkers have taken. */

@@ -207,6 +207,13 @@ public final class WorldParser {
                             file.span(0, 0),
                             "a world has a floor: write 'floor WIDTH DEPTH', in mm"));
         }
+        if (robots.isEmpty() && findings.isEmpty()) {
+            findings.add(
+                    Diagnostic.error(
+                            Words.SYNTAX,
+                            file.span(0, 0),
+                            "a world has robots: write 'robot NAME KIND at X Y'"));
+        }
         Map<String, Kind> built = new LinkedHashMap<>();
         for (KindDraft draft : kinds.values()) {
             Optional<Kind> kind = draft.kind();

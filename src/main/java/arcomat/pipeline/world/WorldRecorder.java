@@ -10,6 +10,7 @@ import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
+import arcomat.world.Robot;
 import arcomat.world.Scene;
 import arcomat.world.Scene.RobotState;
 import arcomat.world.World;
@@ -17,8 +18,10 @@ import arcomat.world.World;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 
 /** Writes down what happens in a world. */
@@ -30,6 +33,7 @@ final class WorldRecorder {
     private final List<Frame> frames = new ArrayList<>();
     private final List<Event> events = new ArrayList<>();
     private final Map<String, String> failures = new TreeMap<>();
+    private final Set<Recording.Blind> blind = new LinkedHashSet<>();
     private final String[] displays;
 
     WorldRecorder(World world, long seed) {
@@ -39,13 +43,20 @@ final class WorldRecorder {
         Arrays.fill(displays, "");
     }
 
-    /** Hears what a robot sends. */
-    Observer of(String robot) {
+    /** Hears what a robot sends, and sees which sockets it reads that are empty. */
+    Observer of(Robot robot) {
         return new Sending() {
+            @Override
+            public void sensorRead(long time, int socket, int value) {
+                if (robot.kind().sensors().stream().noneMatch(s -> s.socket() == socket + 1)) {
+                    blind.add(new Recording.Blind(robot.name(), socket + 1));
+                }
+            }
+
             @Override
             public void packetSent(long time, byte[] packet, int length) {
                 String bytes = HexFormat.of().formatHex(packet, 0, length);
-                events.add(new Event.Sent((int) (time / MICROSECONDS), robot, bytes));
+                events.add(new Event.Sent((int) (time / MICROSECONDS), robot.name(), bytes));
             }
         };
     }
@@ -55,7 +66,7 @@ final class WorldRecorder {
     }
 
     Recording recording() {
-        return new Recording(world, seed, frames, events, failures);
+        return new Recording(world, seed, frames, events, failures, List.copyOf(blind));
     }
 
     /**
@@ -102,9 +113,6 @@ final class WorldRecorder {
 
     /** Everything but sending is seen in the frames. */
     private abstract static class Sending implements Observer {
-        @Override
-        public void sensorRead(long time, int socket, int value) {}
-
         @Override
         public void motorOrdered(long time, int motor, MotorOrder order, int value) {}
 

@@ -84,7 +84,7 @@ final class WorldRun {
             laboratory.runUntil(physics.switchedOn(i));
             String name = world.robots().get(i).name();
             bricks[i] = laboratory.place(name, programs.get(name));
-            bricks[i].observe(recorder.of(name));
+            bricks[i].observe(recorder.of(world.robots().get(i)));
             expose(i);
         }
         long end = world.seconds() * SECOND;

@@ -49,7 +49,7 @@ public final class WorldText {
         return String.format(Locale.ROOT, "%.1f", milliseconds / SECOND);
     }
 
-    /** One line: how long it took and what came of it. */
+    /** How long it took and what came of it; below that line, what may be a fault of the world. */
     public static String summary(Recording recording) {
         StringBuilder text = new StringBuilder(seconds(recording.duration())).append(" s");
         long collisions = recording.count(Happening.What.COLLISION);
@@ -67,6 +67,17 @@ public final class WorldText {
                                         .append(robot)
                                         .append(" failed: ")
                                         .append(Printable.escape(reason)));
+        for (Recording.Blind each : recording.blind()) {
+            text.append("\nthe program of ").append(each.robot()).append(" reads S");
+            text.append(each.socket()).append(", where the robot has no sensor");
+        }
+        recording
+                .stillSince()
+                .ifPresent(
+                        since ->
+                                text.append("\nnobody has moved since ")
+                                        .append(seconds(since))
+                                        .append(" s"));
         return text.toString();
     }
 

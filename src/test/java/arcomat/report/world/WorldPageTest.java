@@ -42,7 +42,8 @@ class WorldPageTest {
                 1,
                 List.of(new Frame(0, List.of(robot), List.of())),
                 List.of(new Event.Showed(0, "one", NASTY)),
-                Map.of("one", NASTY));
+                Map.of("one", NASTY),
+                List.of());
     }
 
     @Test
