@@ -10,7 +10,9 @@ import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
+import arcomat.sim.device.Stimulus;
 import arcomat.sim.time.OutOfPatience;
+import arcomat.sim.trace.Recorder.Misfit;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -123,11 +125,27 @@ final class RunBrickCommand extends Command {
             case csv -> print(BrickTraceCsv.render(run.trace()));
             case json -> print(BrickTraceJson.render(run.trace()));
         }
+        for (Misfit misfit : run.misfits()) {
+            console.err().println(told(misfit));
+        }
         if (run.failure().isPresent()) {
             console.err().println("stopped: " + Printable.escape(run.failure().get()));
             return ExitStatus.FINDINGS;
         }
-        return ExitStatus.FINE;
+        return run.misfits().isEmpty() ? ExitStatus.FINE : ExitStatus.FINDINGS;
+    }
+
+    private static String told(Misfit misfit) {
+        Stimulus stimulus = misfit.stimulus();
+        String exposed =
+                switch (stimulus.kind()) {
+                    case SWITCH -> stimulus.number() == 0 ? "released" : "pressed";
+                    case COLOR -> "a colour";
+                    case RAW -> "raw " + stimulus.number();
+                    default -> "" + stimulus.number();
+                };
+        return "%s is read as %s at %d ms, which cannot sense what the script exposes it to: %s"
+                .formatted(misfit.socket(), misfit.sensor(), misfit.time() / 1000, exposed);
     }
 
     private static String summary(BrickRunResult.Run run) {

@@ -1,5 +1,6 @@
 package arcomat.pipeline.brick;
 
+import arcomat.sim.trace.Recorder.Misfit;
 import arcomat.sim.trace.Trace;
 import arcomat.source.Diagnostic;
 
@@ -23,6 +24,7 @@ public record BrickRunResult(List<Diagnostic> findings, Optional<Run> run) {
      * @param milliseconds of virtual time
      * @param ending how it ended, in words: "the program ended"
      * @param failure what nothing in the program caught
+     * @param misfits what the script exposes sensors to, and they cannot sense
      * @param screen what the display shows at the end, without empty rows at its end
      */
     public record Run(
@@ -30,5 +32,6 @@ public record BrickRunResult(List<Diagnostic> findings, Optional<Run> run) {
             long milliseconds,
             String ending,
             Optional<String> failure,
+            List<Misfit> misfits,
             List<String> screen) {}
 }

@@ -74,6 +74,7 @@ public final class BrickRunStep {
                     laboratory.time(),
                     ending(brick.outcome().kind()),
                     brick.outcome().failure(),
+                    recorder.misfits(),
                     screen(brick));
         }
     }

@@ -8,6 +8,14 @@ public interface Observer {
     /** The program has read a sensor and got this value. */
     void sensorRead(long time, int socket, int value);
 
+    /**
+     * The program has read a sensor that cannot be exposed to what it is exposed to; told once for
+     * each exposure.
+     *
+     * @param sensor what the program takes it for
+     */
+    default void misfit(long time, int socket, String sensor, Stimulus stimulus) {}
+
     /** A motor was told something new; repeating an order is not reported. */
     void motorOrdered(long time, int motor, MotorOrder order, int value);
 

@@ -12,9 +12,13 @@ public final class SensorSocket {
 
     private static final int NO_COLOR = -1;
 
+    /** As lejos.robotics.Color counts them. */
+    private static final int LAST_COLOR = 13;
+
     private final Hardware hardware;
     private final int number;
     private Stimulus stimulus = Stimulus.NONE;
+    private boolean isTold;
 
     SensorSocket(Hardware hardware, int number) {
         this.hardware = hardware;
@@ -23,6 +27,7 @@ public final class SensorSocket {
 
     public void expose(Stimulus newStimulus) {
         stimulus = newStimulus;
+        isTold = false;
     }
 
     public Stimulus stimulus() {
@@ -31,21 +36,26 @@ public final class SensorSocket {
 
     /** Centimetres, 0 to 255. */
     public int distance() {
-        return stimulus.kind() == Stimulus.Kind.VALUE
+        boolean fits = is(Stimulus.Kind.VALUE) && isWithin(0, NO_ECHO);
+        check(fits, "an ultrasonic sensor");
+        return is(Stimulus.Kind.VALUE)
                 ? Math.min(Math.max(stimulus.number(), 0), NO_ECHO)
                 : NO_ECHO;
     }
 
     /** A colour's number as lejos.robotics.Color counts. */
     public int color() {
-        return stimulus.kind() == Stimulus.Kind.VALUE ? stimulus.number() : NO_COLOR;
+        boolean known = is(Stimulus.Kind.COLOR) || is(Stimulus.Kind.VALUE);
+        check(known && isWithin(NO_COLOR, LAST_COLOR), "a colour sensor");
+        return known ? stimulus.number() : NO_COLOR;
     }
 
     /** The raw value of a switch. */
     public int rawSwitch() {
+        check(!is(Stimulus.Kind.COLOR) && (is(Stimulus.Kind.RAW) || isWithin(0, 1)), "a switch");
         return switch (stimulus.kind()) {
             case NONE -> RAW_LIMIT;
-            case VALUE -> stimulus.number() != 0 ? RAW_PRESSED : RAW_LIMIT;
+            case VALUE, SWITCH, COLOR -> stimulus.number() != 0 ? RAW_PRESSED : RAW_LIMIT;
             case RAW -> stimulus.number();
         };
     }
@@ -55,11 +65,28 @@ public final class SensorSocket {
      * 100 is not cut off: tests of programs need what no surface in this world gives.
      */
     public int rawLevel() {
+        check(!is(Stimulus.Kind.COLOR) && !is(Stimulus.Kind.SWITCH), "a light or sound sensor");
         return switch (stimulus.kind()) {
             case NONE -> RAW_LIMIT;
-            case VALUE -> RAW_LIMIT - awayFromZero(stimulus.number());
+            case VALUE, SWITCH, COLOR -> RAW_LIMIT - awayFromZero(stimulus.number());
             case RAW -> stimulus.number();
         };
+    }
+
+    private boolean is(Stimulus.Kind kind) {
+        return stimulus.kind() == kind;
+    }
+
+    private boolean isWithin(int least, int most) {
+        return stimulus.number() >= least && stimulus.number() <= most;
+    }
+
+    /** A socket without anything is no fault of the program, nor of the script. */
+    private void check(boolean fits, String sensor) {
+        if (!fits && !isTold && !is(Stimulus.Kind.NONE)) {
+            isTold = true;
+            hardware.observer().misfit(hardware.time().now(), number, sensor, stimulus);
+        }
     }
 
     /** Such that the usual division of the raw value gives the percentage back. */

@@ -12,8 +12,12 @@ public record Stimulus(Kind kind, int number) {
     public enum Kind {
         /** Nothing is plugged in. */
         NONE,
-        /** In the unit of the sensor. */
+        /** In the unit of the sensor, whichever that is. */
         VALUE,
+        /** A switch, pressed or not. */
+        SWITCH,
+        /** A colour. */
+        COLOR,
         /** As the analogue converter sees it: 0 is bright, loud, pressed; 1023 the contrary. */
         RAW
     }
@@ -22,6 +26,14 @@ public record Stimulus(Kind kind, int number) {
 
     public static Stimulus value(int number) {
         return new Stimulus(Kind.VALUE, number);
+    }
+
+    public static Stimulus pressed(boolean isPressed) {
+        return new Stimulus(Kind.SWITCH, isPressed ? 1 : 0);
+    }
+
+    public static Stimulus color(int number) {
+        return new Stimulus(Kind.COLOR, number);
     }
 
     public static Stimulus raw(int number) {

@@ -8,16 +8,16 @@ import java.util.Map;
 /** Reads what a sensor is exposed to: a number, a name for one, or a raw number. */
 final class Values {
     /** Colours as lejos.robotics.Color counts them. */
-    private static final Map<String, Integer> NAMES =
+    private static final Map<String, Stimulus> NAMES =
             Map.ofEntries(
-                    Map.entry("released", 0),
-                    Map.entry("pressed", 1),
-                    Map.entry("red", 0),
-                    Map.entry("green", 1),
-                    Map.entry("blue", 2),
-                    Map.entry("yellow", 3),
-                    Map.entry("white", 6),
-                    Map.entry("black", 7));
+                    Map.entry("released", Stimulus.pressed(false)),
+                    Map.entry("pressed", Stimulus.pressed(true)),
+                    Map.entry("red", Stimulus.color(0)),
+                    Map.entry("green", Stimulus.color(1)),
+                    Map.entry("blue", Stimulus.color(2)),
+                    Map.entry("yellow", Stimulus.color(3)),
+                    Map.entry("white", Stimulus.color(6)),
+                    Map.entry("black", Stimulus.color(7)));
 
     private static final int RAW_LIMIT = 1023;
 
@@ -31,8 +31,8 @@ final class Values {
         if (word.text().equals("raw")) {
             return Stimulus.raw(line.number("a raw value", 0, RAW_LIMIT));
         }
-        Integer named = NAMES.get(word.text());
-        return Stimulus.value(named != null ? named : number(word));
+        Stimulus named = NAMES.get(word.text());
+        return named != null ? named : Stimulus.value(number(word));
     }
 
     private static int number(Word word) throws BrokenLine {

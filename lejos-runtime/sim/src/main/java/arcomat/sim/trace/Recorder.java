@@ -5,6 +5,7 @@ import arcomat.sim.device.MotorOrder;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.Screen;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.device.Stimulus;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -23,10 +24,24 @@ public final class Recorder implements Observer {
 
     private static final MotorName[] MOTORS = MotorName.values();
 
+    private final List<Misfit> misfits = new ArrayList<>();
     private final List<Cycle> cycles = new ArrayList<>();
     private List<Event> events = new ArrayList<>();
     private long start;
     private Event.ScreenChanged drawn;
+
+    /**
+     * A sensor that was exposed to what it cannot sense.
+     *
+     * @param time microseconds since switching on, when the program read it
+     * @param sensor what the program takes it for
+     */
+    public record Misfit(long time, SensorName socket, String sensor, Stimulus stimulus) {}
+
+    /** Exposures that did not fit, in the order in which they were read. */
+    public List<Misfit> misfits() {
+        return List.copyOf(misfits);
+    }
 
     /** All that has happened so far; the last cycle may be unfinished. */
     public Trace trace() {
@@ -47,6 +62,11 @@ public final class Recorder implements Observer {
     @Override
     public void sensorRead(long time, int socket, int value) {
         events.add(new Event.SensorRead(time, SENSORS[socket], value));
+    }
+
+    @Override
+    public void misfit(long time, int socket, String sensor, Stimulus stimulus) {
+        misfits.add(new Misfit(time, SENSORS[socket], sensor, stimulus));
     }
 
     @Override
