@@ -112,11 +112,7 @@ public final class Footprints {
             last =
                     last == null
                             ? begin(shown, words.apply(moment))
-                            : step(
-                                    last.configurations,
-                                    moment.input(),
-                                    shown,
-                                    words.apply(moment));
+                            : step(last.configurations, moment.input(), shown, words.apply(moment));
             found.add(last.footprint());
         }
         return found;

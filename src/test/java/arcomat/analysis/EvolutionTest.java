@@ -22,9 +22,9 @@ import java.util.stream.Stream;
 /**
  * Versions as data: {@code src/test/resources/analysis/evolution.txt}. Below {@code == edits A B}
  * stands a line for each edit that makes B of A, and below it what is left of B without it, where
- * that can be made. Below {@code == versions A B ..} stands a line for each version with its answers
- * to all earlier ones, then a line for each promise that stopped being kept, with the edits that are
- * to blame, and last the answer to all.
+ * that can be made. Below {@code == versions A B ..} stands a line for each version with its
+ * answers to all earlier ones, then a line for each promise that stopped being kept, with the edits
+ * that are to blame, and last the answer to all.
  */
 class EvolutionTest {
     private static final Path DATA = Path.of("src/test/resources/analysis/evolution.txt");
@@ -38,8 +38,7 @@ class EvolutionTest {
                 .map(
                         each ->
                                 DynamicTest.dynamicTest(
-                                        each.kind() + " " + each.rest(),
-                                        () -> check(model, each)));
+                                        each.kind() + " " + each.rest(), () -> check(model, each)));
     }
 
     private static void check(Model model, Sections.Section asked) {

@@ -20,8 +20,9 @@ import java.util.stream.Stream;
 /**
  * Ways of counterexamples as data: {@code src/test/resources/analysis/footprints.txt}. Below {@code
  * == trace A B} stands a line for each automaton of both sides, with the states that it is in after
- * each moment, {@code --} for none, and, behind {@code by}, the transitions to there; the initial clauses have numbers.
- * Below {@code == anywhere A B} stand the ways of those of B where nobody says where they are.
+ * each moment, {@code --} for none, and, behind {@code by}, the transitions to there; the initial
+ * clauses have numbers. Below {@code == anywhere A B} stand the ways of those of B where nobody
+ * says where they are.
  */
 class FootprintsTest {
     private static final Path DATA = Path.of("src/test/resources/analysis/footprints.txt");
@@ -47,8 +48,7 @@ class FootprintsTest {
             left.automata().forEach(a -> lines.add(text(a, Footprints.of(sides, 0, a, trace))));
             right.automata().forEach(a -> lines.add(text(a, Footprints.of(sides, 1, a, trace))));
         } else {
-            right.automata()
-                    .forEach(a -> lines.add(text(a, Footprints.anywhere(right, a, trace))));
+            right.automata().forEach(a -> lines.add(text(a, Footprints.anywhere(right, a, trace))));
         }
         assertThat(lines).isEqualTo(asked.lines());
     }

@@ -27,8 +27,8 @@ import java.util.stream.Stream;
 /**
  * Versions compare as their promises do. Some are data: {@code
  * src/test/resources/analysis/succession.txt} has files of two models, below {@code old} and {@code
- * new}. Below {@code == change C}, perhaps with numbers to instantiate C with, stands what became of
- * C, and then what shows it.
+ * new}. Below {@code == change C}, perhaps with numbers to instantiate C with, stands what became
+ * of C, and then what shows it.
  */
 class SuccessionTest {
     private static final Path DATA = Path.of("src/test/resources/analysis/succession.txt");
@@ -115,7 +115,9 @@ class SuccessionTest {
                         given,
                         Budget::ofMemory);
         List<String> lines = new ArrayList<>();
-        lines.add((change.relation().name().toLowerCase(Locale.ROOT) + " " + change.reason()).strip());
+        lines.add(
+                (change.relation().name().toLowerCase(Locale.ROOT) + " " + change.reason())
+                        .strip());
         for (Change.Witness each : change.witnesses()) {
             String sides = each.left() + ", " + each.right() + ": ";
             boolean unknown = each.verdict().answer() == Verdict.Answer.UNKNOWN;

@@ -39,7 +39,9 @@ final class Verdicts {
     }
 
     private static String sentences(Verdict verdict) {
-        return verdict.explanation().stream().map(Sentence::text).collect(Collectors.joining(" | "));
+        return verdict.explanation().stream()
+                .map(Sentence::text)
+                .collect(Collectors.joining(" | "));
     }
 
     private static String explored(Verdict verdict) {

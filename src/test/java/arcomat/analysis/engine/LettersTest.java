@@ -74,7 +74,7 @@ class LettersTest {
         Component c =
                 component(
                         "timing untimed;\n"
-                                + "port in Boolean x, <<state>> in Boolean held, in Integer[0..1] y;");
+                            + "port in Boolean x, <<state>> in Boolean held, in Integer[0..1] y;");
         assertThat(text(Letters.of(c, new Attention(all(c)))))
                 .isEqualTo(
                         "false - -, true - -, - - 0, - - 1,"
