@@ -136,7 +136,7 @@ public final class TransitionTests {
             if (!uncovered.stream().allMatch(Uncovered::certain)) {
                 return Answer.UNKNOWN;
             }
-            return tests.isEmpty() ? Answer.FAILS : Answer.HOLDS;
+            return uncovered.size() == transitions ? Answer.FAILS : Answer.HOLDS;
         }
     }
 
