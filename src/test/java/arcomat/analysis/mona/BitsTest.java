@@ -58,6 +58,17 @@ class BitsTest {
         assertThat(bits.isIn(low, all, "t").cubes()).hasSizeLessThan(13);
     }
 
+    @Example
+    void asksNothing() {
+        Cube none = new Cube(List.of());
+        Cube some = new Cube(List.of(new Literal("b0", "t", true)));
+        assertThat(Condition.of(none).isTrue()).isTrue();
+        assertThat(Condition.of(some).isTrue()).isFalse();
+        assertThat(Condition.not(none).isTrue()).isFalse();
+        assertThat(new Condition(true, List.of()).isTrue()).isTrue();
+        assertThat(new Condition(false, List.of()).isTrue()).isFalse();
+    }
+
     private static boolean holds(Condition condition, int number) {
         return condition.cubes().stream().anyMatch(cube -> holds(cube, number))
                 != condition.negated();
