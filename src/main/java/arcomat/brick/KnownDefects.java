@@ -9,11 +9,33 @@ import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /** ARC0914: some methods are there on leJOS NXJ 0.9.1 and do not do what they should (measured). */
 final class KnownDefects implements BrickLaw {
+    /** Collections that take the remainder of a hash code for an index, negative or not. */
+    private static final List<String> HASHED = List.of("java/util/HashMap", "java/util/HashSet");
+
+    /** Whoever has made one, or inherits from one, calls this. */
+    private static final String CONSTRUCTOR = "<init>";
+
+    private static final Set<String> HASHING =
+            Set.of(
+                    CONSTRUCTOR,
+                    "add",
+                    "addAll",
+                    "contains",
+                    "containsAll",
+                    "containsKey",
+                    "get",
+                    "put",
+                    "putAll",
+                    "remove",
+                    "removeAll");
+
     @Override
     public String code() {
         return "ARC0914";
@@ -40,26 +62,35 @@ final class KnownDefects implements BrickLaw {
                         each ->
                                 defect(program, (MethodInsnNode) each)
                                         .map(text -> finding(file, method, each, text))
-                                        .stream());
+                                        .stream())
+                .distinct();
     }
 
     private Diagnostic finding(
             ClassFile file, MethodNode method, AbstractInsnNode each, String defect) {
         return Diagnostic.warning(
-                code(), file.span(method, each), file.where(method, each) + " calls " + defect);
+                code(), file.span(method, each), file.where(method, each) + " " + defect);
     }
 
     private static Optional<String> defect(Program program, MethodInsnNode call) {
         if (call.owner.equals("java/lang/String") && call.name.equals("compareTo")) {
             return Optional.of(
-                    "String.compareTo, which on the brick takes texts of equal length for equal;"
+                    "calls String.compareTo, which on the brick takes texts of equal length for equal;"
                             + " compare their characters, or use equals");
         }
         if (call.name.equals("valueOf") && isEnum(program, call.owner)) {
             return Optional.of(
-                    Names.simple(call.owner)
+                    "calls "
+                            + Names.simple(call.owner)
                             + ".valueOf, which always throws on the brick; compare the text with"
                             + " the name() of each constant");
+        }
+        if (HASHED.contains(call.owner) && HASHING.contains(call.name)) {
+            return Optional.of(
+                    "uses "
+                            + Names.simple(call.owner)
+                            + ", which on the brick throws for a key with a negative hashCode; use"
+                            + " java.util.Hashtable, or search a list");
         }
         return Optional.empty();
     }
