@@ -1,33 +1,38 @@
 <#import "parts.ftl" as parts>
-<#macro call way indent>
-${indent}go(
-${indent}        ${way.cause},
-${indent}        ${way.target},
-${indent}        ${way.values}<#list way.promises as promise>,
-${indent}        ${promise}</#list>);
-</#macro>
 <#macro go way indent>
 <#if way.comment != "">
 ${indent}// ${way.comment}
 </#if>
 <#if way.checked>
-${indent}try {
-<@unchecked way indent + "    "/>
-${indent}} catch (ModelError ${problem}) {
-${indent}    goesWrong(${problem});
-${indent}}
-<#else>
-<@unchecked way indent/>
+${indent}risk();
 </#if>
-</#macro>
-<#macro unchecked way indent>
 <#if way.condition != "">
 ${indent}if (${way.condition}) {
-<@call way indent + "    "/>
+${indent}    go(${way.cause}, ${way.target});
+<@different way indent + "    "/>
 ${indent}}
 <#else>
-<@call way indent/>
+${indent}go(${way.cause}, ${way.target});
+<@different way indent/>
 </#if>
+<#if way.checked>
+${indent}unlessWrong();
+</#if>
+</#macro>
+<#macro different way indent>
+<#list way.values as value>
+${indent}set(${value.variable}, ${value.value});
+</#list>
+<#list way.promises as promise>
+<#if promise.any>
+${indent}sendAny(${promise.port});
+<#elseif promise.open>
+${indent}leaveOpen(${promise.port});
+</#if>
+<#list promise.messages as message>
+${indent}send(${promise.port}, ${message});
+</#list>
+</#list>
 </#macro>
 <#macro cases section>
 <#list section.variables as variable>
@@ -94,6 +99,7 @@ public final class ${head.name} extends arcomat.rt.<#if events?has_content>Event
         super(
                 ${requirement},
                 new String[] {<#list stateNames as name>${name}<#sep>, </#list>},
+                ${variables?size},
                 new String[] {<#list outputs as output>${output.literal}<#sep>, </#list>}<#if events?has_content>);<#else>,
                 new boolean[] {<#list outputs as output>${output.delayed?c}<#sep>, </#list>});</#if>
 <#list head.parameters as parameter>
@@ -115,54 +121,59 @@ public final class ${head.name} extends arcomat.rt.<#if events?has_content>Event
     protected boolean hasEvent() {
         return ${event.present};
     }
-<#if event.messages?has_content>
+<#else>
+    @Override
+    protected void see() {
+<#list outputs as output>
+<#if output.present != "">
+        if (${output.present}) {
+            show(${output?index}, ${output.message});
+        }
+<#else>
+        show(${output?index}, ${output.message});
+</#if>
+</#list>
+    }
+</#list>
+<#if spelt?has_content>
 
     @Override
-    protected Object message(int ${event.position}, Object ${event.message}) {
-        switch (${event.position}) {
-<#list event.messages as message>
-            case ${message.port}:
-                return ${message.value};
+    protected String text(int port, long message) {
+        switch (port) {
+<#list spelt as output>
+            case ${output.port}:
+                return ${output.text};
 </#list>
             default:
-                return ${event.message};
+                return super.text(port, message);
         }
     }
 </#if>
-<#else>
-    @Override
-    protected Object[] seen() {
-        return new Object[] {
-<#list outputs as output>
-            <#if output.present != "">${output.present} ? ${output.message} : SILENCE<#else>${output.message}</#if><#sep>,</#sep>
-</#list>
-        };
-    }
-</#list>
 
     @Override
-    protected void react(int ${state}, Object[] ${values}) {
+    protected void react(int ${state}) {
 <#if sections?size == 1>
 <@cases sections?first/>
 <#else>
 <#list sections as section>
-        ${section.method}(${state}, ${values});
+        ${section.method}(${state});
 </#list>
 </#if>
     }
 <#if sections?size != 1>
 <#list sections as section>
 
-    private void ${section.method}(int ${state}, Object[] ${values}) {
+    private void ${section.method}(int ${state}) {
 <@cases section/>
     }
 </#list>
 </#if>
 
     @Override
-    protected void complete(int ${state}, Object[] ${values}) {
+    protected void complete(int ${state}) {
 <#list completion as way>
-<@go way "        "/>
+        complete(${way.cause}, ${state}, ${way.target});
+<@different way "        "/>
 <#else>
         // Forbidden: there is no way to go on.
 </#list>

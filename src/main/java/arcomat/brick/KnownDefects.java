@@ -75,8 +75,8 @@ final class KnownDefects implements BrickLaw {
     private static Optional<String> defect(Program program, MethodInsnNode call) {
         if (call.owner.equals("java/lang/String") && call.name.equals("compareTo")) {
             return Optional.of(
-                    "calls String.compareTo, which on the brick takes texts of equal length for equal;"
-                            + " compare their characters, or use equals");
+                    "calls String.compareTo, which on the brick takes texts of equal length for"
+                        + " equal; compare their characters, or use equals");
         }
         if (call.name.equals("valueOf") && isEnum(program, call.owner)) {
             return Optional.of(

@@ -30,6 +30,9 @@ final class ExpressionText {
     private final Members members;
     private final Literals literals;
 
+    /** The entries for operations that may go wrong. */
+    private final String guarded;
+
     /** Where an expression stands, for the message of an error: transition or declaration. */
     private String place = "";
 
@@ -37,11 +40,21 @@ final class ExpressionText {
     private int checks;
 
     ExpressionText(Names names, References references, Members members) {
+        this(names, references, members, "checked");
+    }
+
+    private ExpressionText(Names names, References references, Members members, String guarded) {
+        this.guarded = guarded;
         this.names = names;
         this.language = names.language();
         this.references = references;
         this.members = members;
         this.literals = new Literals(names, references);
+    }
+
+    /** Expressions of what is only tried: it notes what goes wrong, and does not end for it. */
+    ExpressionText careful() {
+        return new ExpressionText(names, references, members, "careful");
     }
 
     boolean checks() {
@@ -116,8 +129,8 @@ final class ExpressionText {
         Type type = binary.left().type();
         if (divides(binary)) {
             checks++;
-            String checked = "checked." + key;
-            return language.express(checked, type, Map.of("place", literal(place)), operands);
+            String guardedKey = guarded + "." + key;
+            return language.express(guardedKey, type, Map.of("place", literal(place)), operands);
         }
         return language.express(key, type, Map.of(), operands);
     }
@@ -190,38 +203,31 @@ final class ExpressionText {
         return port.type() instanceof Type.EnumType ? !port.total() : !members.flag(port).isEmpty();
     }
 
-    /** A message as an object, checked against the range of its port. */
-    String object(Expression value, Type wanted, String what) {
-        return object(inRange(value, wanted, what), wanted);
+    /** A message, or the value of a variable, as a monitor compares it; checked for its range. */
+    String code(Expression value, Type wanted, String what) {
+        return code(inRange(value, wanted, what), wanted);
     }
 
-    /** The message on a port as an object. */
-    String object(Port port) {
-        return object(named("port", port.type(), members.of(port)), port.type());
+    /** The message on a port as a monitor compares it. */
+    String code(Port port) {
+        return code(named("port", port.type(), members.of(port)), port.type());
     }
 
-    /** What a message that a border is told is as an object. */
-    String received(String message, Type type) {
+    private String code(Text value, Type type) {
+        return language.express("code", type, Map.of(), List.of(value)).text();
+    }
+
+    /** The value of a variable out of what a monitor keeps. */
+    String decoded(int variable, Type type) {
+        Text position = Text.primary(String.valueOf(variable));
         Map<String, String> filled = Map.of("type", reference(type));
-        return language.express("received", type, filled, List.of(Text.primary(message))).text();
+        return language.express("decoded", type, filled, List.of(position)).text();
     }
 
-    private String object(Text value, Type type) {
+    /** What a monitor says about a message. */
+    String spelt(String code, Type type) {
         Map<String, String> filled = Map.of("type", reference(type));
-        return language.express("object", type, filled, List.of(value)).text();
-    }
-
-    /** The value of a variable as an object: enums stay numbers. */
-    String boxed(Expression value, Type wanted, String what) {
-        boolean number = wanted instanceof Type.EnumType;
-        Type kind = number ? Type.IntegerType.of(Type.Width.INT) : wanted;
-        return object(inRange(value, wanted, what), kind);
-    }
-
-    /** The value of a variable out of an object. */
-    String unboxed(String object, Type type) {
-        Map<String, String> filled = Map.of("type", reference(type));
-        return language.express("unboxed", type, filled, List.of(Text.primary(object))).text();
+        return language.express("spelt", type, filled, List.of(Text.primary(code))).text();
     }
 
     /** A value checked against the range of what it is for. */
@@ -232,7 +238,7 @@ final class ExpressionText {
         }
         checks++;
         return language.express(
-                "checked.range",
+                guarded + ".range",
                 wanted,
                 Map.of(
                         "low", literals.of(range.low(), wanted).text(),

@@ -2,7 +2,9 @@ package arcomat.generate;
 
 import arcomat.generate.view.FieldView;
 import arcomat.generate.view.MonitorView.GoView;
+import arcomat.generate.view.MonitorView.PromiseView;
 import arcomat.generate.view.MonitorView.SectionView;
+import arcomat.generate.view.MonitorView.SetView;
 import arcomat.generate.view.MonitorView.StateView;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Assignment;
@@ -20,6 +22,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 
 /** The steps of a requirement: when they are possible, what they promise and where they lead. */
@@ -31,7 +34,13 @@ final class MonitorSteps {
     private final Automaton automaton;
     private final Set<String> owned;
     private final FileContext context;
+
+    /** Of what is done once, at the beginning. */
+    private final ExpressionText first;
+
+    /** Of transitions, which are only tried. */
     private final ExpressionText text;
+
     private final Formulas formulas;
     private final Guards guards;
 
@@ -44,7 +53,8 @@ final class MonitorSteps {
         this.automaton = automaton;
         this.owned = Behaviour.owned(watched, automaton);
         this.context = context;
-        this.text = context.expressions();
+        this.first = context.expressions();
+        this.text = first.careful();
         this.formulas = new Formulas(text);
         this.guards = new Guards(watched.profile());
     }
@@ -57,15 +67,10 @@ final class MonitorSteps {
         return named() ? context.members().state(state) : String.valueOf(state);
     }
 
-    /** The parameter that holds the values of the variables. */
-    String values() {
-        return context.members().local("variables", "");
-    }
-
     List<GoView> initials() {
         List<GoView> initials = new ArrayList<>();
         for (Automaton.Initial initial : automaton.initials()) {
-            text.at(watched.name() + ", initial (line " + Places.line(initial.span()) + ")");
+            first.at(watched.name() + ", initial (line " + Places.line(initial.span()) + ")");
             String cause =
                     "line "
                             + Places.line(initial.span())
@@ -77,8 +82,8 @@ final class MonitorSteps {
                             "",
                             text.literal(cause),
                             label(initial.state()),
-                            values(initial.assignments(), true),
-                            promises(initial.sends()),
+                            firstValues(initial.assignments()),
+                            promises(first, initial.sends()),
                             false));
         }
         return initials;
@@ -132,12 +137,11 @@ final class MonitorSteps {
         for (int i = 0; i < automaton.variables().size(); i++) {
             Variable variable = automaton.variables().get(i);
             if (read.contains(variable.name())) {
-                String value = text.unboxed(values() + "[" + i + "]", variable.type());
                 fields.add(
                         new FieldView(
                                 text.type(variable.type()),
                                 context.members().of(variable),
-                                value,
+                                text.decoded(i, variable.type()),
                                 ""));
             }
         }
@@ -156,8 +160,8 @@ final class MonitorSteps {
                         + " -> "
                         + automaton.states().get(transition.target());
         String enabled = condition.equals(Formula.TRUE) ? "" : text.text(condition).text();
-        String values = values(transition.assignments(), false);
-        List<String> promises = promises(transition.sends());
+        List<SetView> values = values(transition.assignments());
+        List<PromiseView> promises = promises(text, transition.sends());
         return new GoView(
                 Places.quote(transition.span()),
                 enabled,
@@ -168,97 +172,113 @@ final class MonitorSteps {
                 text.checksSoFar() > checks);
     }
 
-    private String values(List<Assignment> assignments, boolean first) {
-        if (assignments.isEmpty() && !first) {
-            return values();
-        }
-        List<String> values = new ArrayList<>();
+    /** Of all variables: before the first step none has a value. */
+    private List<SetView> firstValues(List<Assignment> assignments) {
+        List<SetView> values = new ArrayList<>();
         for (int i = 0; i < automaton.variables().size(); i++) {
             Variable variable = automaton.variables().get(i);
-            String kept =
-                    first
-                            ? text.boxed(read(variable), variable.type(), variable.name())
-                            : values() + "[" + i + "]";
-            values.add(
-                    assignments.stream()
-                            .filter(a -> a.variable().name().equals(variable.name()))
-                            .map(a -> text.boxed(a.value(), variable.type(), variable.name()))
-                            .findFirst()
-                            .orElse(kept));
+            Expression value =
+                    assigned(assignments, variable)
+                            .orElse(new Expression.VariableRead(variable, variable.span()));
+            values.add(new SetView(i, first.code(value, variable.type(), variable.name())));
         }
-        return "values(" + String.join(", ", values) + ")";
+        return values;
     }
 
-    private static Expression read(Variable variable) {
-        return new Expression.VariableRead(variable, variable.span());
+    private List<SetView> values(List<Assignment> assignments) {
+        List<SetView> values = new ArrayList<>();
+        for (int i = 0; i < automaton.variables().size(); i++) {
+            int index = i;
+            Variable variable = automaton.variables().get(i);
+            assigned(assignments, variable)
+                    .map(value -> text.code(value, variable.type(), variable.name()))
+                    .ifPresent(value -> values.add(new SetView(index, value)));
+        }
+        return values;
     }
 
-    private List<String> promises(List<Send> sends) {
-        return watched.outputs().stream().map(port -> promise(port, sends)).toList();
+    private static Optional<Expression> assigned(List<Assignment> assignments, Variable variable) {
+        return assignments.stream()
+                .filter(a -> a.variable().name().equals(variable.name()))
+                .map(Assignment::value)
+                .findFirst();
     }
 
-    private String promise(Port port, List<Send> sends) {
+    /** What is promised about the outputs; those without a promise are silent. */
+    private List<PromiseView> promises(ExpressionText words, List<Send> sends) {
+        List<PromiseView> promises = new ArrayList<>();
+        int position = 0;
+        for (Port port : watched.outputs()) {
+            promise(position++, port, words, sends).ifPresent(promises::add);
+        }
+        return promises;
+    }
+
+    private Optional<PromiseView> promise(
+            int position, Port port, ExpressionText words, List<Send> sends) {
         if (!owned.contains(port.name())) {
-            return anything(port);
+            return Optional.of(anything(position, port));
         }
         for (Send send : sends) {
             if (send.port().name().equals(port.name())) {
-                return promise(port, send.emission());
+                return promise(position, port, words, send.emission());
             }
         }
-        return automaton.omitted() == Automaton.Omitted.SILENT ? "SILENCE" : anything(port);
+        return automaton.omitted() == Automaton.Omitted.SILENT
+                ? Optional.empty()
+                : Optional.of(anything(position, port));
     }
 
-    private String promise(Port port, Automaton.Emission emission) {
+    private static Optional<PromiseView> promise(
+            int position, Port port, ExpressionText words, Automaton.Emission emission) {
         if (emission instanceof Automaton.Messages messages) {
-            List<String> objects =
+            List<String> codes =
                     messages.values().stream()
-                            .map(value -> text.object(value, port.type(), port.name()))
+                            .map(value -> words.code(value, port.type(), port.name()))
                             .toList();
-            return objects.size() == 1
-                    ? objects.get(0)
-                    : objects.isEmpty() ? "SILENCE" : "several(" + String.join(", ", objects) + ")";
+            return Optional.of(new PromiseView(position, codes, false, false));
         }
-        return emission instanceof Automaton.Silence ? "SILENCE" : "ANY_MESSAGE";
+        return emission instanceof Automaton.Silence
+                ? Optional.empty()
+                : Optional.of(new PromiseView(position, List.of(), true, false));
     }
 
-    private static String anything(Port port) {
-        return port.total() ? "ANY_MESSAGE" : "ANYTHING";
+    /** A port that always has a message has one when nothing is said about it. */
+    private static PromiseView anything(int position, Port port) {
+        return new PromiseView(position, List.of(), port.total(), !port.total());
     }
 
     /** Empty where an input without a transition is forbidden. */
     List<GoView> completion() {
         Automaton.Completion completion = automaton.completion();
-        String kind = completion.name().toLowerCase(Locale.ROOT);
-        String cause =
-                "\"no transition fits in \" + name("
-                        + context.members().state()
-                        + ") + \", completion "
-                        + kind
-                        + "\"";
+        String state = context.members().state();
         return switch (completion) {
             case ERROR -> List.of();
-            case CHAOS -> List.of(completed(cause, "CHAOS", List.of()));
-            case OUTPUT -> List.of(completed(cause, context.members().state(), List.of()));
-            case IGNORE ->
-                    List.of(
-                            completed(
-                                    cause,
-                                    context.members().state(),
-                                    watched.outputs().stream()
-                                            .map(port -> promise(port, List.of(silent(port))))
-                                            .toList()));
+            case CHAOS -> List.of(completed("CHAOS", open()));
+            case OUTPUT -> List.of(completed(state, open()));
+            case IGNORE -> List.of(completed(state, silent()));
         };
     }
 
-    private static Send silent(Port port) {
-        return new Send(port, new Automaton.Silence());
+    private List<PromiseView> open() {
+        List<PromiseView> open = new ArrayList<>();
+        for (Port port : watched.outputs()) {
+            open.add(anything(open.size(), port));
+        }
+        return open;
     }
 
-    private GoView completed(String cause, String target, List<String> promises) {
-        List<String> open = watched.outputs().stream().map(MonitorSteps::anything).toList();
-        List<String> all = promises.isEmpty() ? open : promises;
-        return new GoView("", "", cause, target, values(), all, false);
+    private List<PromiseView> silent() {
+        List<Send> silence =
+                watched.outputs().stream()
+                        .map(port -> new Send(port, new Automaton.Silence()))
+                        .toList();
+        return promises(text, silence);
+    }
+
+    private GoView completed(String target, List<PromiseView> promises) {
+        String kind = automaton.completion().name().toLowerCase(Locale.ROOT);
+        return new GoView("", "", text.literal(kind), target, List.of(), promises, false);
     }
 
     private static void collectReads(Automaton.Transition transition, Set<String> read) {

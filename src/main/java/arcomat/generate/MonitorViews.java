@@ -5,8 +5,8 @@ import arcomat.generate.view.FieldView;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.MonitorView;
 import arcomat.generate.view.MonitorView.EventsView;
-import arcomat.generate.view.MonitorView.MessageView;
 import arcomat.generate.view.MonitorView.SeenView;
+import arcomat.generate.view.MonitorView.SpeltView;
 import arcomat.generate.view.TypeView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -22,8 +22,6 @@ import java.util.TreeSet;
 final class MonitorViews {
     /** The runtime's operations that look out for what may go wrong. */
     private static final String CHECK = "arcomat.rt.Check";
-
-    private static final String ERROR = "arcomat.rt.ModelError";
 
     /** More names would not fit into one constructor. */
     private static final int MOST_STATE_NAMES = 2000;
@@ -57,12 +55,7 @@ final class MonitorViews {
         List<MonitorView.SectionView> sections = steps.sections();
         List<EventsView> events =
                 watched.profile() == Component.Profile.EVENT_DRIVEN ? List.of(events()) : List.of();
-        boolean checked =
-                sections.stream()
-                        .flatMap(section -> section.states().stream())
-                        .flatMap(state -> state.transitions().stream())
-                        .anyMatch(MonitorView.GoView::checked);
-        List<String> imports = imports(head, checked); // known only after everything is written
+        List<String> imports = imports(head); // known only after everything is written
         return new MonitorView(
                 head,
                 imports,
@@ -80,8 +73,7 @@ final class MonitorViews {
                 sections,
                 steps.completion(),
                 context.members().state(),
-                steps.values(),
-                context.members().local("problem", ""),
+                spelt(),
                 events);
     }
 
@@ -93,19 +85,21 @@ final class MonitorViews {
                                 .filter(port -> !port.latched())
                                 .map(port -> (Formula) new Formula.Carries(port, true))
                                 .toList());
-        String message = context.members().local("sent", "");
-        List<MessageView> messages = new ArrayList<>();
+        return new EventsView(text.text(present).text());
+    }
+
+    /** Whole numbers, strings and objects are told by the runtime. */
+    private List<SpeltView> spelt() {
+        List<SpeltView> spelt = new ArrayList<>();
         for (int port = 0; port < watched.outputs().size(); port++) {
-            String value = text.received(message, watched.outputs().get(port).type());
-            if (!value.equals(message)) {
-                messages.add(new MessageView(port, value));
+            Type type = watched.outputs().get(port).type();
+            if (!(type instanceof Type.IntegerType
+                    || type instanceof Type.StringType
+                    || type instanceof Type.ClassType)) {
+                spelt.add(new SpeltView(port, context.expressions().spelt("message", type)));
             }
         }
-        return new EventsView(
-                text.text(present).text(),
-                messages,
-                context.members().local("position", ""),
-                message);
+        return spelt;
     }
 
     private SeenView seen(Port port) {
@@ -113,12 +107,17 @@ final class MonitorViews {
         return new SeenView(
                 text.literal(port.name()),
                 port.delay() > 0,
-                text.mayBeAbsent(port) ? text.presence(port, true).text() : "",
-                text.object(port));
+                mayShowNothing(port) ? text.presence(port, true).text() : "",
+                text.code(port));
+    }
+
+    /** Whoever sets a total port to the code of no message is heard, too. */
+    private boolean mayShowNothing(Port port) {
+        return port.type() instanceof Type.EnumType || context.expressions().mayBeAbsent(port);
     }
 
     /** Codes of enums, and the enums themselves where they are sent. */
-    private List<String> imports(HeadView head, boolean checked) {
+    private List<String> imports(HeadView head) {
         Set<String> sent = new TreeSet<>();
         for (Port port : watched.outputs()) {
             if (port.type() instanceof Type.EnumType) {
@@ -128,9 +127,6 @@ final class MonitorViews {
         Set<String> imports = new TreeSet<>();
         if (context.expressions().checks()) {
             imports.add(CHECK);
-        }
-        if (checked) {
-            imports.add(ERROR);
         }
         for (TypeView type : head.mentions()) {
             TypeName name = new TypeName(type.packageName(), type.name());

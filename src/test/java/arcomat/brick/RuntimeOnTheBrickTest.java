@@ -21,7 +21,7 @@ class RuntimeOnTheBrickTest {
 
     @Test
     void compilesAgainstTheBrickAndPassesTheCheck(@TempDir Path folder) throws IOException {
-        SourceFile[] sources = sources();
+        SourceFile[] sources = sources().toArray(new SourceFile[0]);
 
         Map<String, byte[]> classes = new BrickCompiler(folder).forBrick(sources).orFail();
 
@@ -30,7 +30,7 @@ class RuntimeOnTheBrickTest {
         assertThat(report.classes()).isGreaterThanOrEqualTo(sources.length);
     }
 
-    private static SourceFile[] sources() throws IOException {
+    static List<SourceFile> sources() throws IOException {
         List<SourceFile> sources = new ArrayList<>();
         try (Stream<Path> files = Files.walk(RUNTIME)) {
             for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
@@ -38,6 +38,6 @@ class RuntimeOnTheBrickTest {
                 sources.add(new SourceFile(path, Files.readString(file)));
             }
         }
-        return sources.toArray(new SourceFile[0]);
+        return sources;
     }
 }

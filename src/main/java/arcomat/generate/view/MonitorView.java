@@ -17,8 +17,7 @@ import java.util.List;
  * @param sections whose transitions are together all transitions
  * @param completion what happens where no transition is enabled; none where that is forbidden
  * @param state parameter with the code of the state
- * @param values parameter with the values of the variables
- * @param problem what goes wrong
+ * @param spelt outputs whose messages are no numbers
  * @param events what it asks where it watches events; none where it watches slices
  */
 public record MonitorView(
@@ -36,35 +35,30 @@ public record MonitorView(
         List<SectionView> sections,
         List<GoView> completion,
         String state,
-        String values,
-        String problem,
+        List<SpeltView> spelt,
         List<EventsView> events) {
 
     /**
      * What is particular about events.
      *
      * @param present condition that a port has an event
-     * @param messages what becomes of messages on outputs whose kind a border does not tell
-     * @param position parameter with the position of an output
-     * @param message parameter with a message
      */
-    public record EventsView(
-            String present, List<MessageView> messages, String position, String message) {}
+    public record EventsView(String present) {}
 
     /**
-     * Makes what a border is told into what the model means.
+     * How a message is told.
      *
      * @param port position of the output
-     * @param value of the message
+     * @param text computed from the code {@code message}
      */
-    public record MessageView(int port, String value) {}
+    public record SpeltView(int port, String text) {}
 
     /**
      * What an output shows.
      *
      * @param literal its name
      * @param present condition that there is a message; empty where there always is one
-     * @param message the message as an object
+     * @param message the message as a number, or as an object
      */
     public record SeenView(String literal, boolean delayed, String present, String message) {}
 
@@ -73,10 +67,10 @@ public record MonitorView(
      *
      * @param comment line and text in the model
      * @param condition empty where it holds always
-     * @param cause a literal that names it in messages
+     * @param cause a literal that names it in messages; the kind of a completion
      * @param target constant or code of the next state
-     * @param values of the variables afterwards
-     * @param promises what is to be seen, per output
+     * @param values variables that are different afterwards
+     * @param promises what is to be seen; nothing on outputs without one
      * @param checked whether it may go wrong
      */
     public record GoView(
@@ -84,15 +78,27 @@ public record MonitorView(
             String condition,
             String cause,
             String target,
-            String values,
-            List<String> promises,
+            List<SetView> values,
+            List<PromiseView> promises,
             boolean checked) {}
+
+    /** A variable, by position, that gets a value. */
+    public record SetView(int variable, String value) {}
+
+    /**
+     * What is to be seen on an output.
+     *
+     * @param port its position
+     * @param any whether it is some message, whichever
+     * @param open whether it may be no message as well
+     */
+    public record PromiseView(int port, List<String> messages, boolean any, boolean open) {}
 
     /**
      * Some states with some of their transitions, few enough for a method.
      *
      * @param method empty where one section holds all
-     * @param variables those that are read, with their value out of the set of values
+     * @param variables those that are read, with their value out of what is kept
      */
     public record SectionView(String method, List<FieldView> variables, List<StateView> states) {}
 

@@ -63,20 +63,36 @@ public final class CompiledMonitor {
 
     /** Shows a new monitor a run. */
     public Word watch(List<Value> arguments, Trace run) {
+        GeneratedMonitor monitor = shown(arguments, run);
+        return new Word(monitor.text("violation").strip(), monitor.text("unknown").strip());
+    }
+
+    /**
+     * How many bytes a new monitor allocates while it is shown a run.
+     *
+     * @param warm how many slices or events it has seen before that
+     */
+    long allocated(List<Value> arguments, Trace run, int warm) {
+        GeneratedMonitor monitor = shown(arguments, run);
+        assertThat(monitor.text("violation") + monitor.text("unknown")).isEmpty();
+        return monitor.allocatedAfter(warm);
+    }
+
+    private GeneratedMonitor shown(List<Value> arguments, Trace run) {
         Messages messages = new Messages(compiled);
         List<Object> constructor = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {
             constructor.add(messages.toJava(arguments.get(i), watched.parameters().get(i).type()));
         }
-        Object monitor = compiled.instantiate(place.className(), constructor);
+        Object made = compiled.instantiate(place.className(), constructor);
+        GeneratedMonitor monitor = new GeneratedMonitor(made);
         if (watched.profile() == Component.Profile.EVENT_DRIVEN) {
-            new ShownEvents(watched, monitor, slots(watched.inputs(), monitor, messages), messages)
+            new ShownEvents(watched, monitor, slots(watched.inputs(), made, messages), messages)
                     .show(run);
         } else {
-            showSlices(monitor, slots(watched.ports(), monitor, messages), run);
+            showSlices(monitor, slots(watched.ports(), made, messages), run);
         }
-        String violation = ((String) call(monitor, "violation")).strip();
-        return new Word(violation, ((String) call(monitor, "unknown")).strip());
+        return monitor;
     }
 
     private List<PortSlot> slots(List<Port> ports, Object monitor, Messages messages) {
@@ -85,18 +101,18 @@ public final class CompiledMonitor {
                 .toList();
     }
 
-    private static void showSlices(Object monitor, List<PortSlot> slots, Trace run) {
+    private static void showSlices(GeneratedMonitor monitor, List<PortSlot> slots, Trace run) {
         boolean kept = true;
         for (Trace.Step step : run.steps()) {
             if (kept) {
                 write(slots, step.inputs(), step.outputs());
-                kept = (Boolean) call(monitor, "slice");
+                kept = monitor.slice();
             }
         }
         if (kept && run.end().isPresent()) {
             Trace.End end = run.end().get();
             write(slots, end.inputs(), end.shown());
-            call(monitor, "error");
+            monitor.error();
         }
     }
 
@@ -104,13 +120,5 @@ public final class CompiledMonitor {
         Map<String, List<Value>> both = new LinkedHashMap<>(inputs.messages());
         both.putAll(outputs.messages());
         slots.forEach(slot -> slot.write(new Letter(both)));
-    }
-
-    static Object call(Object object, String method) {
-        try {
-            return object.getClass().getMethod(method).invoke(object);
-        } catch (ReflectiveOperationException e) {
-            throw new IllegalStateException(e);
-        }
     }
 }

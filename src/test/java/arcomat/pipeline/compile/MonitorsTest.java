@@ -42,6 +42,8 @@ import net.jqwik.api.Provide;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -113,6 +115,26 @@ class MonitorsTest {
                                         }));
     }
 
+    /**
+     * Where a transition goes wrong or leaves something open, too; what grows has grown by then.
+     */
+    @ParameterizedTest
+    @ValueSource(strings = {"p.Lively", "p.Chatty"})
+    void nothingIsAllocatedInASlice(String name) {
+        Path file = Path.of("src/test/resources/monitors/lively.txt");
+        Component component =
+                Lowering.lower(Scenario.read(file).workspace()).component(name).orElseThrow();
+        Trace run =
+                IntStream.range(0, 20)
+                        .mapToObj(seed -> run(component, List.of(), seed, 1000))
+                        .filter(some -> some.steps().size() == 1000)
+                        .findFirst()
+                        .orElseThrow();
+        CompiledMonitor monitor = CompiledMonitor.of(component);
+        assertThat(monitor.allocated(List.of(), run, 0)).isPositive();
+        assertThat(monitor.allocated(List.of(), run, 300)).isZero();
+    }
+
     private static Map<String, String> texts(Generation generation) {
         return generation.files().stream()
                 .collect(Collectors.toMap(GeneratedFile::path, GeneratedFile::text));
@@ -127,7 +149,8 @@ class MonitorsTest {
                                         "agreement/networks.txt",
                                         "agreement/events.txt",
                                         "monitors/requirements.txt",
-                                        "monitors/events.txt")
+                                        "monitors/events.txt",
+                                        "monitors/lively.txt")
                                 .map(file -> Path.of("src/test/resources", file))
                                 .map(file -> Scenario.read(file).workspace()),
                         Stream.of(Scenario.models("models/coffee")))

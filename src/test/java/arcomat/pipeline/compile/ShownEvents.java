@@ -15,12 +15,13 @@ import java.util.Map;
 /** Shows an event-driven run to a generated monitor, as a program would. */
 final class ShownEvents {
     private final Component watched;
-    private final Object monitor;
+    private final GeneratedMonitor monitor;
     private final List<PortSlot> inputs;
     private final Messages messages;
     private final Map<String, List<Value>> held = new HashMap<>();
 
-    ShownEvents(Component watched, Object monitor, List<PortSlot> inputs, Messages messages) {
+    ShownEvents(
+            Component watched, GeneratedMonitor monitor, List<PortSlot> inputs, Messages messages) {
         this.watched = watched;
         this.monitor = monitor;
         this.inputs = inputs;
@@ -29,7 +30,7 @@ final class ShownEvents {
 
     void show(Trace run) {
         if (run.opening().isEmpty()) {
-            run.end().ifPresent(end -> CompiledMonitor.call(monitor, "error"));
+            run.end().ifPresent(end -> monitor.error());
             return;
         }
         Letter opening = run.opening().get();
@@ -50,7 +51,7 @@ final class ShownEvents {
             run.steps().stream()
                     .skip(Math.max(0, run.steps().size() - 1))
                     .forEach(step -> send(step.outputs()));
-            CompiledMonitor.call(monitor, "error");
+            monitor.error();
         }
     }
 
@@ -73,16 +74,32 @@ final class ShownEvents {
     private boolean slice(Letter letter, Letter shown) {
         write(letter);
         send(shown);
-        return (Boolean) CompiledMonitor.call(monitor, "slice");
+        return monitor.slice();
     }
 
     private void send(Letter shown) {
-        Border border = (Border) CompiledMonitor.call(monitor, "border");
+        Border border = monitor.border();
         for (Port port : watched.outputs()) {
             for (Value value : shown.messages(port.name())) {
-                Object message = messages.toJava(value, port.type());
-                border.sent(port.name(), message instanceof Float f ? f.doubleValue() : message);
+                send(border, port.name(), messages.toJava(value, port.type()));
             }
+        }
+    }
+
+    /** As generated code does it: each kind of message has a method of its own. */
+    private static void send(Border border, String port, Object message) {
+        if (message instanceof Integer number) {
+            border.sent(port, number.intValue());
+        } else if (message instanceof Long number) {
+            border.sent(port, number.longValue());
+        } else if (message instanceof Boolean truth) {
+            border.sent(port, truth.booleanValue());
+        } else if (message instanceof Character character) {
+            border.sent(port, character.charValue());
+        } else if (message instanceof Number number) {
+            border.sent(port, number.doubleValue());
+        } else {
+            border.sent(port, message);
         }
     }
 

@@ -16,9 +16,9 @@ public final class Counts {
     public int y;
     public boolean hasY;
 
-    /** out Integer ANYTHING */
-    public int ANYTHING;
-    public boolean hasANYTHING;
+    /** out Integer careful */
+    public int careful;
+    public boolean hasCareful;
 
     private int one = 1;
     private int two = 2;
@@ -31,7 +31,7 @@ public final class Counts {
     public Counts() {
         // line 9: initial s;
         hasY = false;
-        hasANYTHING = false;
+        hasCareful = false;
         state = S;
     }
 
@@ -44,23 +44,23 @@ public final class Counts {
         if (hasX && x) {
             y = two;
             hasY = true;
-            hasANYTHING = false;
+            hasCareful = false;
             two = one;
             taken = 0;
             return;
         }
-        // line 11: s {x == false} / {one = two % 5, ANYTHING = one};
+        // line 11: s {x == false} / {one = two % 5, careful = one};
         if (hasX && !x) {
             hasY = false;
-            ANYTHING = one;
-            hasANYTHING = true;
+            careful = one;
+            hasCareful = true;
             one = Check.range(two % 5, 0, 5, "Counts, s -> s (line 11): one");
             taken = 1;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasY = false;
-        hasANYTHING = false;
+        hasCareful = false;
         taken = -1;
     }
 }

@@ -34,17 +34,16 @@ public final class BellKnowsMonitor extends arcomat.rt.EventMonitor {
         super(
                 "p.Bell#knows (line 27)",
                 new String[] {"s", "t"},
+                0,
                 new String[] {"ring", "shown", "tone", "letter", "count"});
         // line 29: initial s / {letter = ['x', 'y']};
-        go(
-                "line 29: initial s",
-                S,
-                values(),
-                ANYTHING,
-                ANYTHING,
-                ANYTHING,
-                several(Character.valueOf('x'), Character.valueOf('y')),
-                ANYTHING);
+        go("line 29: initial s", S);
+        leaveOpen(0);
+        leaveOpen(1);
+        leaveOpen(2);
+        send(3, 'x');
+        send(3, 'y');
+        leaveOpen(4);
     }
 
     @Override
@@ -53,71 +52,62 @@ public final class BellKnowsMonitor extends arcomat.rt.EventMonitor {
     }
 
     @Override
-    protected Object message(int position, Object sent) {
-        switch (position) {
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
             case 1:
-                return Lamp.of((Integer) sent);
+                return Lamp.of((int) message).toString();
             case 2:
-                return Float.valueOf(((Double) sent).floatValue());
+                return String.valueOf((float) Double.longBitsToDouble(message));
+            case 3:
+                return quoted((char) message);
             default:
-                return sent;
+                return super.text(port, message);
         }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
+    protected void react(int state) {
         switch (state) {
             case S:
                 // line 30: s -> t {lamp == green} / {letter = 'a'};
                 if (lamp == LampCode.GREEN) {
-                    go(
-                            "line 30: s -> t",
-                            T,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            ANYTHING,
-                            Character.valueOf('a'),
-                            ANYTHING);
+                    go("line 30: s -> t", T);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    send(3, 'a');
+                    leaveOpen(4);
                 }
                 // line 31: s {push == ?};
                 if (hasPush) {
-                    go(
-                            "line 31: s -> s",
-                            S,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            ANYTHING,
-                            SILENCE,
-                            ANYTHING);
+                    go("line 31: s -> s", S);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    leaveOpen(4);
                 }
                 break;
 
             case T:
                 // line 32: t {lamp == ?} / {letter = 'a'};
                 if (lamp != LampCode.SILENCE) {
-                    go(
-                            "line 32: t -> t",
-                            T,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            ANYTHING,
-                            Character.valueOf('a'),
-                            ANYTHING);
+                    go("line 32: t -> t", T);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    send(3, 'a');
+                    leaveOpen(4);
                 }
                 // line 33: t [volume == 3] {push == true} / {letter = ?};
                 if (hasPush && push && hasVolume && volume == 3) {
-                    go(
-                            "line 33: t -> t",
-                            T,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            ANYTHING,
-                            ANY_MESSAGE,
-                            ANYTHING);
+                    go("line 33: t -> t", T);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    sendAny(3);
+                    leaveOpen(4);
                 }
                 break;
 
@@ -127,7 +117,7 @@ public final class BellKnowsMonitor extends arcomat.rt.EventMonitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
+    protected void complete(int state) {
         // Forbidden: there is no way to go on.
     }
 }

@@ -2,8 +2,6 @@
 
 package p.logic;
 
-import arcomat.rt.Check;
-import arcomat.rt.ModelError;
 import p.t.Lamp;
 import p.t.LampCode;
 
@@ -36,18 +34,18 @@ public final class BellRingsMonitor extends arcomat.rt.EventMonitor {
         super(
                 "p.Bell#rings (line 9)",
                 new String[] {"quiet", "loud"},
+                1,
                 new String[] {"ring", "shown", "tone", "letter", "count"});
         int n = 1;
         // line 12: initial quiet / {ring = false, count = [0, 1]};
-        go(
-                "line 12: initial quiet",
-                QUIET,
-                values(Integer.valueOf(n)),
-                Boolean.valueOf(false),
-                ANYTHING,
-                ANYTHING,
-                ANYTHING,
-                several(Integer.valueOf(0), Integer.valueOf(1)));
+        go("line 12: initial quiet", QUIET);
+        set(0, n);
+        send(0, code(false));
+        leaveOpen(1);
+        leaveOpen(2);
+        leaveOpen(3);
+        send(4, 0);
+        send(4, 1);
     }
 
     @Override
@@ -56,85 +54,71 @@ public final class BellRingsMonitor extends arcomat.rt.EventMonitor {
     }
 
     @Override
-    protected Object message(int position, Object sent) {
-        switch (position) {
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
             case 1:
-                return Lamp.of((Integer) sent);
+                return Lamp.of((int) message).toString();
             case 2:
-                return Float.valueOf(((Double) sent).floatValue());
+                return String.valueOf((float) Double.longBitsToDouble(message));
+            case 3:
+                return quoted((char) message);
             default:
-                return sent;
+                return super.text(port, message);
         }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
-        int n = (Integer) variables[0];
+    protected void react(int state) {
+        int n = (int) number(0);
         switch (state) {
             case QUIET:
                 // line 13: quiet -> loud [volume > 0] {push == true} / {ring = [true, false], n = n + 1};
-                try {
-                    if (hasPush && push && hasVolume && volume > 0) {
-                        go(
-                                "line 13: quiet -> loud",
-                                LOUD,
-                                values(Integer.valueOf(Check.range(n + 1, 0, 3, "Bell, quiet -> loud (line 13): n"))),
-                                several(Boolean.valueOf(true), Boolean.valueOf(false)),
-                                ANYTHING,
-                                ANYTHING,
-                                ANYTHING,
-                                SILENCE);
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (hasPush && push && hasVolume && volume > 0) {
+                    go("line 13: quiet -> loud", LOUD);
+                    set(0, careful.range(n + 1, 0, 3, "Bell, quiet -> loud (line 13): n"));
+                    send(0, code(true));
+                    send(0, code(false));
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    leaveOpen(3);
                 }
+                unlessWrong();
                 // line 14: quiet -> loud {push == ?} / {ring = ?};
                 if (hasPush) {
-                    go(
-                            "line 14: quiet -> loud",
-                            LOUD,
-                            variables,
-                            ANY_MESSAGE,
-                            ANYTHING,
-                            ANYTHING,
-                            ANYTHING,
-                            SILENCE);
+                    go("line 14: quiet -> loud", LOUD);
+                    sendAny(0);
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    leaveOpen(3);
                 }
                 break;
 
             case LOUD:
                 // line 15: loud -> quiet [3 / n > 1] {push == false} / {count = [n, volume], n = n - 1};
-                try {
-                    if (hasPush && !push && Check.divide(3, n, "Bell, loud -> quiet (line 15)") > 1 && hasVolume) {
-                        go(
-                                "line 15: loud -> quiet",
-                                QUIET,
-                                values(Integer.valueOf(Check.range(n - 1, 0, 3, "Bell, loud -> quiet (line 15): n"))),
-                                SILENCE,
-                                ANYTHING,
-                                ANYTHING,
-                                ANYTHING,
-                                several(Integer.valueOf(n), Integer.valueOf(volume)));
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (hasPush && !push && careful.divide(3, n, "Bell, loud -> quiet (line 15)") > 1 && hasVolume) {
+                    go("line 15: loud -> quiet", QUIET);
+                    set(0, careful.range(n - 1, 0, 3, "Bell, loud -> quiet (line 15): n"));
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    leaveOpen(3);
+                    send(4, n);
+                    send(4, volume);
                 }
+                unlessWrong();
                 // line 16: loud {lamp == ?} / {count = n + 1};
-                try {
-                    if (lamp != LampCode.SILENCE) {
-                        go(
-                                "line 16: loud -> loud",
-                                LOUD,
-                                variables,
-                                SILENCE,
-                                ANYTHING,
-                                ANYTHING,
-                                ANYTHING,
-                                Integer.valueOf(Check.range(n + 1, 0, 3, "Bell, loud -> loud (line 16): count")));
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (lamp != LampCode.SILENCE) {
+                    go("line 16: loud -> loud", LOUD);
+                    leaveOpen(1);
+                    leaveOpen(2);
+                    leaveOpen(3);
+                    send(4, careful.range(n + 1, 0, 3, "Bell, loud -> loud (line 16): count"));
                 }
+                unlessWrong();
                 break;
 
             default:
@@ -143,15 +127,10 @@ public final class BellRingsMonitor extends arcomat.rt.EventMonitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion ignore",
-                state,
-                variables,
-                SILENCE,
-                ANYTHING,
-                ANYTHING,
-                ANYTHING,
-                SILENCE);
+    protected void complete(int state) {
+        complete("ignore", state, state);
+        leaveOpen(1);
+        leaveOpen(2);
+        leaveOpen(3);
     }
 }

@@ -33,17 +33,15 @@ public final class BellShowsMonitor extends arcomat.rt.EventMonitor {
         super(
                 "p.Bell#shows (line 19)",
                 new String[] {"s"},
+                0,
                 new String[] {"ring", "shown", "tone", "letter", "count"});
         // line 21: initial s / {shown = green};
-        go(
-                "line 21: initial s",
-                S,
-                values(),
-                ANYTHING,
-                Lamp.of(LampCode.GREEN),
-                ANYTHING,
-                ANYTHING,
-                ANYTHING);
+        go("line 21: initial s", S);
+        leaveOpen(0);
+        send(1, LampCode.GREEN);
+        leaveOpen(2);
+        leaveOpen(3);
+        leaveOpen(4);
     }
 
     @Override
@@ -52,56 +50,53 @@ public final class BellShowsMonitor extends arcomat.rt.EventMonitor {
     }
 
     @Override
-    protected Object message(int position, Object sent) {
-        switch (position) {
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
             case 1:
-                return Lamp.of((Integer) sent);
+                return Lamp.of((int) message).toString();
             case 2:
-                return Float.valueOf(((Double) sent).floatValue());
+                return String.valueOf((float) Double.longBitsToDouble(message));
+            case 3:
+                return quoted((char) message);
             default:
-                return sent;
+                return super.text(port, message);
         }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
+    protected void react(int state) {
         switch (state) {
             case S:
                 // line 22: s {lamp == ?} / {shown = [lamp, mood], tone = 0.5f, letter = 'a'};
                 if (lamp != LampCode.SILENCE && mood != LampCode.SILENCE) {
-                    go(
-                            "line 22: s -> s",
-                            S,
-                            variables,
-                            ANYTHING,
-                            several(Lamp.of(lamp), Lamp.of(mood)),
-                            Float.valueOf(0.5f),
-                            Character.valueOf('a'),
-                            ANYTHING);
+                    go("line 22: s -> s", S);
+                    leaveOpen(0);
+                    send(1, lamp);
+                    send(1, mood);
+                    send(2, code((float) 0.5f));
+                    send(3, 'a');
+                    leaveOpen(4);
                 }
                 // line 23: s [mood == --] {lamp == red} / {shown = ?};
                 if (lamp == LampCode.RED && mood == LampCode.SILENCE) {
-                    go(
-                            "line 23: s -> s",
-                            S,
-                            variables,
-                            ANYTHING,
-                            ANY_MESSAGE,
-                            ANYTHING,
-                            ANYTHING,
-                            ANYTHING);
+                    go("line 23: s -> s", S);
+                    leaveOpen(0);
+                    sendAny(1);
+                    leaveOpen(2);
+                    leaveOpen(3);
+                    leaveOpen(4);
                 }
                 // line 24: s [mood == green] {push == true} / {tone = [0.25f, 0.5f]};
                 if (hasPush && push && mood == LampCode.GREEN) {
-                    go(
-                            "line 24: s -> s",
-                            S,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            several(Float.valueOf(0.25f), Float.valueOf(0.5f)),
-                            ANYTHING,
-                            ANYTHING);
+                    go("line 24: s -> s", S);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    send(2, code((float) 0.25f));
+                    send(2, code((float) 0.5f));
+                    leaveOpen(3);
+                    leaveOpen(4);
                 }
                 break;
 
@@ -111,15 +106,12 @@ public final class BellShowsMonitor extends arcomat.rt.EventMonitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion output",
-                state,
-                variables,
-                ANYTHING,
-                ANYTHING,
-                ANYTHING,
-                ANYTHING,
-                ANYTHING);
+    protected void complete(int state) {
+        complete("output", state, state);
+        leaveOpen(0);
+        leaveOpen(1);
+        leaveOpen(2);
+        leaveOpen(3);
+        leaveOpen(4);
     }
 }

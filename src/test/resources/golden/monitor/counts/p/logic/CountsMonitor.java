@@ -2,9 +2,6 @@
 
 package p.logic;
 
-import arcomat.rt.Check;
-import arcomat.rt.ModelError;
-
 /**
  * Watches what component p.Counts receives and sends.
  *
@@ -22,63 +19,55 @@ public final class CountsMonitor extends arcomat.rt.Monitor {
     public int y;
     public boolean hasY;
 
-    /** out Integer ANYTHING */
-    public int ANYTHING_;
-    public boolean hasANYTHING;
+    /** out Integer careful */
+    public int careful_;
+    public boolean hasCareful;
 
     public CountsMonitor() {
         super(
                 "p.Counts (line 5)",
                 new String[] {"s"},
-                new String[] {"y", "ANYTHING"},
+                2,
+                new String[] {"y", "careful"},
                 new boolean[] {true, true});
         int one = 1;
         int two = 2;
         // line 9: initial s;
-        go(
-                "line 9: initial s",
-                S,
-                values(Integer.valueOf(one), Integer.valueOf(two)),
-                SILENCE,
-                SILENCE);
+        go("line 9: initial s", S);
+        set(0, one);
+        set(1, two);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            hasY ? Integer.valueOf(y) : SILENCE,
-            hasANYTHING ? Integer.valueOf(ANYTHING_) : SILENCE
-        };
+    protected void see() {
+        if (hasY) {
+            show(0, y);
+        }
+        if (hasCareful) {
+            show(1, careful_);
+        }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
-        int one = (Integer) variables[0];
-        int two = (Integer) variables[1];
+    protected void react(int state) {
+        int one = (int) number(0);
+        int two = (int) number(1);
         switch (state) {
             case S:
                 // line 10: s {x == true} / {two = one, y = two};
                 if (hasX && x) {
-                    go(
-                            "line 10: s -> s",
-                            S,
-                            values(variables[0], Integer.valueOf(one)),
-                            Integer.valueOf(two),
-                            SILENCE);
+                    go("line 10: s -> s", S);
+                    set(1, one);
+                    send(0, two);
                 }
-                // line 11: s {x == false} / {one = two % 5, ANYTHING = one};
-                try {
-                    if (hasX && !x) {
-                        go(
-                                "line 11: s -> s",
-                                S,
-                                values(Integer.valueOf(Check.range(two % 5, 0, 5, "Counts, s -> s (line 11): one")), variables[1]),
-                                SILENCE,
-                                Integer.valueOf(one));
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                // line 11: s {x == false} / {one = two % 5, careful = one};
+                risk();
+                if (hasX && !x) {
+                    go("line 11: s -> s", S);
+                    set(0, careful.range(two % 5, 0, 5, "Counts, s -> s (line 11): one"));
+                    send(1, one);
                 }
+                unlessWrong();
                 break;
 
             default:
@@ -87,12 +76,7 @@ public final class CountsMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion ignore",
-                state,
-                variables,
-                SILENCE,
-                SILENCE);
+    protected void complete(int state) {
+        complete("ignore", state, state);
     }
 }

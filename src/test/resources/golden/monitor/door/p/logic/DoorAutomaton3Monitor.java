@@ -2,9 +2,6 @@
 
 package p.logic;
 
-import arcomat.rt.Check;
-import arcomat.rt.ModelError;
-
 /**
  * Watches what component p.Door receives and sends.
  *
@@ -33,83 +30,81 @@ public final class DoorAutomaton3Monitor extends arcomat.rt.Monitor {
         super(
                 "p.Door (line 23)",
                 new String[] {"counting"},
+                1,
                 new String[] {"bell", "open", "count"},
                 new boolean[] {false, true, true});
         int n = 1;
         // line 26: initial counting / {count = 0};
-        go(
-                "line 26: initial counting",
-                COUNTING,
-                values(Integer.valueOf(n)),
-                ANYTHING,
-                ANYTHING,
-                Integer.valueOf(0));
+        go("line 26: initial counting", COUNTING);
+        set(0, n);
+        leaveOpen(0);
+        leaveOpen(1);
+        send(2, 0);
         // line 27: initial counting / {count = 3, n = 2};
-        go(
-                "line 27: initial counting",
-                COUNTING,
-                values(Integer.valueOf(2)),
-                ANYTHING,
-                ANYTHING,
-                Integer.valueOf(3));
+        go("line 27: initial counting", COUNTING);
+        set(0, 2);
+        leaveOpen(0);
+        leaveOpen(1);
+        send(2, 3);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            hasBell ? Boolean.valueOf(bell) : SILENCE,
-            hasOpen ? Boolean.valueOf(open) : SILENCE,
-            Integer.valueOf(count)
-        };
+    protected void see() {
+        if (hasBell) {
+            show(0, code(bell));
+        }
+        if (hasOpen) {
+            show(1, code(open));
+        }
+        show(2, count);
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
-        int n = (Integer) variables[0];
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
+            case 1:
+                return String.valueOf(message != 0);
+            default:
+                return super.text(port, message);
+        }
+    }
+
+    @Override
+    protected void react(int state) {
+        int n = (int) number(0);
         switch (state) {
             case COUNTING:
                 // line 28: counting [n < 3] {push == true} / {count = n, n = n + 1};
-                try {
-                    if (hasPush && push && n < 3) {
-                        go(
-                                "line 28: counting -> counting",
-                                COUNTING,
-                                values(Integer.valueOf(Check.range(n + 1, 0, 3, "Door, counting -> counting (line 28): n"))),
-                                ANYTHING,
-                                ANYTHING,
-                                Integer.valueOf(n));
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (hasPush && push && n < 3) {
+                    go("line 28: counting -> counting", COUNTING);
+                    set(0, careful.range(n + 1, 0, 3, "Door, counting -> counting (line 28): n"));
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    send(2, n);
                 }
+                unlessWrong();
                 // line 29: counting [n > 0] / {count = 3 - n, n = n - 1};
-                try {
-                    if (n > 0) {
-                        go(
-                                "line 29: counting -> counting",
-                                COUNTING,
-                                values(Integer.valueOf(Check.range(n - 1, 0, 3, "Door, counting -> counting (line 29): n"))),
-                                ANYTHING,
-                                ANYTHING,
-                                Integer.valueOf(Check.range(3 - n, 0, 3, "Door, counting -> counting (line 29): count")));
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (n > 0) {
+                    go("line 29: counting -> counting", COUNTING);
+                    set(0, careful.range(n - 1, 0, 3, "Door, counting -> counting (line 29): n"));
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    send(2, careful.range(3 - n, 0, 3, "Door, counting -> counting (line 29): count"));
                 }
+                unlessWrong();
                 // line 30: counting {push == false} / {count = 3 / n};
-                try {
-                    if (hasPush && !push) {
-                        go(
-                                "line 30: counting -> counting",
-                                COUNTING,
-                                variables,
-                                ANYTHING,
-                                ANYTHING,
-                                Integer.valueOf(Check.range(Check.divide(3, n, "Door, counting -> counting (line 30)"), 0, 3, "Door, counting -> counting (line 30): count")));
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (hasPush && !push) {
+                    go("line 30: counting -> counting", COUNTING);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    send(2, careful.range(careful.divide(3, n, "Door, counting -> counting (line 30)"), 0, 3, "Door, counting -> counting (line 30): count"));
                 }
+                unlessWrong();
                 break;
 
             default:
@@ -118,13 +113,10 @@ public final class DoorAutomaton3Monitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion chaos",
-                CHAOS,
-                variables,
-                ANYTHING,
-                ANYTHING,
-                ANY_MESSAGE);
+    protected void complete(int state) {
+        complete("chaos", state, CHAOS);
+        leaveOpen(0);
+        leaveOpen(1);
+        sendAny(2);
     }
 }

@@ -31,79 +31,73 @@ public final class DoorNeverMonitor extends arcomat.rt.Monitor {
         super(
                 "p.Door#never (line 33)",
                 new String[] {"s", "t"},
+                0,
                 new String[] {"bell", "open", "count"},
                 new boolean[] {false, true, true});
         // line 35: initial s;
-        go(
-                "line 35: initial s",
-                S,
-                values(),
-                ANYTHING,
-                SILENCE,
-                ANY_MESSAGE);
+        go("line 35: initial s", S);
+        leaveOpen(0);
+        sendAny(2);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            hasBell ? Boolean.valueOf(bell) : SILENCE,
-            hasOpen ? Boolean.valueOf(open) : SILENCE,
-            Integer.valueOf(count)
-        };
+    protected void see() {
+        if (hasBell) {
+            show(0, code(bell));
+        }
+        if (hasOpen) {
+            show(1, code(open));
+        }
+        show(2, count);
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
+            case 1:
+                return String.valueOf(message != 0);
+            default:
+                return super.text(port, message);
+        }
+    }
+
+    @Override
+    protected void react(int state) {
         switch (state) {
             case S:
                 // line 36: s -> t {push == true} / {open = ?};
                 if (hasPush && push) {
-                    go(
-                            "line 36: s -> t",
-                            T,
-                            variables,
-                            ANYTHING,
-                            ANY_MESSAGE,
-                            ANY_MESSAGE);
+                    go("line 36: s -> t", T);
+                    leaveOpen(0);
+                    sendAny(1);
+                    sendAny(2);
                 }
                 // line 37: s -> s / {open = ?};
-                go(
-                        "line 37: s -> s",
-                        S,
-                        variables,
-                        ANYTHING,
-                        ANY_MESSAGE,
-                        ANY_MESSAGE);
+                go("line 37: s -> s", S);
+                leaveOpen(0);
+                sendAny(1);
+                sendAny(2);
                 // line 38: s -> s / {open = --};
-                go(
-                        "line 38: s -> s",
-                        S,
-                        variables,
-                        ANYTHING,
-                        SILENCE,
-                        ANY_MESSAGE);
+                go("line 38: s -> s", S);
+                leaveOpen(0);
+                sendAny(2);
                 break;
 
             case T:
                 // line 39: t -> s {push == ?} / {open = ?};
                 if (hasPush) {
-                    go(
-                            "line 39: t -> s",
-                            S,
-                            variables,
-                            ANYTHING,
-                            ANY_MESSAGE,
-                            ANY_MESSAGE);
+                    go("line 39: t -> s", S);
+                    leaveOpen(0);
+                    sendAny(1);
+                    sendAny(2);
                 }
                 // line 40: t -> s {push == false};
                 if (hasPush && !push) {
-                    go(
-                            "line 40: t -> s",
-                            S,
-                            variables,
-                            ANYTHING,
-                            SILENCE,
-                            ANY_MESSAGE);
+                    go("line 40: t -> s", S);
+                    leaveOpen(0);
+                    sendAny(2);
                 }
                 break;
 
@@ -113,7 +107,7 @@ public final class DoorNeverMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
+    protected void complete(int state) {
         // Forbidden: there is no way to go on.
     }
 }

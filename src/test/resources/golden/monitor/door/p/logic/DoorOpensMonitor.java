@@ -31,75 +31,77 @@ public final class DoorOpensMonitor extends arcomat.rt.Monitor {
         super(
                 "p.Door#opens (line 13)",
                 new String[] {"shut", "ajar"},
+                1,
                 new String[] {"bell", "open", "count"},
                 new boolean[] {false, true, true});
         boolean last = false;
         // line 16: initial shut / {open = false};
-        go(
-                "line 16: initial shut",
-                SHUT,
-                values(Boolean.valueOf(last)),
-                ANYTHING,
-                Boolean.valueOf(false),
-                ANY_MESSAGE);
+        go("line 16: initial shut", SHUT);
+        set(0, code(last));
+        leaveOpen(0);
+        send(1, code(false));
+        sendAny(2);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            hasBell ? Boolean.valueOf(bell) : SILENCE,
-            hasOpen ? Boolean.valueOf(open) : SILENCE,
-            Integer.valueOf(count)
-        };
+    protected void see() {
+        if (hasBell) {
+            show(0, code(bell));
+        }
+        if (hasOpen) {
+            show(1, code(open));
+        }
+        show(2, count);
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
-        boolean last = (Boolean) variables[0];
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
+            case 1:
+                return String.valueOf(message != 0);
+            default:
+                return super.text(port, message);
+        }
+    }
+
+    @Override
+    protected void react(int state) {
+        boolean last = number(0) != 0;
         switch (state) {
             case SHUT:
                 // line 17: shut -> ajar {push == true} / {open = true, last = true};
                 if (hasPush && push) {
-                    go(
-                            "line 17: shut -> ajar",
-                            AJAR,
-                            values(Boolean.valueOf(true)),
-                            ANYTHING,
-                            Boolean.valueOf(true),
-                            ANY_MESSAGE);
+                    go("line 17: shut -> ajar", AJAR);
+                    set(0, code(true));
+                    leaveOpen(0);
+                    send(1, code(true));
+                    sendAny(2);
                 }
                 // line 18: shut -> ajar {push == true} / {open = ?};
                 if (hasPush && push) {
-                    go(
-                            "line 18: shut -> ajar",
-                            AJAR,
-                            variables,
-                            ANYTHING,
-                            ANY_MESSAGE,
-                            ANY_MESSAGE);
+                    go("line 18: shut -> ajar", AJAR);
+                    leaveOpen(0);
+                    sendAny(1);
+                    sendAny(2);
                 }
                 // line 19: shut -> shut {push == true};
                 if (hasPush && push) {
-                    go(
-                            "line 19: shut -> shut",
-                            SHUT,
-                            variables,
-                            ANYTHING,
-                            ANYTHING,
-                            ANY_MESSAGE);
+                    go("line 19: shut -> shut", SHUT);
+                    leaveOpen(0);
+                    leaveOpen(1);
+                    sendAny(2);
                 }
                 break;
 
             case AJAR:
                 // line 20: ajar -> shut [last != push] / {open = last};
                 if (hasPush && last != push) {
-                    go(
-                            "line 20: ajar -> shut",
-                            SHUT,
-                            variables,
-                            ANYTHING,
-                            Boolean.valueOf(last),
-                            ANY_MESSAGE);
+                    go("line 20: ajar -> shut", SHUT);
+                    leaveOpen(0);
+                    send(1, code(last));
+                    sendAny(2);
                 }
                 break;
 
@@ -109,13 +111,9 @@ public final class DoorOpensMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion ignore",
-                state,
-                variables,
-                ANYTHING,
-                SILENCE,
-                ANY_MESSAGE);
+    protected void complete(int state) {
+        complete("ignore", state, state);
+        leaveOpen(0);
+        sendAny(2);
     }
 }

@@ -30,50 +30,54 @@ public final class DoorRingsMonitor extends arcomat.rt.Monitor {
         super(
                 "p.Door#rings (line 6)",
                 new String[] {"s"},
+                0,
                 new String[] {"bell", "open", "count"},
                 new boolean[] {false, true, true});
         // line 8: initial s;
-        go(
-                "line 8: initial s",
-                S,
-                values(),
-                SILENCE,
-                ANYTHING,
-                ANY_MESSAGE);
+        go("line 8: initial s", S);
+        leaveOpen(1);
+        sendAny(2);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            hasBell ? Boolean.valueOf(bell) : SILENCE,
-            hasOpen ? Boolean.valueOf(open) : SILENCE,
-            Integer.valueOf(count)
-        };
+    protected void see() {
+        if (hasBell) {
+            show(0, code(bell));
+        }
+        if (hasOpen) {
+            show(1, code(open));
+        }
+        show(2, count);
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return String.valueOf(message != 0);
+            case 1:
+                return String.valueOf(message != 0);
+            default:
+                return super.text(port, message);
+        }
+    }
+
+    @Override
+    protected void react(int state) {
         switch (state) {
             case S:
                 // line 9: s {push == ?} / {bell = push};
                 if (hasPush) {
-                    go(
-                            "line 9: s -> s",
-                            S,
-                            variables,
-                            Boolean.valueOf(push),
-                            ANYTHING,
-                            ANY_MESSAGE);
+                    go("line 9: s -> s", S);
+                    send(0, code(push));
+                    leaveOpen(1);
+                    sendAny(2);
                 }
                 // line 10: s {push == --} / {bell = --};
                 if (!hasPush) {
-                    go(
-                            "line 10: s -> s",
-                            S,
-                            variables,
-                            SILENCE,
-                            ANYTHING,
-                            ANY_MESSAGE);
+                    go("line 10: s -> s", S);
+                    leaveOpen(1);
+                    sendAny(2);
                 }
                 break;
 
@@ -83,13 +87,10 @@ public final class DoorRingsMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion output",
-                state,
-                variables,
-                ANYTHING,
-                ANYTHING,
-                ANY_MESSAGE);
+    protected void complete(int state) {
+        complete("output", state, state);
+        leaveOpen(0);
+        leaveOpen(1);
+        sendAny(2);
     }
 }

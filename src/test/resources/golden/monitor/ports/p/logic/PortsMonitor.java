@@ -30,58 +30,43 @@ public final class PortsMonitor extends arcomat.rt.Monitor {
         super(
                 "p.Ports (line 6)",
                 new String[] {"s"},
+                0,
                 new String[] {"what"},
                 new boolean[] {true});
         // line 8: initial s;
-        go(
-                "line 8: initial s",
-                S,
-                values(),
-                SILENCE);
+        go("line 8: initial s", S);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            hasWhat ? Integer.valueOf(what) : SILENCE
-        };
+    protected void see() {
+        if (hasWhat) {
+            show(0, what);
+        }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
+    protected void react(int state) {
         switch (state) {
             case S:
                 // line 9: s [x == y] / {what = 1};
                 if (x != LightCode.SILENCE && y != LightCode.SILENCE && x == y) {
-                    go(
-                            "line 9: s -> s",
-                            S,
-                            variables,
-                            Integer.valueOf(1));
+                    go("line 9: s -> s", S);
+                    send(0, 1);
                 }
                 // line 10: s [x != y && x == red] / {what = 2};
                 if (y != LightCode.SILENCE && x != y && x == LightCode.RED) {
-                    go(
-                            "line 10: s -> s",
-                            S,
-                            variables,
-                            Integer.valueOf(2));
+                    go("line 10: s -> s", S);
+                    send(0, 2);
                 }
                 // line 11: s {x == --, y == z} / {what = 3};
                 if (x == LightCode.SILENCE && y != LightCode.SILENCE && y == z) {
-                    go(
-                            "line 11: s -> s",
-                            S,
-                            variables,
-                            Integer.valueOf(3));
+                    go("line 11: s -> s", S);
+                    send(0, 3);
                 }
                 // line 12: s {x == --, y == --} / {what = 4};
                 if (x == LightCode.SILENCE && y == LightCode.SILENCE) {
-                    go(
-                            "line 12: s -> s",
-                            S,
-                            variables,
-                            Integer.valueOf(4));
+                    go("line 12: s -> s", S);
+                    send(0, 4);
                 }
                 break;
 
@@ -91,11 +76,7 @@ public final class PortsMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion ignore",
-                state,
-                variables,
-                SILENCE);
+    protected void complete(int state) {
+        complete("ignore", state, state);
     }
 }

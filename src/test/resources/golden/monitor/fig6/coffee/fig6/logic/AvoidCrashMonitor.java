@@ -45,94 +45,81 @@ public final class AvoidCrashMonitor extends arcomat.rt.Monitor {
         super(
                 "coffee.fig6.AvoidCrash (line 25)",
                 new String[] {"driving", "backing", "waiting", "remote", "returning"},
+                0,
                 new String[] {"cmd", "timerCmd"},
                 new boolean[] {true, true});
         // line 28: initial driving / {cmd = fwd};
-        go(
-                "line 28: initial driving",
-                DRIVING,
-                values(),
-                MotorCmd.of(MotorCmdCode.FWD),
-                SILENCE);
+        go("line 28: initial driving", DRIVING);
+        send(0, MotorCmdCode.FWD);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            cmd != MotorCmdCode.SILENCE ? MotorCmd.of(cmd) : SILENCE,
-            timerCmd != TimerCmdCode.SILENCE ? TimerCmd.of(timerCmd) : SILENCE
-        };
+    protected void see() {
+        if (cmd != MotorCmdCode.SILENCE) {
+            show(0, cmd);
+        }
+        if (timerCmd != TimerCmdCode.SILENCE) {
+            show(1, timerCmd);
+        }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return MotorCmd.of((int) message).toString();
+            case 1:
+                return TimerCmd.of((int) message).toString();
+            default:
+                return super.text(port, message);
+        }
+    }
+
+    @Override
+    protected void react(int state) {
         switch (state) {
             case DRIVING:
                 // line 31: driving -> backing {frontUS == tooClose, gotCoffee == false} / {cmd = backRight, timerCmd = delay};
                 if (frontUS == DistanceCode.TOO_CLOSE && !gotCoffee) {
-                    go(
-                            "line 31: driving -> backing",
-                            BACKING,
-                            variables,
-                            MotorCmd.of(MotorCmdCode.BACK_RIGHT),
-                            TimerCmd.of(TimerCmdCode.DELAY));
+                    go("line 31: driving -> backing", BACKING);
+                    send(0, MotorCmdCode.BACK_RIGHT);
+                    send(1, TimerCmdCode.DELAY);
                 }
                 // line 33: driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
                 if (frontUS == DistanceCode.TOO_CLOSE && gotCoffee) {
-                    go(
-                            "line 33: driving -> waiting",
-                            WAITING,
-                            variables,
-                            MotorCmd.of(MotorCmdCode.STOP),
-                            SILENCE);
+                    go("line 33: driving -> waiting", WAITING);
+                    send(0, MotorCmdCode.STOP);
                 }
                 break;
 
             case BACKING:
                 // line 36: backing -> remote {timerSig == alert} / {cmd = stop};
                 if (timerSig == TimerSignalCode.ALERT) {
-                    go(
-                            "line 36: backing -> remote",
-                            REMOTE,
-                            variables,
-                            MotorCmd.of(MotorCmdCode.STOP),
-                            SILENCE);
+                    go("line 36: backing -> remote", REMOTE);
+                    send(0, MotorCmdCode.STOP);
                 }
                 break;
 
             case WAITING:
                 // line 34: waiting -> driving {frontUS == clear} / {cmd = fwd};
                 if (frontUS == DistanceCode.CLEAR) {
-                    go(
-                            "line 34: waiting -> driving",
-                            DRIVING,
-                            variables,
-                            MotorCmd.of(MotorCmdCode.FWD),
-                            SILENCE);
+                    go("line 34: waiting -> driving", DRIVING);
+                    send(0, MotorCmdCode.FWD);
                 }
                 break;
 
             case REMOTE:
                 // line 37: remote -> returning {frontUS == clear} / {cmd = fwd};
                 if (frontUS == DistanceCode.CLEAR) {
-                    go(
-                            "line 37: remote -> returning",
-                            RETURNING,
-                            variables,
-                            MotorCmd.of(MotorCmdCode.FWD),
-                            SILENCE);
+                    go("line 37: remote -> returning", RETURNING);
+                    send(0, MotorCmdCode.FWD);
                 }
                 break;
 
             case RETURNING:
                 // line 38: returning -> driving {ls == ok};
                 if (ls == LineStatusCode.OK) {
-                    go(
-                            "line 38: returning -> driving",
-                            DRIVING,
-                            variables,
-                            SILENCE,
-                            SILENCE);
+                    go("line 38: returning -> driving", DRIVING);
                 }
                 break;
 
@@ -142,12 +129,7 @@ public final class AvoidCrashMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion ignore",
-                state,
-                variables,
-                SILENCE,
-                SILENCE);
+    protected void complete(int state) {
+        complete("ignore", state, state);
     }
 }

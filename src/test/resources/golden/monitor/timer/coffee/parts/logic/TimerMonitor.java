@@ -2,8 +2,6 @@
 
 package coffee.parts.logic;
 
-import arcomat.rt.Check;
-import arcomat.rt.ModelError;
 import coffee.types.TimerCmdCode;
 import coffee.types.TimerSignal;
 import coffee.types.TimerSignalCode;
@@ -30,76 +28,67 @@ public final class TimerMonitor extends arcomat.rt.Monitor {
         super(
                 "coffee.parts.Timer (line 13)",
                 new String[] {"idle", "running"},
+                1,
                 new String[] {"timerSig"},
                 new boolean[] {true});
         this.slices = slices;
         int left = 0;
         // line 19: initial idle;
-        go(
-                "line 19: initial idle",
-                IDLE,
-                values(Integer.valueOf(left)),
-                SILENCE);
+        go("line 19: initial idle", IDLE);
+        set(0, left);
     }
 
     @Override
-    protected Object[] seen() {
-        return new Object[] {
-            timerSig != TimerSignalCode.SILENCE ? TimerSignal.of(timerSig) : SILENCE
-        };
+    protected void see() {
+        if (timerSig != TimerSignalCode.SILENCE) {
+            show(0, timerSig);
+        }
     }
 
     @Override
-    protected void react(int state, Object[] variables) {
-        int left = (Integer) variables[0];
+    protected String text(int port, long message) {
+        switch (port) {
+            case 0:
+                return TimerSignal.of((int) message).toString();
+            default:
+                return super.text(port, message);
+        }
+    }
+
+    @Override
+    protected void react(int state) {
+        int left = (int) number(0);
         switch (state) {
             case IDLE:
                 // line 21: idle -> running {timerCmd == delay} / {left = slices - 1};
-                try {
-                    if (timerCmd == TimerCmdCode.DELAY) {
-                        go(
-                                "line 21: idle -> running",
-                                RUNNING,
-                                values(Integer.valueOf(Check.range(slices - 1, 0, 3000, "Timer, idle -> running (line 21): left"))),
-                                SILENCE);
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (timerCmd == TimerCmdCode.DELAY) {
+                    go("line 21: idle -> running", RUNNING);
+                    set(0, careful.range(slices - 1, 0, 3000, "Timer, idle -> running (line 21): left"));
                 }
+                unlessWrong();
                 break;
 
             case RUNNING:
                 // line 22: running {timerCmd == delay} / {left = slices - 1};
-                try {
-                    if (timerCmd == TimerCmdCode.DELAY) {
-                        go(
-                                "line 22: running -> running",
-                                RUNNING,
-                                values(Integer.valueOf(Check.range(slices - 1, 0, 3000, "Timer, running -> running (line 22): left"))),
-                                SILENCE);
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (timerCmd == TimerCmdCode.DELAY) {
+                    go("line 22: running -> running", RUNNING);
+                    set(0, careful.range(slices - 1, 0, 3000, "Timer, running -> running (line 22): left"));
                 }
+                unlessWrong();
                 // line 23: running [left > 1] {timerCmd == --} / {left = left - 1};
-                try {
-                    if (timerCmd == TimerCmdCode.SILENCE && left > 1) {
-                        go(
-                                "line 23: running -> running",
-                                RUNNING,
-                                values(Integer.valueOf(Check.range(left - 1, 0, 3000, "Timer, running -> running (line 23): left"))),
-                                SILENCE);
-                    }
-                } catch (ModelError problem) {
-                    goesWrong(problem);
+                risk();
+                if (timerCmd == TimerCmdCode.SILENCE && left > 1) {
+                    go("line 23: running -> running", RUNNING);
+                    set(0, careful.range(left - 1, 0, 3000, "Timer, running -> running (line 23): left"));
                 }
+                unlessWrong();
                 // line 24: running -> idle [left == 1] {timerCmd == --} / {timerSig = alert, left = 0};
                 if (timerCmd == TimerCmdCode.SILENCE && left == 1) {
-                    go(
-                            "line 24: running -> idle",
-                            IDLE,
-                            values(Integer.valueOf(0)),
-                            TimerSignal.of(TimerSignalCode.ALERT));
+                    go("line 24: running -> idle", IDLE);
+                    set(0, 0);
+                    send(0, TimerSignalCode.ALERT);
                 }
                 break;
 
@@ -109,11 +98,7 @@ public final class TimerMonitor extends arcomat.rt.Monitor {
     }
 
     @Override
-    protected void complete(int state, Object[] variables) {
-        go(
-                "no transition fits in " + name(state) + ", completion ignore",
-                state,
-                variables,
-                SILENCE);
+    protected void complete(int state) {
+        complete("ignore", state, state);
     }
 }
