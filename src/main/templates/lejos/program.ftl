@@ -5,8 +5,13 @@ import arcomat.rt.Choice;
 
 </#if>
 /** Runs component ${head.model} on the brick: one slice per cycle, until ESCAPE is pressed. */
-public final class ${name} extends arcomat.nxt.Robot {
+public final class ${name} extends arcomat.nxt.<#if watches?has_content>WatchedRobot<#else>Robot</#if> {
     private ${head.name} whole;
+<#list watches as watch>
+
+    /** ${watch.comment} */
+    private ${watch.type} ${watch.name};
+</#list>
 
     private ${name}() {}
 
@@ -19,6 +24,13 @@ public final class ${name} extends arcomat.nxt.Robot {
 <#if events>
         whole.start();
 </#if>
+<#list watches as watch>
+        ${watch.name} = new ${watch.type}(${watch.arguments});
+        begin(${watch.name});
+<#list watch.fixed as flag>
+        ${watch.name}.${flag} = true;
+</#list>
+</#list>
     }
 
     protected void slice() {
@@ -30,9 +42,22 @@ public final class ${name} extends arcomat.nxt.Robot {
 <#if senses>
         whole.sense();
 </#if>
+<#list watches as watch>
+<#list watch.before as copy>
+        ${watch.name}.${copy.target} = whole.${copy.value};
+</#list>
+</#list>
 <#if call != "">
         whole.${call}();
 </#if>
+<#list watches as watch>
+<#list watch.after as copy>
+        ${watch.name}.${copy.target} = whole.${copy.value};
+</#list>
+</#list>
+<#list watches as watch>
+        ${watch.goesOn?then("goOn", "demand")}(${watch.name});
+</#list>
 </#if>
     }
 }

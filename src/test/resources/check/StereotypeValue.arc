@@ -7,6 +7,11 @@
   port <<delay>> out Boolean o;
 //       ~~~~~ error ARC0502: stereotype 'delay' needs a value: "0" or "1"
 
+  <<violated = "stopp">> automaton {
+//             ~~~~~~~ error ARC0502: stereotype 'violated' has no value 'stopp'; it can be "stop" or "continue"
+    state s;
+    initial s;
+  }
   <<completion = chos>> automaton {
 //               ~~~~ error ARC0502: stereotype 'completion' has no value 'chos'; it can be "chaos", "output", "ignore" or "error"
     state s;
@@ -29,7 +34,7 @@
   port <<total>> in Boolean i;
   port <<delay = "0">> out Boolean o;
 
-  <<completion = chaos, omitted = "free">> automaton {
+  <<completion = chaos, omitted = "free", violated = "continue">> automaton {
     state s;
     initial s;
     s {i == true} / {o = true};

@@ -40,6 +40,7 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
             List.of(
                     choice("completion", BEHAVIOUR, "chaos", "output", "ignore", "error"),
                     choice("omitted", BEHAVIOUR, "silent", "free"),
+                    choice("violated", BEHAVIOUR, "stop", "continue"),
                     choice("layer", COMPONENT, "sensors", "logic", "actuators"),
                     choice("delay", PORT, "0", "1"),
                     new KnownStereotype("capacity", Form.COUNT, COMPONENT, List.of()),

@@ -4,6 +4,7 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.generate.GenerationRequest;
 import arcomat.pipeline.generate.GenerationResult;
 import arcomat.pipeline.generate.Robot;
+import arcomat.pipeline.generate.RobotWatch;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.report.brick.BrickReportText;
 import arcomat.report.finding.FindingsText;
@@ -12,6 +13,7 @@ import picocli.CommandLine;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -25,6 +27,8 @@ import java.util.Optional;
             "  arcomat generate --target jvm --out build/coffee --main coffee.fetcher.Fetcher"
                     + " models/coffee",
             "  arcomat generate --target lejos --out build/brick models/coffee",
+            "  arcomat generate --target lejos --out build/brick --main coffee.fetcher.Fetcher",
+            "          --monitor coffee.fig3.AvoidCrash models/coffee",
             "  arcomat generate --target templates/c --out build/c models/coffee",
             "",
             "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
@@ -70,6 +74,15 @@ final class GenerateCommand extends Command {
                             + " default first.")
     private Choose choose;
 
+    @Option(
+            names = "--monitor",
+            paramLabel = "[PART=]Q",
+            description =
+                    "Programs for the brick watch themselves for the automata of component Q, on"
+                            + " the part given, or on those that say that they keep Q. May be"
+                            + " repeated.")
+    private List<String> monitors = new ArrayList<>();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
@@ -81,23 +94,36 @@ final class GenerateCommand extends Command {
     int run(Pipeline pipeline) throws WrongUse {
         GenerationRequest request =
                 new GenerationRequest(
-                        target, out, Optional.ofNullable(main), choose == Choose.random);
+                        target, out, Optional.ofNullable(main), choose == Choose.random, monitors);
         GenerationResult result = pipeline.generate(request, paths);
         if (result.check().hasErrors()) {
             return reportErrors(result.check());
         }
         print(FindingsText.render(result.check().findings(), console.style()));
-        result.robots().forEach(this::report);
+        result.robots().forEach(robot -> report(robot, result.watches()));
         printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
         return ExitStatus.FINE;
     }
 
-    private void report(Robot robot) {
+    private void report(Robot robot, List<RobotWatch> watches) {
         String jar = out + "/" + robot.jar();
         printLine(jar + ", a program for the brick");
+        watches.stream()
+                .filter(watch -> watch.robot().equals(robot.component()))
+                .forEach(watch -> printLine(told(watch)));
         print(BrickReportText.render(robot.report(), console.style()));
         printLine("try it: arcomat run-brick --jar " + jar);
         printLine("link it: arcomat link --jar " + jar + ", with NXJ_HOME set");
         printLine("");
+    }
+
+    private static String told(RobotWatch watch) {
+        return "it watches "
+                + (watch.part().isEmpty() ? "itself" : watch.part())
+                + " for "
+                + watch.requirement()
+                + ", and "
+                + (watch.goesOn() ? "goes on" : "stops")
+                + " when that is violated";
     }
 }

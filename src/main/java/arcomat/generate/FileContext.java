@@ -9,6 +9,7 @@ import arcomat.model.Type;
 import arcomat.semantics.Composition;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.Optional;
 
 /** What is needed to write the file of one component: its names and how it names others. */
@@ -21,7 +22,14 @@ record FileContext(
         Members members,
         ExpressionText expressions) {
 
-    static FileContext of(Component component, Optional<Composition> composition, Names names) {
+    /**
+     * @param reserved entries of the target with words that no member may be called
+     */
+    static FileContext of(
+            Component component,
+            Optional<Composition> composition,
+            Names names,
+            List<String> reserved) {
         TypeName self = names.of(component);
         References references = new References(names.language(), self);
         for (Type type : MentionedTypes.of(component, composition)) {
@@ -29,7 +37,7 @@ record FileContext(
         }
         composition.ifPresent(
                 c -> c.nodes().forEach(node -> references.to(names.of(node.component()))));
-        Members members = new Members(component, composition, visible(names, references));
+        Members members = new Members(component, composition, visible(names, references, reserved));
         return new FileContext(
                 component,
                 composition,
@@ -41,9 +49,12 @@ record FileContext(
     }
 
     /** No member may be called as a type that the file mentions, or as a reserved word. */
-    private static Members.Names visible(Names names, References references) {
+    private static Members.Names visible(
+            Names names, References references, List<String> reserved) {
         Scope scope = Scope.of(names.language().reserved());
-        Arrays.asList(names.language().words("reserved.members")).forEach(scope::claim);
+        for (String entry : reserved) {
+            Arrays.asList(names.language().words(entry)).forEach(scope::claim);
+        }
         for (String name : references.briefNames()) {
             scope.claim(name);
             for (String suffix : names.language().words("companions")) {

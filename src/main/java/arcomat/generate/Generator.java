@@ -34,8 +34,10 @@ public final class Generator {
                             request.choosing(),
                             request.components());
             Output output = new Output(target, findings);
+            SelfWatches watches = new SelfWatches(request.watches(), program);
             MessageTypes types = new MessageTypes(program);
-            new Views(program, types, request, findings).all(output);
+            types.add(watches.monitors());
+            new Views(program, types, watches, request, findings).all(output);
             findings.addAll(Sockets.check(request, entries));
             return new Generation(
                     findings.all().isEmpty() ? output.files() : List.of(),

@@ -21,6 +21,11 @@ final class MessageTypes {
 
     MessageTypes(Program program) {
         names = program.names();
+        add(program);
+    }
+
+    /** Those of a further program as well; it has the same names. */
+    void add(Program program) {
         for (FileContext context : program.contexts()) {
             MentionedTypes.of(context.component(), context.composition()).forEach(this::add);
         }

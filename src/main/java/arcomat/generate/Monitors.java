@@ -11,12 +11,9 @@ import arcomat.generate.view.MonitorsView.WatcherView;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.source.Span;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * Writes classes that watch the ports of a component while it runs: one for each requirement, and
@@ -24,27 +21,19 @@ import java.util.Map;
  * the generator: with the ports of the one that is watched, and a single automaton.
  */
 public final class Monitors {
-    private static final String MEMBERS = "reserved.members";
-
     private final Component watched;
-    private final List<Automaton> automata;
-    private final List<Component> classes = new ArrayList<>();
+    private final List<MonitorClass> classes;
 
     private Monitors(Component watched, List<Automaton> automata) {
         this.watched = watched.asPromised();
-        this.automata = automata;
-        for (Automaton automaton : automata) {
-            boolean sole = watched.automata().size() == 1;
-            String name = sole ? "" : Words.capitalised(nameOf(automaton));
-            classes.add(component(name, List.of(automaton), automaton.span()));
-        }
+        this.classes = automata.stream().map(each -> MonitorClass.of(watched, each)).toList();
     }
 
     /** The name of the class that asks them all, as the layout of the generated files knows it. */
     public static String name(Component watched, List<Automaton> automata) {
         Monitors monitors = new Monitors(watched, automata);
         return automata.size() == 1
-                ? monitors.classes.get(0).qualifiedName()
+                ? monitors.classes.get(0).component().qualifiedName()
                 : watched.qualifiedName() + "Monitor";
     }
 
@@ -67,19 +56,18 @@ public final class Monitors {
     }
 
     private Generation generate(Target target, TargetFindings findings) throws TemplateFailure {
-        List<Component> all = new ArrayList<>(classes);
-        Component whole = component("", List.of(), watched.span());
+        List<Component> all = new ArrayList<>();
+        classes.forEach(each -> all.add(each.component()));
+        Component whole = MonitorClass.component(watched, "", List.of(), watched.span());
         if (classes.size() > 1) {
             all.add(whole);
         }
-        Names names = new Names(new Language(entries(target)));
-        Program program = new Program(names, Choosing.FIRST, all);
+        Program program = Program.ofMonitors(new Names(new Language(target.entries())), all);
         Output output = new Output(target, findings);
         MessageTypes types = new MessageTypes(program);
         output.write(types);
-        for (int i = 0; i < classes.size(); i++) {
-            FileContext context = program.context(classes.get(i));
-            MonitorView view = new MonitorViews(watched, automata.get(i), context).view();
+        for (MonitorClass each : classes) {
+            MonitorView view = each.view(program);
             output.write("monitor", view.head(), view);
         }
         if (classes.size() > 1) {
@@ -92,51 +80,18 @@ public final class Monitors {
                 Layouts.of(program, types, List.of()));
     }
 
-    /** What monitors inherit is reserved, too. */
-    private static Map<String, String> entries(Target target) {
-        Map<String, String> entries = new HashMap<>(target.entries());
-        entries.merge(MEMBERS, entries.getOrDefault("reserved.monitor", ""), (a, b) -> a + " " + b);
-        return entries;
-    }
-
-    private String nameOf(Automaton automaton) {
-        return automaton.name().isEmpty()
-                ? "Automaton" + (watched.automata().indexOf(automaton) + 1)
-                : automaton.name();
-    }
-
-    private Component component(String infix, List<Automaton> some, Span span) {
-        return new Component(
-                watched.packageName(),
-                watched.name() + infix + "Monitor",
-                watched.layer(),
-                false,
-                false,
-                watched.profile(),
-                watched.queueCapacity(),
-                watched.cycle(),
-                watched.parameters(),
-                watched.constants(),
-                watched.ports(),
-                new Component.Atomic(some),
-                List.of(),
-                List.of(),
-                span);
-    }
-
     private MonitorsView view(FileContext context, Program program) {
         List<WatcherView> watchers = new ArrayList<>();
-        for (int i = 0; i < classes.size(); i++) {
-            Component each = classes.get(i);
-            String field = context.members().claim(Words.uncapitalised(nameOf(automata.get(i))));
+        for (MonitorClass each : classes) {
+            String field = context.members().claim(Words.uncapitalised(each.requirement()));
             watchers.add(
                     new WatcherView(
                             field,
-                            context.references().to(program.names().of(each)),
-                            watched.title(automata.get(i))
+                            context.references().to(program.names().of(each.component())),
+                            watched.title(each.automaton())
                                     + ", line "
-                                    + Places.line(automata.get(i).span()),
-                            copies(field, context.members(), program.members(each))));
+                                    + Places.line(each.automaton().span()),
+                            copies(field, context.members(), program.members(each.component()))));
         }
         boolean events = watched.profile() == Component.Profile.EVENT_DRIVEN;
         return new MonitorsView(

@@ -16,6 +16,8 @@ import java.util.Optional;
 
 /** All components that are generated together, each known by its qualified name. */
 final class Program {
+    private static final String MEMBERS = "reserved.members";
+
     private final Names names;
     private final Choosing choosing;
     private final Map<String, FileContext> contexts = new LinkedHashMap<>();
@@ -25,6 +27,10 @@ final class Program {
     private final Map<String, Arrangement> arrangements = new HashMap<>();
 
     Program(Names names, Choosing choosing, List<Component> roots) {
+        this(names, choosing, roots, List.of(MEMBERS));
+    }
+
+    private Program(Names names, Choosing choosing, List<Component> roots, List<String> reserved) {
         this.names = names;
         this.choosing = choosing;
         Map<String, Component> all = new LinkedHashMap<>();
@@ -33,8 +39,14 @@ final class Program {
         for (Component component : all.values()) {
             contexts.put(
                     component.qualifiedName(),
-                    FileContext.of(component, composition(component), names));
+                    FileContext.of(component, composition(component), names, reserved));
         }
+    }
+
+    /** Monitors, which inherit members. */
+    static Program ofMonitors(Names names, List<Component> monitors) {
+        List<String> reserved = List.of(MEMBERS, "reserved.monitor");
+        return new Program(names, Choosing.FIRST, monitors, reserved);
     }
 
     /** Parts before what they are part of. */

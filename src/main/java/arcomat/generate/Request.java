@@ -12,21 +12,29 @@ import java.util.Map;
  * @param components with all their parts
  * @param handwritten texts of implementations of platform components, by their path
  * @param programs those of them that get a main program: they take no arguments
+ * @param watches what programs watch themselves for
  */
 public record Request(
         List<Component> components,
         List<Component> programs,
         Choosing choosing,
-        Map<String, String> handwritten) {
+        Map<String, String> handwritten,
+        List<SelfWatch> watches) {
     public Request {
         components = List.copyOf(components);
         programs = List.copyOf(programs);
         handwritten = Map.copyOf(handwritten);
+        watches = List.copyOf(watches);
     }
 
     /** The same with implementations of platform components, for targets that need them. */
     public Request with(Map<String, String> implementations) {
-        return new Request(components, programs, choosing, implementations);
+        return new Request(components, programs, choosing, implementations, watches);
+    }
+
+    /** The same with programs that watch themselves, for targets whose programs do. */
+    public Request watching(List<SelfWatch> wanted) {
+        return new Request(components, programs, choosing, handwritten, wanted);
     }
 
     /** Every component of a model, and a program for each that is to be deployed. */
@@ -35,16 +43,16 @@ public record Request(
                 model.components().stream()
                         .filter(c -> c.deploy() && c.parameters().isEmpty())
                         .toList();
-        return new Request(model.components(), programs, choosing, Map.of());
+        return new Request(model.components(), programs, choosing, Map.of(), List.of());
     }
 
     /** One component with its parts and a program for it. */
     public static Request program(Component main, Choosing choosing) {
-        return new Request(List.of(main), List.of(main), choosing, Map.of());
+        return new Request(List.of(main), List.of(main), choosing, Map.of(), List.of());
     }
 
     /** One component with its parts, to be driven from outside. */
     public static Request library(Component component, Choosing choosing) {
-        return new Request(List.of(component), List.of(), choosing, Map.of());
+        return new Request(List.of(component), List.of(), choosing, Map.of(), List.of());
     }
 }

@@ -15,12 +15,19 @@ import java.util.Optional;
 final class Views {
     private final Program program;
     private final MessageTypes types;
+    private final SelfWatches watches;
     private final Request request;
     private final TargetFindings findings;
 
-    Views(Program program, MessageTypes types, Request request, TargetFindings findings) {
+    Views(
+            Program program,
+            MessageTypes types,
+            SelfWatches watches,
+            Request request,
+            TargetFindings findings) {
         this.program = program;
         this.types = types;
+        this.watches = watches;
         this.request = request;
         this.findings = findings;
     }
@@ -30,6 +37,7 @@ final class Views {
         for (FileContext context : program.contexts()) {
             component(context, output);
         }
+        watches.write(output);
         for (Component main : request.programs()) {
             program(main, output);
         }
@@ -135,7 +143,8 @@ final class Views {
                         program.senses(main) && !(events && main.platform()),
                         events && !main.platform(),
                         events ? "" : program.call(main),
-                        Integer.toString(main.cycle()));
+                        Integer.toString(main.cycle()),
+                        watches.of(main));
         output.write("program", name.folder(), name.prefix(), name.name(), view);
     }
 }

@@ -42,6 +42,7 @@ final class AutomatonLowering {
                 symbol.name(),
                 Stereotypes.completion(symbol.stereotype("completion")),
                 Stereotypes.omitted(symbol.stereotype("omitted")),
+                Stereotypes.violated(symbol.stereotype("violated")),
                 symbol.states().stream().map(StateSymbol::name).toList(),
                 variables,
                 symbol.initials().stream().map(this::initial).toList(),

@@ -29,6 +29,12 @@ final class Stereotypes {
                 : Automaton.Omitted.SILENT;
     }
 
+    static Automaton.Violated violated(Optional<String> value) {
+        return value.filter("continue"::equals).isPresent()
+                ? Automaton.Violated.CONTINUE
+                : Automaton.Violated.STOP;
+    }
+
     static Component.Layer layer(Layer layer) {
         return switch (layer) {
             case SENSORS -> Component.Layer.SENSORS;

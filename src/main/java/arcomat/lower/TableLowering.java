@@ -35,10 +35,12 @@ final class TableLowering {
                 "",
                 Stereotypes.completion(stereotype("completion")),
                 Stereotypes.omitted(stereotype("omitted")),
+                Stereotypes.violated(stereotype("violated")),
                 List.of(STATE),
                 List.of(),
                 List.of(new Automaton.Initial(0, List.of(), List.of(), table.node().span())),
                 transitions(),
+                List.of(table.node().span()),
                 table.node().span());
     }
 

@@ -11,6 +11,7 @@ import java.util.Optional;
  *
  * @param name empty for an automaton without a name
  * @param states names in the order of their declaration; states are known by their index
+ * @param violated what a robot does that watches itself for it
  * @param initials alternatives
  * @param places where each state is declared, by its index
  */
@@ -18,6 +19,7 @@ public record Automaton(
         String name,
         Completion completion,
         Omitted omitted,
+        Violated violated,
         List<String> states,
         List<Variable> variables,
         List<Initial> initials,
@@ -46,6 +48,7 @@ public record Automaton(
                 name,
                 completion,
                 omitted,
+                Violated.STOP,
                 states,
                 variables,
                 initials,
@@ -57,19 +60,46 @@ public record Automaton(
     /** The same with another completion. */
     public Automaton with(Completion other) {
         return new Automaton(
-                name, other, omitted, states, variables, initials, transitions, places, span);
+                name,
+                other,
+                omitted,
+                violated,
+                states,
+                variables,
+                initials,
+                transitions,
+                places,
+                span);
     }
 
     /** The same with other transitions between its states. */
     public Automaton withTransitions(List<Transition> others) {
         return new Automaton(
-                name, completion, omitted, states, variables, initials, others, places, span);
+                name,
+                completion,
+                omitted,
+                violated,
+                states,
+                variables,
+                initials,
+                others,
+                places,
+                span);
     }
 
     /** The same with another beginning. */
     public Automaton withInitials(List<Initial> others) {
         return new Automaton(
-                name, completion, omitted, states, variables, others, transitions, places, span);
+                name,
+                completion,
+                omitted,
+                violated,
+                states,
+                variables,
+                others,
+                transitions,
+                places,
+                span);
     }
 
     /** What happens where no transition is enabled. */
@@ -88,6 +118,14 @@ public record Automaton(
     public enum Omitted {
         SILENT,
         FREE
+    }
+
+    /** What a robot does when it sees that it does not keep a requirement. */
+    public enum Violated {
+        /** Its motors stand, and its program ends. */
+        STOP,
+        /** It says so, and goes on. */
+        CONTINUE
     }
 
     /** An initial state with what is sent and assigned before anything is read. */

@@ -1,11 +1,14 @@
 package arcomat.generate.view;
 
+import java.util.List;
+
 /**
  * A main program; {@code head} is that of the component that it runs, {@code name} its own.
  *
  * @param events whether events wait for it; else it works slice by slice
  * @param call what it does in a slice; empty where that is nothing
  * @param cycle length of a slice in milliseconds
+ * @param watches what it watches itself for
  */
 public record ProgramView(
         HeadView head,
@@ -16,4 +19,5 @@ public record ProgramView(
         boolean senses,
         boolean events,
         String call,
-        String cycle) {}
+        String cycle,
+        List<WatchView> watches) {}

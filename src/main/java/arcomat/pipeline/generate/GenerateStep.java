@@ -4,12 +4,14 @@ import arcomat.generate.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
+import arcomat.generate.SelfWatch;
 import arcomat.generate.Target;
 import arcomat.model.Model;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.file.OutputFolder;
+import arcomat.pipeline.monitor.WatchedParts;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
@@ -31,6 +33,7 @@ public final class GenerateStep {
             GenerationRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         Target target = Targets.find(request.target(), names);
+        requireWatching(request, target);
         CheckedModels checked =
                 CheckedModels.checkToRun(
                         paths, models -> wantedOf(request, models), names, progress);
@@ -41,7 +44,10 @@ public final class GenerateStep {
         progress.step("generating");
         Implementations implementations =
                 Implementations.find(target, checked.loaded().roots(names), names);
-        Request wanted = wanted(request, checked, model).with(implementations.texts());
+        Request code = wanted(request, checked, model).with(implementations.texts());
+        List<SelfWatch> watches =
+                WatchedParts.of(request.monitors(), code.programs(), checked, model);
+        Request wanted = code.watching(watches);
         Generation generation = Generator.generate(wanted, target);
         List<Diagnostic> findings = new ArrayList<>(checked.findings());
         findings.addAll(generation.findings());
@@ -62,11 +68,23 @@ public final class GenerateStep {
         Map<String, byte[]> output = output(generation, implementations, built);
         progress.step("writing", output.size(), "file");
         OutputFolder.replace(names.resolve(request.out()), request.out(), output);
-        return new GenerationResult(result, List.copyOf(output.keySet()), built.robots());
+        return new GenerationResult(
+                result,
+                List.copyOf(output.keySet()),
+                built.robots(),
+                watches.stream().map(RobotWatch::of).toList());
+    }
+
+    private static void requireWatching(GenerationRequest request, Target target) throws WrongUse {
+        if (!request.monitors().isEmpty() && !target.isForBrick()) {
+            throw new WrongUse(
+                    "only programs for the brick watch themselves; arcomat monitor writes what"
+                            + " watches other code");
+        }
     }
 
     private static GenerationResult refused(CheckResult result) {
-        return new GenerationResult(result, List.of(), List.of());
+        return new GenerationResult(result, List.of(), List.of(), List.of());
     }
 
     /** What the user wrote by hand stands beside what was generated for it. */

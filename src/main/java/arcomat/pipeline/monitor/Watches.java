@@ -53,7 +53,7 @@ public final class Watches {
     /**
      * The requirement is about ports that are there; when they show something is its own affair.
      */
-    private static void requirePorts(Component required, Component running) throws WrongUse {
+    static void requirePorts(Component required, Component running) throws WrongUse {
         String wanted =
                 "'%s' cannot watch '%s': "
                         .formatted(required.qualifiedName(), running.qualifiedName());

@@ -1,5 +1,5 @@
 /**
- * Monitors of requirements: as generated files, and at the ports of a simulation. Knows nothing of
- * how a simulation runs.
+ * Monitors of requirements: as generated files, at the ports of a simulation, and in programs.
+ * Knows nothing of how these run.
  */
 package arcomat.pipeline.monitor;

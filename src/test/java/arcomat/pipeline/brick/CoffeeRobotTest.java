@@ -9,7 +9,6 @@ import arcomat.report.brick.BrickTraceText;
 import arcomat.report.text.Style;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
-import arcomat.sim.device.Observer;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 
@@ -104,35 +103,14 @@ class CoffeeRobotTest {
     /** What the program's own thread allocates, once everything has been loaded and said. */
     @Test
     void aCycleAllocatesNothing() {
-        Allocations allocations = new Allocations();
+        AllocationObserver allocations = new AllocationObserver();
         try (Laboratory laboratory = new Laboratory()) {
             SimulatedBrick brick = lively(laboratory);
             brick.observe(allocations);
             laboratory.runToEnd(60_000);
         }
-        assertThat(allocations.cycles).isGreaterThan(500);
-        assertThat(allocations.later - allocations.earlier).isZero();
-    }
-
-    private static final class Allocations extends ForwardingObserver {
-        private static final int WARM = 100;
-        private final com.sun.management.ThreadMXBean threads =
-                (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
-        private int cycles;
-        private long earlier;
-        private long later;
-
-        Allocations() {
-            super(Observer.NONE);
-        }
-
-        @Override
-        public void slept(long from, long until) {
-            later = threads.getCurrentThreadAllocatedBytes();
-            if (cycles++ == WARM) {
-                earlier = later;
-            }
-        }
+        assertThat(allocations.cycles()).isGreaterThan(500);
+        assertThat(allocations.bytes()).isZero();
     }
 
     /** Ten minutes of the robot's time, by the processor's clock: the machine may be busy. */

@@ -190,7 +190,8 @@ class WorldTest {
         Pipeline pipeline = new Pipeline(folder, Progress.NONE);
         Path models = Path.of("models/coffee").toAbsolutePath();
         pipeline.generate(
-                new GenerationRequest("lejos", "brick", Optional.of("coffee.floor.Courier"), false),
+                new GenerationRequest(
+                        "lejos", "brick", Optional.of("coffee.floor.Courier"), false, List.of()),
                 List.of(models.toString()));
         String text = meeting.robots().get(0).place().file().text();
         String jars = text.replace("component coffee.floor.Courier in ..", "jar brick/Courier.jar");

@@ -19,6 +19,7 @@ public abstract class Monitor extends Requirement {
     /** Whether any output shows the reaction to a slice in the same one. */
     private final boolean prompt;
 
+    private int mostRuns = MOST_RUNS;
     private boolean satisfied;
 
     /** Whether runs have been given up that only matter where the program ends in an error. */
@@ -54,6 +55,16 @@ public abstract class Monitor extends Requirement {
             any |= !delayed[i];
         }
         prompt = any || !unit.equals("slice");
+    }
+
+    /** Gives up with more runs than that; a small machine cannot follow as many as a large one. */
+    public final void followAtMost(int runsAtOnce) {
+        mostRuns = runsAtOnce;
+    }
+
+    /** The name of the requirement, with the line of the model. */
+    public final String requirement() {
+        return title;
     }
 
     /**
@@ -176,7 +187,7 @@ public abstract class Monitor extends Requirement {
         ending.forget();
         for (going = 0; going < before.size(); going++) {
             step(before.state(going));
-            if (runs.size() > MOST_RUNS) {
+            if (runs.size() > mostRuns) {
                 giveUp();
                 return;
             }
@@ -222,7 +233,7 @@ public abstract class Monitor extends Requirement {
     }
 
     private String tooMany() {
-        return "more than " + MOST_RUNS + " ways to go on in " + unit + " " + slice;
+        return "more than " + mostRuns + " ways to go on in " + unit + " " + slice;
     }
 
     /**

@@ -1,0 +1,64 @@
+package arcomat.generate;
+
+import arcomat.generate.language.Words;
+import arcomat.generate.view.MonitorView;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.source.Span;
+
+import java.util.List;
+
+/**
+ * A class that watches for one requirement.
+ *
+ * @param watched the component of the model that has the requirement, as the requirement sees it
+ * @param component what the class is to the rest of the generator: it has the ports of the one that
+ *     is watched, and a single automaton
+ */
+record MonitorClass(Component watched, Automaton automaton, Component component) {
+
+    static MonitorClass of(Component watched, Automaton automaton) {
+        Component promised = watched.asPromised();
+        boolean sole = watched.automata().size() == 1;
+        String infix = sole ? "" : Words.capitalised(requirement(promised, automaton));
+        return new MonitorClass(
+                promised,
+                automaton,
+                component(promised, infix, List.of(automaton), automaton.span()));
+    }
+
+    /** The name of the requirement among those of its component. */
+    String requirement() {
+        return requirement(watched, automaton);
+    }
+
+    private static String requirement(Component watched, Automaton automaton) {
+        return automaton.name().isEmpty()
+                ? "Automaton" + (watched.automata().indexOf(automaton) + 1)
+                : automaton.name();
+    }
+
+    MonitorView view(Program program) {
+        return new MonitorViews(watched, automaton, program.context(component)).view();
+    }
+
+    static Component component(
+            Component watched, String infix, List<Automaton> automata, Span span) {
+        return new Component(
+                watched.packageName(),
+                watched.name() + infix + "Monitor",
+                watched.layer(),
+                false,
+                false,
+                watched.profile(),
+                watched.queueCapacity(),
+                watched.cycle(),
+                watched.parameters(),
+                watched.constants(),
+                watched.ports(),
+                new Component.Atomic(automata),
+                List.of(),
+                List.of(),
+                span);
+    }
+}

@@ -1,0 +1,124 @@
+package arcomat.pipeline.brick;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.generate.GenerationRequest;
+import arcomat.pipeline.generate.GenerationResult;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.brick.BrickTraceText;
+import arcomat.report.text.Style;
+import arcomat.sim.Laboratory;
+import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.device.Stimulus;
+import arcomat.sim.load.Program;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/**
+ * Robots that watch themselves, on simulated bricks. {@code -PrefreshGolden} writes the expected
+ * runs anew; read them.
+ */
+class WatchedRobotTest {
+    private static final String ROVER = "src/test/resources/watched";
+    private static final List<String> FETCHER_KEEPS =
+            List.of(
+                    "coffee.fig3.AvoidCrash",
+                    "coffee.fig6.AvoidCrash",
+                    "coffee.parts.Timer(2)",
+                    "coffee.parts.Proximity(25, 35)",
+                    "coffee.fetcher.LineStatusComp(45)",
+                    "coffee.fetcher.CupHolder",
+                    "coffee.fetcher.Drive");
+
+    @TempDir private Path folder;
+
+    private Path built(String main, List<String> monitors, String models) throws WrongUse {
+        String out = folder.resolve("brick").toString();
+        GenerationRequest request =
+                new GenerationRequest("lejos", out, Optional.of(main), false, monitors);
+        GenerationResult result =
+                new Pipeline(Path.of(""), Progress.NONE).generate(request, List.of(models));
+        assertThat(result.check().findings()).isEmpty();
+        assertThat(result.watches()).hasSizeGreaterThanOrEqualTo(monitors.size());
+        return folder.resolve("brick").resolve(result.robots().get(0).jar());
+    }
+
+    private static BrickRunResult.Run run(Path jar, String script) throws WrongUse {
+        BrickRunRequest request =
+                new BrickRunRequest(jar.toString(), Optional.of(script), OptionalInt.empty());
+        return new Pipeline(Path.of(""), Progress.NONE).runBrick(request).run().orElseThrow();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "holds, p.Stands",
+        "stops, front.reflex=p.Retreats(90)#stops",
+        "goes-on, front.reflex=p.Retreats(90)#tells",
+        "gives-up, front.reflex=p.Guesses",
+        "both, front.reflex=p.Guesses front.reflex=p.Retreats(90)#tells p.Stands"
+    })
+    void showsWhatIsViolated(String expected, String monitors) throws Exception {
+        Path jar = built("p.Rover", List.of(monitors.split(" ")), ROVER);
+        BrickRunResult.Run run = run(jar, ROVER + "/rover.script");
+        assertThat(run.failure()).isEmpty();
+        String actual =
+                BrickTraceText.render(run.trace(), Style.PLAIN)
+                        + String.join("\n", run.screen())
+                        + "\n"
+                        + run.ending()
+                        + "\n";
+        Path file = Path.of(ROVER, expected + ".txt");
+        if (Boolean.getBoolean("golden.refresh")) {
+            Files.writeString(file, actual);
+        }
+        assertThat(actual).isEqualTo(Files.readString(file));
+    }
+
+    /** Each part keeps what it is, delayed or not, and what it refines. */
+    @Test
+    void theFetcherKeepsWhatItsPartsAre() throws Exception {
+        Path jar = built("coffee.fetcher.Fetcher", FETCHER_KEEPS, "models/coffee");
+        BrickRunResult.Run run = run(jar, "models/coffee/scripts/fetcher.script");
+        assertThat(run.screen()).isEmpty();
+        String trace = BrickTraceText.render(run.trace(), Style.PLAIN);
+        assertThat(Files.readString(Path.of("src/test/resources/robots/fetcher.txt")))
+                .startsWith(trace);
+    }
+
+    @Test
+    void toWatchAllocatesNothing() throws Exception {
+        Program fetcher =
+                Program.read(built("coffee.fetcher.Fetcher", FETCHER_KEEPS, "models/coffee"));
+        AllocationObserver allocations = new AllocationObserver();
+        try (Laboratory laboratory = new Laboratory()) {
+            SimulatedBrick brick = laboratory.place("fetcher", fetcher);
+            brick.expose(SensorName.S1, Stimulus.value(100));
+            brick.expose(SensorName.S2, Stimulus.value(20));
+            brick.expose(SensorName.S3, Stimulus.value(20));
+            brick.expose(SensorName.S4, Stimulus.value(0));
+            brick.observe(allocations);
+            laboratory.runToEnd(60_000);
+        }
+        assertThat(allocations.cycles()).isGreaterThan(500);
+        assertThat(allocations.bytes()).isZero();
+    }
+
+    /** Nor whatever belongs to it: who does not watch has the jar that there always was. */
+    @Test
+    void aRobotThatDoesNotWatchItselfHasNoMonitor() throws Exception {
+        String entries = new String(CoffeeRobot.of("coffee.fetcher.Fetcher").jar(), "ISO-8859-1");
+        assertThat(entries).contains("arcomat/nxt/Robot").doesNotContain("Watched", "Monitor");
+    }
+}
