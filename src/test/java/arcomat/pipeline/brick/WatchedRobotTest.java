@@ -2,6 +2,12 @@ package arcomat.pipeline.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.lower.Lowering;
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Model;
+import arcomat.model.Trace;
+import arcomat.model.Value;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.generate.GenerationRequest;
 import arcomat.pipeline.generate.GenerationResult;
@@ -14,6 +20,12 @@ import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.Program;
+import arcomat.simulate.Choice;
+import arcomat.simulate.Interpreter;
+import arcomat.simulate.Simulation;
+import arcomat.simulate.Watch;
+import arcomat.simulate.Watched;
+import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -23,8 +35,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.IntStream;
 
 /**
  * Robots that watch themselves, on simulated bricks. {@code -PrefreshGolden} writes the expected
@@ -84,6 +98,35 @@ class WatchedRobotTest {
             Files.writeString(file, actual);
         }
         assertThat(actual).isEqualTo(Files.readString(file));
+    }
+
+    /** In the same slice and the same words; rows of the display break lines anywhere. */
+    @Test
+    void theBrickSaysWhatTheSimulatorSays() throws Exception {
+        Model model = Lowering.lower(Scenario.models(ROVER));
+        Component reflex = model.component("p.Reflex").orElseThrow();
+        Component retreats = model.component("p.Retreats").orElseThrow();
+        List<Letter> letters =
+                IntStream.range(0, 10)
+                        .mapToObj(slice -> List.<Value>of(new Value.BooleanValue(slice >= 5)))
+                        .map(pressed -> new Letter(Map.of("pressed", pressed)))
+                        .toList();
+        Trace trace =
+                Simulation.run(
+                        new Interpreter(
+                                reflex, List.of(new Value.IntegerValue(360)), Choice.first()),
+                        letters);
+        Watch watch =
+                new Watch(
+                        retreats,
+                        retreats.automata().get(0),
+                        List.of(new Value.IntegerValue(90)),
+                        reflex);
+        String said = Watched.all(List.of(watch), trace).get(0).violation().orElseThrow().message();
+
+        Path jar = built("p.Rover", List.of("front.reflex=p.Retreats(90)#stops"), ROVER);
+        String shown = String.join("", run(jar, ROVER + "/rover.script").screen());
+        assertThat(shown.replace(" ", "")).isEqualTo(said.replace(" ", "")).startsWith("slice7:");
     }
 
     /** Each part keeps what it is, delayed or not, and what it refines. */
