@@ -76,7 +76,7 @@ final class KnownDefects implements BrickLaw {
         if (call.owner.equals("java/lang/String") && call.name.equals("compareTo")) {
             return Optional.of(
                     "calls String.compareTo, which on the brick takes texts of equal length for"
-                        + " equal; compare their characters, or use equals");
+                            + " equal; compare their characters, or use equals");
         }
         if (call.name.equals("valueOf") && isEnum(program, call.owner)) {
             return Optional.of(
