@@ -7,13 +7,23 @@ if ! command -v "$java" >/dev/null 2>&1; then
     exit 2
 fi
 
+# Names of files are UTF-8. Java reads them as the locale says, and as ASCII where there is none, as in
+# most containers, or where the one that is named is not installed.
+if [ "$(locale charmap 2>/dev/null)" != UTF-8 ]; then
+    export LC_ALL=C.UTF-8
+fi
+
 # Commands that are over in a moment do not live to see the optimising compiler pay.
 case ${1-} in
     analyze | contradictions | diff | evolution | generate | refines | simulate | test | verify) compiler= ;;
     *) compiler=-XX:TieredStopAtLevel=1 ;;
 esac
 
+# Whether somebody looks on. Java cannot find out.
+watched=
+[ -t 2 ] && watched=-Darcomat.watched=true
+
 # Classes are mapped from an archive that was made with the installation. Another Java, or an
 # installation that was moved, starts without it, a little later; nobody needs to be told.
 exec "$java" -Xshare:auto -XX:SharedArchiveFile="$app/lib/arcomat.jsa" -Xlog:disable \
-    -XX:+UseSerialGC $compiler $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"
+    -XX:+UseSerialGC $compiler $watched $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"

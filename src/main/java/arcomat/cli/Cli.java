@@ -8,8 +8,10 @@ import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 
+import java.nio.file.InvalidPathException;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** The command line without the process around it: arguments and a console in, exit status out. */
@@ -49,15 +51,25 @@ public final class Cli {
     private Cli() {}
 
     public static int run(String[] args, Console console) {
+        int status = execute(args, console);
+        console.out().flush();
+        Optional<String> loss = console.loss().get();
+        loss.ifPresent(
+                why ->
+                        complain(
+                                "standard output cannot be written, results are missing: " + why,
+                                console));
+        console.err().flush();
+        return loss.isPresent() ? ExitStatus.WRONG_USE : status;
+    }
+
+    private static int execute(String[] args, Console console) {
         try {
             return commandLine(args, console).execute(args);
         } catch (OutOfMemoryError full) {
             return memoryIsFull(console);
         } catch (StackOverflowError e) {
             return internalError(e, console);
-        } finally {
-            console.out().flush();
-            console.err().flush();
         }
     }
 
@@ -92,7 +104,23 @@ public final class Cli {
             complain(e.getMessage(), console);
             return ExitStatus.WRONG_USE;
         }
+        if (e instanceof InvalidPathException path) {
+            complain(noName(path), console);
+            return ExitStatus.WRONG_USE;
+        }
         return internalError(e, console);
+    }
+
+    /** Java takes the names of files as the locale writes them, and no option changes that. */
+    private static String noName(InvalidPathException path) {
+        String encoding = System.getProperty("sun.jnu.encoding", "");
+        String advice =
+                encoding.equals("UTF-8")
+                        ? ""
+                        : "; Java writes names of files in "
+                                + encoding
+                                + " here. Set a locale of UTF-8, such as LC_ALL=C.UTF-8";
+        return "'" + path.getInput() + "' cannot be the name of a file" + advice;
     }
 
     /** Analyses end before that; reading and writing need what they need. */

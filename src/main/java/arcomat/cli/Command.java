@@ -20,17 +20,24 @@ abstract class Command implements Callable<Integer> {
             description = "Show this help and exit.")
     private boolean help;
 
+    @Option(
+            names = "--progress",
+            description =
+                    "Tell what long work is at, also where nobody looks on; default: on a"
+                        + " terminal.")
+    private boolean progress;
+
     Command(Console console) {
         this.console = console;
     }
 
     @Override
     public final Integer call() throws WrongUse {
-        if (console.patient()) {
+        if (!progress && !console.watched()) {
             return run(new Pipeline(console.directory(), Progress.NONE));
         }
-        try (ProgressLines progress = new ProgressLines(console.err())) {
-            return run(new Pipeline(console.directory(), progress));
+        try (ProgressLines lines = new ProgressLines(console.err())) {
+            return run(new Pipeline(console.directory(), lines));
         }
     }
 

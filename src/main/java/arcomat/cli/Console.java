@@ -10,6 +10,8 @@ import java.io.PrintWriter;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Optional;
+import java.util.function.Supplier;
 
 /**
  * Where a command runs and whom it talks to.
@@ -17,7 +19,8 @@ import java.nio.file.Path;
  * @param directory the folder that relative paths start from
  * @param out results
  * @param err progress and complaints about the use of the command
- * @param patient whether nobody needs to be told that long work goes on
+ * @param watched whether somebody looks on, who wants to be told that long work goes on
+ * @param loss why not all results could be written
  */
 public record Console(
         Path directory,
@@ -25,19 +28,37 @@ public record Console(
         PrintWriter err,
         BufferedReader in,
         Style style,
-        boolean patient) {
+        boolean watched,
+        Supplier<Optional<String>> loss) {
+
+    /** Set by the start script where standard error is a terminal: Java cannot find out. */
+    private static final String WATCHED = "arcomat.watched";
+
+    /** Inside another program, which knows itself what becomes of the results. */
+    public static Console quiet(
+            Path directory, PrintWriter out, PrintWriter err, BufferedReader in) {
+        return new Console(directory, out, err, in, Style.PLAIN, false, Optional::empty);
+    }
 
     /** The console of the process. */
     static Console ofProcess() {
         java.io.Console terminal = System.console();
-        Charset charset = terminal == null ? StandardCharsets.UTF_8 : terminal.charset();
+        Charset charset = charset(terminal);
+        ResultStream results = ResultStream.ofProcess();
         return new Console(
                 Path.of("").toAbsolutePath(),
-                writer(System.out, charset),
+                writer(results, charset),
                 writer(System.err, charset),
                 new BufferedReader(new InputStreamReader(System.in, charset)),
                 terminal != null && wantsColour() ? Style.COLOURED : Style.PLAIN,
-                false);
+                Boolean.getBoolean(WATCHED),
+                results::loss);
+    }
+
+    /** That of a terminal, if it can show more than ASCII. All else reads UTF-8. */
+    private static Charset charset(java.io.Console terminal) {
+        boolean limited = terminal == null || terminal.charset().equals(StandardCharsets.US_ASCII);
+        return limited ? StandardCharsets.UTF_8 : terminal.charset();
     }
 
     private static PrintWriter writer(OutputStream stream, Charset charset) {

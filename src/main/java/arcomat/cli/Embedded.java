@@ -1,7 +1,5 @@
 package arcomat.cli;
 
-import arcomat.report.text.Style;
-
 import java.io.BufferedReader;
 import java.io.PrintWriter;
 import java.io.Reader;
@@ -29,7 +27,7 @@ public final class Embedded {
     public static int run(Path directory, PrintWriter out, PrintWriter err, String... arguments)
             throws InterruptedException {
         BufferedReader nothing = new BufferedReader(Reader.nullReader());
-        Console console = new Console(directory, out, err, nothing, Style.PLAIN, true);
+        Console console = Console.quiet(directory, out, err, nothing);
         FutureTask<Integer> work = new FutureTask<>(() -> Cli.run(arguments, console));
         Main.thread(work).start();
         try {

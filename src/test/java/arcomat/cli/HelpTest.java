@@ -2,8 +2,6 @@ package arcomat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.report.text.Style;
-
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
@@ -36,13 +34,11 @@ class HelpTest {
     private static String help(String... arguments) {
         StringWriter out = new StringWriter();
         Console console =
-                new Console(
+                Console.quiet(
                         Path.of(""),
                         new PrintWriter(out),
                         new PrintWriter(out),
-                        new BufferedReader(new StringReader("")),
-                        Style.PLAIN,
-                        true);
+                        new BufferedReader(new StringReader("")));
         assertThat(Cli.run(arguments, console)).isZero();
         return out.toString();
     }

@@ -3,7 +3,6 @@ package arcomat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Transcript.Section;
-import arcomat.report.text.Style;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
@@ -109,13 +108,11 @@ class TranscriptTest {
         StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         Console console =
-                new Console(
+                Console.quiet(
                         directory,
                         new PrintWriter(out),
                         new PrintWriter(err),
-                        new BufferedReader(new StringReader(typed)),
-                        Style.PLAIN,
-                        true);
+                        new BufferedReader(new StringReader(typed)));
         int status = Cli.run(arguments.toArray(String[]::new), console);
         List<String> lines = new ArrayList<>(out.toString().lines().toList());
         err.toString().lines().map(line -> "! " + line).forEach(lines::add);

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.cli.Cli;
 import arcomat.cli.Console;
 import arcomat.pipeline.brick.ForwardingObserver;
-import arcomat.report.text.Style;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.Key;
@@ -115,13 +114,11 @@ class LibraryOnBrickTest {
     private static String arcomat(String... words) {
         StringWriter text = new StringWriter();
         Console console =
-                new Console(
+                Console.quiet(
                         FOLDER.toAbsolutePath(),
                         new PrintWriter(text),
-                        new PrintWriter(Writer.nullWriter()), // progress depends on the machine
-                        new BufferedReader(new StringReader("")),
-                        Style.PLAIN,
-                        false);
+                        new PrintWriter(Writer.nullWriter()),
+                        new BufferedReader(new StringReader("")));
         int status = Cli.run(words, console);
         assertThat(status).as(text.toString()).isZero();
         return text.toString();

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Cli;
 import arcomat.cli.Console;
-import arcomat.report.text.Style;
 
 import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;
@@ -177,13 +176,11 @@ class CommandPagesBrowserTest extends BrowserTest {
 
     private void arcomat(int status, String... words) {
         Console console =
-                new Console(
+                Console.quiet(
                         folder,
                         new PrintWriter(Writer.nullWriter()),
                         new PrintWriter(System.out),
-                        new BufferedReader(new StringReader("")),
-                        Style.PLAIN,
-                        true);
+                        new BufferedReader(new StringReader("")));
         assertThat(Cli.run(words, console)).isEqualTo(status);
     }
 }
