@@ -48,6 +48,8 @@ final class RunBrickCommand extends Command {
         json
     }
 
+    private static final int LONGEST = Integer.MAX_VALUE / 1000;
+
     @Option(
             names = "--jar",
             paramLabel = "ROBOT.jar",
@@ -90,6 +92,11 @@ final class RunBrickCommand extends Command {
     int run(Pipeline pipeline) throws WrongUse {
         if (seconds != null && seconds < 1) {
             throw new WrongUse("--seconds " + seconds + " is less than 1");
+        }
+        if (seconds != null && seconds > LONGEST) {
+            throw new WrongUse(
+                    "--seconds %d is more than %d, where the brick's clock of milliseconds ends"
+                            .formatted(seconds, LONGEST));
         }
         report.prepare(pipeline);
         OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);

@@ -61,7 +61,12 @@ public final class FileFinder {
         Path path = names.resolve(written);
         boolean absolute = Path.of(written).isAbsolute();
         String shown = names.shown(path, absolute);
-        if (Files.isDirectory(path)) {
+        if (PathNames.real(path).getParent() == null) {
+            unreadable(
+                    shown,
+                    "is the whole file system, and would be searched for days; name the folder of"
+                            + " the models");
+        } else if (Files.isDirectory(path)) {
             if (!seen.contains(PathNames.real(path))) {
                 int before = met + findings.size();
                 searchFolder(path, shown, absolute);
