@@ -11,9 +11,12 @@ import java.util.Optional;
 final class Beginning {
     private Beginning() {}
 
-    static Optional<String> obstacle(Promise promise) {
+    /**
+     * @param goOn asked on the way; it may throw what ends the work
+     */
+    static Optional<String> obstacle(Promise promise, Runnable goOn) {
         try {
-            begin(promise);
+            begin(promise, goOn);
             return Optional.empty();
         } catch (Fault fault) {
             return Optional.of(
@@ -21,10 +24,11 @@ final class Beginning {
         }
     }
 
-    private static void begin(Promise promise) {
+    private static void begin(Promise promise, Runnable goOn) {
         List<Behaviour> all =
                 promise.isComposition()
-                        ? Behaviour.ofParts(Network.of(promise.component(), promise.arguments()))
+                        ? Behaviour.ofParts(
+                                Network.of(promise.component(), promise.arguments()), goOn)
                         : List.of(promise.behaviour());
         all.forEach(Behaviour::starts);
     }

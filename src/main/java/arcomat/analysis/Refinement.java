@@ -28,11 +28,13 @@ public final class Refinement {
 
     /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
-        return Identity.check(left, right, budget, less -> search(left, right, less));
+        return Budget.within(
+                () -> Identity.check(left, right, budget, less -> search(left, right, less)),
+                Verdict::unknown);
     }
 
     private static Verdict search(Promise left, Promise right, Budget budget) {
-        return comparable(left, right)
+        return comparable(left, right, budget::insist)
                 .or(() -> PartByPart.check(left, right, budget, less -> whole(left, right, less)))
                 .orElseGet(() -> whole(left, right, budget));
     }
@@ -42,17 +44,31 @@ public final class Refinement {
     }
 
     private static Verdict noted(Promise left, Promise right, Budget budget) {
-        return Latency.noted(left, right, compare(left, right, budget), budget);
+        Verdict verdict = compare(left, right, budget);
+        return Budget.within(() -> Latency.noted(left, right, verdict, budget), stopped -> verdict);
     }
 
     /** The verdict where there is nothing to explore. */
     static Optional<Verdict> comparable(Promise left, Promise right) {
-        return Interfaces.compare(left, right)
-                .or(() -> obstacle(left).or(() -> obstacle(right)).map(Verdict::unknown));
+        return comparable(left, right, () -> {});
     }
 
-    private static Optional<String> obstacle(Promise promise) {
-        Optional<String> beginning = Beginning.obstacle(promise);
+    /**
+     * As above.
+     *
+     * @param goOn asked on the way; it may throw what ends the work
+     */
+    private static Optional<Verdict> comparable(Promise left, Promise right, Runnable goOn) {
+        return Interfaces.compare(left, right)
+                .or(
+                        () ->
+                                obstacle(left, goOn)
+                                        .or(() -> obstacle(right, goOn))
+                                        .map(Verdict::unknown));
+    }
+
+    private static Optional<String> obstacle(Promise promise, Runnable goOn) {
+        Optional<String> beginning = Beginning.obstacle(promise, goOn);
         return beginning.isEmpty() && promise.isComposition()
                 ? CompositeSide.obstacle(promise.component(), promise.arguments())
                 : beginning;
@@ -113,7 +129,17 @@ public final class Refinement {
      */
     static Verdict compare(
             Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
-        Sides sides = Sides.of(left, right, budget);
+        return Budget.within(
+                () -> compare(left, right, Sides.of(left, right, budget), budget, proof),
+                Verdict::unknown);
+    }
+
+    private static Verdict compare(
+            Promise left,
+            Promise right,
+            Sides sides,
+            Budget budget,
+            Consumer<Supplier<Certificate>> proof) {
         Comparison comparison = sides.comparison(budget);
         return Budget.within(
                 () -> verdict(left, right, sides, comparison, proof),
@@ -170,7 +196,13 @@ public final class Refinement {
     }
 
     private static List<Verdict> allFailures(Promise left, Promise right, Budget budget) {
-        Sides sides = Sides.of(left, right, budget);
+        return Budget.within(
+                () -> allFailures(left, right, Sides.of(left, right, budget), budget),
+                reason -> List.of(Verdict.unknown(reason)));
+    }
+
+    private static List<Verdict> allFailures(
+            Promise left, Promise right, Sides sides, Budget budget) {
         Comparison comparison = sides.comparison(budget);
         return Budget.within(
                 () -> failures(left, right, sides, comparison),

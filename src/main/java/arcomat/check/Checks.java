@@ -83,6 +83,7 @@ public final class Checks {
                     new OutputSideWrites(),
                     new OwnPortConnected(),
                     new PackageIsFolder(),
+                    new PartsCountable(),
                     new PortConnectedToItself(),
                     new PortNameUncapitalised(),
                     new PortUniqueSender(),
@@ -155,12 +156,19 @@ public final class Checks {
         return review(workspace, profile, unit -> true);
     }
 
+    /** As above, but only about some of the files. */
+    public static Review review(Workspace workspace, Profile profile, Predicate<Unit> wanted) {
+        return review(workspace, profile, wanted, () -> {});
+    }
+
     /**
-     * As above, but only about some of the files.
+     * As above, for somebody who may not want to wait.
      *
      * @param wanted files to look at; findings of laws about all files together may be about others
+     * @param goOn asked before each step; it may throw what ends the work
      */
-    public static Review review(Workspace workspace, Profile profile, Predicate<Unit> wanted) {
+    public static Review review(
+            Workspace workspace, Profile profile, Predicate<Unit> wanted, Runnable goOn) {
         List<Consumer<Walk>> steps = Walk.steps(workspace, wanted);
         Stream<Consumer<Walk>> stream =
                 steps.size() > WORTH_A_SECOND_THREAD ? steps.parallelStream() : steps.stream();
@@ -168,7 +176,10 @@ public final class Checks {
                 stream.collect(
                         Collector.of(
                                 () -> new Walk(workspace, profile, new Listeners(ALL, profile)),
-                                (each, step) -> step.accept(each),
+                                (each, step) -> {
+                                    goOn.run();
+                                    step.accept(each);
+                                },
                                 Walk::join));
         List<Diagnostic> found =
                 walk.findings().stream().flatMap(each -> each.diagnostics().stream()).toList();

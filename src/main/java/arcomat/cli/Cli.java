@@ -1,5 +1,6 @@
 package arcomat.cli;
 
+import arcomat.pipeline.step.TimeIsUp;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
@@ -103,6 +104,10 @@ public final class Cli {
         if (e instanceof WrongUse || e instanceof TerminalDialogue.NoAnswer) {
             complain(e.getMessage(), console);
             return ExitStatus.WRONG_USE;
+        }
+        if (e instanceof TimeIsUp) {
+            complain("unknown: " + e.getMessage() + "; allow it more with --timeout", console);
+            return ExitStatus.UNKNOWN;
         }
         if (e instanceof InvalidPathException path) {
             complain(noName(path), console);

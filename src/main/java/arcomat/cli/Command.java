@@ -24,7 +24,7 @@ abstract class Command implements Callable<Integer> {
             names = "--progress",
             description =
                     "Tell what long work is at, also where nobody looks on; default: on a"
-                        + " terminal.")
+                            + " terminal.")
     private boolean progress;
 
     Command(Console console) {
@@ -34,11 +34,16 @@ abstract class Command implements Callable<Integer> {
     @Override
     public final Integer call() throws WrongUse {
         if (!progress && !console.watched()) {
-            return run(new Pipeline(console.directory(), Progress.NONE));
+            return run(new Pipeline(console.directory(), limited(Progress.NONE)));
         }
         try (ProgressLines lines = new ProgressLines(console.err())) {
-            return run(new Pipeline(console.directory(), lines));
+            return run(new Pipeline(console.directory(), limited(lines)));
         }
+    }
+
+    /** Work that ends when it has to. */
+    Progress limited(Progress progress) throws WrongUse {
+        return progress;
     }
 
     /** Does the work and returns the exit status. */

@@ -11,6 +11,7 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.function.IntConsumer;
 import java.util.function.Supplier;
 
 /**
@@ -20,6 +21,7 @@ import java.util.function.Supplier;
  * @param out results
  * @param err progress and complaints about the use of the command
  * @param watched whether somebody looks on, who wants to be told that long work goes on
+ * @param halt ends the process with an exit status, at once; nothing where there is more in it
  * @param loss why not all results could be written
  */
 public record Console(
@@ -29,6 +31,7 @@ public record Console(
         BufferedReader in,
         Style style,
         boolean watched,
+        IntConsumer halt,
         Supplier<Optional<String>> loss) {
 
     /** Set by the start script where standard error is a terminal: Java cannot find out. */
@@ -37,7 +40,8 @@ public record Console(
     /** Inside another program, which knows itself what becomes of the results. */
     public static Console quiet(
             Path directory, PrintWriter out, PrintWriter err, BufferedReader in) {
-        return new Console(directory, out, err, in, Style.PLAIN, false, Optional::empty);
+        return new Console(
+                directory, out, err, in, Style.PLAIN, false, status -> {}, Optional::empty);
     }
 
     /** The console of the process. */
@@ -52,6 +56,7 @@ public record Console(
                 new BufferedReader(new InputStreamReader(System.in, charset)),
                 terminal != null && wantsColour() ? Style.COLOURED : Style.PLAIN,
                 Boolean.getBoolean(WATCHED),
+                Runtime.getRuntime()::halt,
                 results::loss);
     }
 

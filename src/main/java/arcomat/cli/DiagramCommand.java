@@ -86,6 +86,12 @@ final class DiagramCommand extends LimitedCommand {
         super(console);
     }
 
+    /** What is found until then is drawn. */
+    @Override
+    boolean isTimeOfAll() {
+        return false;
+    }
+
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         if (depth < 0) {

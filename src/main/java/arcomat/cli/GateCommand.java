@@ -58,6 +58,12 @@ final class GateCommand extends LimitedCommand {
         super(console);
     }
 
+    /** It holds for each comparison. */
+    @Override
+    boolean isTimeOfAll() {
+        return false;
+    }
+
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         GateResult result = pipeline.gate(new GateRequest(base, paths, limits()));

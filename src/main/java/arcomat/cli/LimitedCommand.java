@@ -2,6 +2,8 @@ package arcomat.cli;
 
 import arcomat.analysis.Verdict.Answer;
 import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.step.LimitedProgress;
+import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 
 import picocli.CommandLine.Option;
@@ -22,8 +24,26 @@ abstract class LimitedCommand extends Command {
             description = "Give up after that many states; default: what memory holds.")
     private Long maxStates;
 
+    /** A command is made to be run at once. */
+    private final long begun = System.nanoTime();
+
     LimitedCommand(Console console) {
         super(console);
+    }
+
+    /** What comes before the search is over by then, too. */
+    @Override
+    final Progress limited(Progress progress) throws WrongUse {
+        Optional<Long> end = limits().end(begun);
+        if (isTimeOfAll()) {
+            end.ifPresent(moment -> LastMoment.await(moment, console));
+        }
+        return end.isPresent() ? new LimitedProgress(progress, end.get()) : progress;
+    }
+
+    /** Whether the time is that of the whole command, and not of each search in it alone. */
+    boolean isTimeOfAll() {
+        return true;
     }
 
     final AnalysisLimits limits() throws WrongUse {
@@ -33,7 +53,8 @@ abstract class LimitedCommand extends Command {
         if (maxStates != null && maxStates < 1) {
             throw new WrongUse("--max-states " + maxStates + " is less than 1");
         }
-        return new AnalysisLimits(Optional.ofNullable(timeout), Optional.ofNullable(maxStates));
+        return new AnalysisLimits(
+                Optional.ofNullable(timeout), Optional.ofNullable(maxStates), Optional.of(begun));
     }
 
     static int status(Answer answer) {

@@ -26,11 +26,16 @@ import java.util.Map;
 /** Components, each instantiation once, parts before wholes. */
 final class ComponentLowering {
     private final Delays delays;
+    private final Runnable goOn;
     private final Map<Instantiation, Component> lowered = new LinkedHashMap<>();
     private final Map<Instantiation, Environment> environments = new HashMap<>();
 
-    ComponentLowering(Delays delays) {
+    /**
+     * @param goOn asked before each component
+     */
+    ComponentLowering(Delays delays, Runnable goOn) {
         this.delays = delays;
+        this.goOn = goOn;
     }
 
     Collection<Component> lowered() {
@@ -76,6 +81,7 @@ final class ComponentLowering {
     }
 
     private Component build(Instantiation instantiation) {
+        goOn.run();
         ComponentSymbol symbol = instantiation.component();
         List<Port> ports = ports(instantiation);
         Environment types = Environment.of(instantiation.substitution());

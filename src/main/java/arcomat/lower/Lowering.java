@@ -17,9 +17,9 @@ public final class Lowering {
     private final Workspace workspace;
     private final ComponentLowering components;
 
-    private Lowering(Workspace workspace) {
+    private Lowering(Workspace workspace, Runnable goOn) {
         this.workspace = workspace;
-        this.components = new ComponentLowering(workspace.delays());
+        this.components = new ComponentLowering(workspace.delays(), goOn);
     }
 
     /**
@@ -28,7 +28,16 @@ public final class Lowering {
      * @throws IllegalStateException where the files have error findings, which the caller rules out
      */
     public static Model lower(Workspace workspace) {
-        return new Lowering(workspace).model();
+        return lower(workspace, () -> {});
+    }
+
+    /**
+     * As above.
+     *
+     * @param goOn asked before each component; it may throw what ends the work
+     */
+    public static Model lower(Workspace workspace, Runnable goOn) {
+        return new Lowering(workspace, goOn).model();
     }
 
     private Model model() {

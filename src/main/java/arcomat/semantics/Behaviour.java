@@ -22,6 +22,9 @@ public final class Behaviour {
     private final Component component;
     private final List<StepRelation> relations = new ArrayList<>();
 
+    /** A search that counts how often it asks shall not end where networks are of usual size. */
+    private static final int PARTS_AT_ONCE = 256;
+
     private Behaviour(Component component) {
         this.component = component;
     }
@@ -42,9 +45,23 @@ public final class Behaviour {
 
     /** Those of the instances of a network, in their order. */
     public static List<Behaviour> ofParts(Network network) {
-        return network.instances().stream()
-                .map(part -> of(part.component(), part.arguments()))
-                .toList();
+        return ofParts(network, () -> {});
+    }
+
+    /**
+     * As above.
+     *
+     * @param goOn asked after every few hundred of them; it may throw what ends the work
+     */
+    public static List<Behaviour> ofParts(Network network, Runnable goOn) {
+        List<Behaviour> behaviours = new ArrayList<>(network.instances().size());
+        for (Network.Instance part : network.instances()) {
+            behaviours.add(of(part.component(), part.arguments()));
+            if (behaviours.size() % PARTS_AT_ONCE == 0) {
+                goOn.run();
+            }
+        }
+        return List.copyOf(behaviours);
     }
 
     /**

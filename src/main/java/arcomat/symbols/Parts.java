@@ -14,12 +14,25 @@ import java.util.Set;
 final class Parts {
     private record Visit(ComponentSymbol component, Iterator<InstanceSymbol> rest) {}
 
+    /** Nobody needs to know more exactly, and sums of many of them are numbers still. */
+    private static final long COUNTLESS = 1_000_000_000_000L;
+
     private Parts() {}
 
     /** A component after everything it is made of; components that contain themselves come once. */
     static List<ComponentSymbol> innermostFirst(ComponentSymbol component) {
+        return innermostFirst(component, new HashSet<>());
+    }
+
+    /**
+     * @param seen what has come before and does not come again
+     */
+    private static List<ComponentSymbol> innermostFirst(
+            ComponentSymbol component, Set<ComponentSymbol> seen) {
         List<ComponentSymbol> order = new ArrayList<>();
-        Set<ComponentSymbol> seen = new HashSet<>(List.of(component));
+        if (!seen.add(component)) {
+            return order;
+        }
         Deque<Visit> path = new ArrayDeque<>();
         path.push(new Visit(component, component.instances().iterator()));
         while (!path.isEmpty()) {
@@ -35,6 +48,30 @@ final class Parts {
                     .ifPresent(part -> path.push(new Visit(part, part.instances().iterator())));
         }
         return order;
+    }
+
+    /**
+     * How many instances are in each component, at all levels; at most a number without meaning.
+     */
+    static Map<ComponentSymbol, Long> counts(List<ComponentSymbol> components) {
+        Map<ComponentSymbol, Long> counts = new HashMap<>();
+        Set<ComponentSymbol> seen = new HashSet<>();
+        for (ComponentSymbol component : components) {
+            for (ComponentSymbol each : innermostFirst(component, seen)) {
+                counts.put(each, count(each, counts));
+            }
+        }
+        return counts;
+    }
+
+    private static long count(ComponentSymbol component, Map<ComponentSymbol, Long> counts) {
+        long count = 0;
+        for (InstanceSymbol instance : component.instances()) {
+            long inside =
+                    instance.component().map(part -> counts.getOrDefault(part, 0L)).orElse(0L);
+            count += 1 + inside;
+        }
+        return Math.min(count, COUNTLESS);
     }
 
     /** Cycles of components that contain each other. */

@@ -174,4 +174,12 @@ public final class Workspace {
     public List<List<ComponentSymbol>> subcomponentCycles() {
         return Parts.cycles(components);
     }
+
+    /**
+     * How many instances are in each component, at all levels. Of one that contains itself, those
+     * inside itself do not count; beyond a million millions it is that number.
+     */
+    public Map<ComponentSymbol, Long> partCounts() {
+        return Parts.counts(components);
+    }
 }

@@ -41,7 +41,7 @@ final class EventParts {
         this.budget = budget;
         this.network = network;
         this.wiring = wiring;
-        this.behaviours = Behaviour.ofParts(network);
+        this.behaviours = Behaviour.ofParts(network, budget::insist);
         this.held = new int[network.instances().size()][];
         int[] latchedInputs = latchedInputs(network);
         for (int part = 0; part < held.length; part++) {

@@ -35,7 +35,7 @@ final class Parts {
         this.budget = budget;
         this.network = network;
         this.wiring = wiring;
-        behaviours = Behaviour.ofParts(network);
+        behaviours = Behaviour.ofParts(network, budget::insist);
     }
 
     List<Behaviour> behaviours() {

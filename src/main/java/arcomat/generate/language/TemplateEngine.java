@@ -11,23 +11,40 @@ import freemarker.template.TemplateNotFoundException;
 
 import java.io.IOException;
 import java.io.StringWriter;
+import java.time.Duration;
 import java.util.Locale;
 import java.util.Map;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeoutException;
 
 /**
  * The only place that knows FreeMarker. Templates come from memory, cannot create objects, cannot
  * reach the JVM, and print the same text whatever the machine's locale and time zone.
  */
 public final class TemplateEngine {
+    /** For one file: a hundred times what any has needed. */
+    private static final Duration LIMIT = Duration.ofSeconds(60);
+
     private final Configuration configuration;
+    private final LimitedWork work;
+    private final Duration limit;
 
     /**
      * @param templates texts by name
      */
     public TemplateEngine(Map<String, String> templates) {
+        this(templates, LIMIT);
+    }
+
+    /**
+     * @param limit of the time for one file
+     */
+    TemplateEngine(Map<String, String> templates, Duration limit) {
+        this.limit = limit;
+        work = new LimitedWork(limit);
         StringTemplateLoader loader = new StringTemplateLoader();
         templates.forEach(loader::putTemplate);
-        configuration = new Configuration(Configuration.VERSION_2_3_34);
+        configuration = new InterruptibleTemplates(Configuration.VERSION_2_3_34);
         configuration.setTemplateLoader(loader);
         configuration.setObjectWrapper(new ViewWrapper());
         configuration.setNewBuiltinClassResolver(TemplateClassResolver.ALLOWS_NOTHING_RESOLVER);
@@ -46,6 +63,35 @@ public final class TemplateEngine {
      * @param view what the template sees, its components by name
      */
     public String render(String template, Record view) throws TemplateFailure {
+        try {
+            return work.run(() -> fill(template, view));
+        } catch (TimeoutException e) {
+            throw new TemplateFailure(
+                    template,
+                    0,
+                    0,
+                    "it has not ended after "
+                            + limit.toSeconds()
+                            + " seconds; does each of its loops have an end?");
+        } catch (ExecutionException e) {
+            throw failure(e.getCause());
+        }
+    }
+
+    /** What the other thread threw, as if it had been this one. */
+    private static TemplateFailure failure(Throwable thrown) {
+        if (thrown instanceof TemplateFailure failure) {
+            return failure;
+        }
+        if (thrown instanceof Error error) {
+            throw error;
+        }
+        throw thrown instanceof RuntimeException runtime
+                ? runtime
+                : new IllegalStateException(thrown);
+    }
+
+    private String fill(String template, Record view) throws TemplateFailure {
         try {
             Template parsed = configuration.getTemplate(template);
             StringWriter text = new StringWriter();

@@ -3,18 +3,43 @@ package arcomat.pipeline.analysis;
 import arcomat.analysis.Budget;
 
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 
 /**
  * How long an analysis may take before its answer is unknown.
  *
- * @param seconds from the moment when it starts; without end if empty
+ * @param seconds without end if empty
  * @param states the most configurations, or pairs of them; as many as the heap holds if empty
+ * @param begun when the time began, as {@link System#nanoTime} tells it; with each budget if empty
  */
-public record AnalysisLimits(Optional<Integer> seconds, Optional<Long> states) {
+public record AnalysisLimits(
+        Optional<Integer> seconds, Optional<Long> states, Optional<Long> begun) {
 
-    /** A budget that runs from now on. */
+    /** Limits of each budget alone. */
+    public AnalysisLimits(Optional<Integer> seconds, Optional<Long> states) {
+        this(seconds, states, Optional.empty());
+    }
+
+    /** The same for each budget alone. */
+    public AnalysisLimits each() {
+        return new AnalysisLimits(seconds, states);
+    }
+
+    /** When the time ends that began at a moment. */
+    public Optional<Long> end(long beginning) {
+        return seconds.map(length -> beginning + TimeUnit.SECONDS.toNanos(length));
+    }
+
+    /** For another program; it gets a second at least. */
+    public Optional<Integer> secondsLeft() {
+        long now = System.nanoTime();
+        return end(begun.orElse(now))
+                .map(end -> (int) Math.max(1, 1 + TimeUnit.NANOSECONDS.toSeconds(end - now - 1)));
+    }
+
+    /** How much may be explored until then. */
     public Budget budget() {
-        Lookout lookout = Lookout.post(seconds);
+        Lookout lookout = Lookout.post(end(begun.orElseGet(System::nanoTime)));
         return new Budget(lookout::isLate, lookout::isFull, states.orElseGet(Budget::statesOfHeap));
     }
 }

@@ -7,7 +7,6 @@ import java.lang.management.MemoryUsage;
 import java.lang.ref.WeakReference;
 import java.util.Comparator;
 import java.util.Optional;
-import java.util.concurrent.TimeUnit;
 
 /**
  * Looks at the clock and at the heap while somebody else searches, so that the search has only to
@@ -28,14 +27,12 @@ final class Lookout {
     /**
      * Looks out for as long as somebody asks.
      *
-     * @param seconds from now on until it is late; never if empty
+     * @param end when it is late, as {@link System#nanoTime} tells it; never if empty
      */
-    static Lookout post(Optional<Integer> seconds) {
+    static Lookout post(Optional<Long> end) {
         Lookout lookout = new Lookout();
-        long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(seconds.orElse(0));
         WeakReference<Lookout> posted = new WeakReference<>(lookout);
-        boolean limited = seconds.isPresent();
-        Thread thread = new Thread(() -> look(posted, limited, end), "arcomat-lookout");
+        Thread thread = new Thread(() -> look(posted, end), "arcomat-lookout");
         thread.setDaemon(true);
         thread.start();
         return lookout;
@@ -49,13 +46,13 @@ final class Lookout {
         return full;
     }
 
-    private static void look(WeakReference<Lookout> posted, boolean limited, long end) {
+    private static void look(WeakReference<Lookout> posted, Optional<Long> end) {
         try {
             while (posted.get() != null) {
                 Thread.sleep(MILLISECONDS_BETWEEN);
                 Lookout lookout = posted.get();
                 if (lookout != null) {
-                    lookout.late |= limited && System.nanoTime() - end >= 0;
+                    lookout.late |= end.isPresent() && System.nanoTime() - end.get() >= 0;
                     lookout.full |= isHeapFull();
                 }
             }

@@ -99,7 +99,7 @@ public final class MonaStep {
         }
         MonaAnswer answer =
                 MonaProgram.find(request.mona().orElseThrow(), names)
-                        .decide(text, request.limits().seconds().orElse(PATIENCE));
+                        .decide(text, request.limits().secondsLeft().orElse(PATIENCE));
         if (answer instanceof MonaAnswer.Counterexample counterexample) {
             return refinement.fails(counterexample.rows());
         }

@@ -35,7 +35,7 @@ public record CheckedModels(
             List<String> paths, Profile profile, PathNames names, Progress progress) {
         LoadedModels loaded = ModelLoader.load(paths, names, progress);
         Workspace workspace = workspace(loaded, progress);
-        Review review = Checks.review(workspace, profile);
+        Review review = Checks.review(workspace, profile, unit -> true, progress::goOn);
         return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
@@ -65,7 +65,8 @@ public record CheckedModels(
             Function<Workspace, Collection<ComponentSymbol>> executable,
             Progress progress) {
         Workspace workspace = workspace(loaded, progress);
-        Review review = Checks.review(workspace, Profile.REQUIREMENTS);
+        Review review =
+                Checks.review(workspace, Profile.REQUIREMENTS, unit -> true, progress::goOn);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
         review.suppressed().stream()
@@ -77,7 +78,9 @@ public record CheckedModels(
         MadeOf code = MadeOf.those(executable.apply(workspace));
         if (!code.isEmpty()) {
             findings.removeIf(code::contains);
-            Checks.run(workspace, Profile.EXECUTABLE).stream()
+            Checks.review(workspace, Profile.EXECUTABLE, unit -> true, progress::goOn)
+                    .findings()
+                    .stream()
                     .filter(code::contains)
                     .forEach(findings::add);
         }
@@ -114,7 +117,7 @@ public record CheckedModels(
     /** The meaning of the models; only without errors. */
     public Model lower(Progress progress) {
         progress.step("lowering");
-        return Lowering.lower(workspace);
+        return Lowering.lower(workspace, progress::goOn);
     }
 
     public CheckResult result() {

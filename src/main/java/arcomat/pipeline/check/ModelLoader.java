@@ -86,6 +86,7 @@ public final class ModelLoader {
         progress.step("reading", found.size(), "file");
         List<SourceFile> read = new ArrayList<>();
         for (FileFinder.Found file : found) {
+            progress.goOn();
             known.add(PathNames.real(file.path()));
             places.put(file.shown(), file.path());
             FileReader.Read result = FileReader.read(file.path(), file.shown());
@@ -121,7 +122,12 @@ public final class ModelLoader {
         long size = files.stream().mapToLong(file -> file.text().length()).sum();
         Stream<SourceFile> stream =
                 size > WORTH_A_SECOND_THREAD ? files.parallelStream() : files.stream();
-        return stream.map(Parser::parse).toList();
+        return stream.map(
+                        file -> {
+                            progress.goOn();
+                            return Parser.parse(file);
+                        })
+                .toList();
     }
 
     /** Files that units refer to, where their model root was not searched anyway. */

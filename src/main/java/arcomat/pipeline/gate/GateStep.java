@@ -162,7 +162,7 @@ public final class GateStep {
         }
         progress.step("comparing " + now.qualifiedName());
         Set<List<Value>> given = old.parameters().isEmpty() ? Set.of() : given(old);
-        return Succession.of(old, " (base)", now, given, () -> request.limits().budget());
+        return Succession.of(old, " (base)", now, given, () -> request.limits().each().budget());
     }
 
     /** What its instances give it, in the old models and in the new ones. */

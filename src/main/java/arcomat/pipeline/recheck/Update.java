@@ -165,7 +165,11 @@ final class Update {
         progress.step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
         return merge(
-                Checks.review(workspace, profile, unit -> affected.contains(unit.file().path())));
+                Checks.review(
+                        workspace,
+                        profile,
+                        unit -> affected.contains(unit.file().path()),
+                        progress::goOn));
     }
 
     private void parse(Set<String> needed) {

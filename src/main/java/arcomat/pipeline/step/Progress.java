@@ -9,6 +9,13 @@ public interface Progress {
      */
     void step(String what);
 
+    /**
+     * Asked at every step of long work, by many threads.
+     *
+     * @throws TimeIsUp where nobody waits for it any longer
+     */
+    default void goOn() {}
+
     /** Work on a number of things: {@code parsing 1 file}; nothing is said about no things. */
     default void step(String work, int number, String noun) {
         if (number > 0) {
