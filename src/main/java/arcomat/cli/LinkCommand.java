@@ -74,6 +74,7 @@ final class LinkCommand extends Command {
             return ExitStatus.FINE;
         }
         result.output().forEach(line -> printLine("  " + Printable.escape(line)));
+        result.log().ifPresent(log -> printLine("all that the linker said: " + log));
         printLine(
                 result.failure()
                         .map(Printable::escape)

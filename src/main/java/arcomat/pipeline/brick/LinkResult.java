@@ -12,13 +12,15 @@ import java.util.OptionalInt;
  * @param report about the jar; a jar that does not fit is not linked
  * @param linked the program; empty if there is none
  * @param failure why the linker gave none
- * @param output what the linker said, where it failed
+ * @param output what the linker said, where it failed: all of it, if that is little
+ * @param log the file with all of it, as shown, where it is much
  */
 public record LinkResult(
         BrickReport report,
         Optional<Linked> linked,
         Optional<String> failure,
-        List<String> output) {
+        List<String> output,
+        Optional<String> log) {
     public LinkResult {
         output = List.copyOf(output);
     }

@@ -4,6 +4,7 @@ import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
 import arcomat.brick.RobotClass;
 import arcomat.brick.api.BrickTable;
+import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
@@ -28,6 +29,11 @@ import java.util.stream.Stream;
 public final class LinkStep {
     private static final int MOST_BYTES = 65_535;
     private static final int MOST_CLASSES = 256;
+    private static final int FEW_LINES = 10;
+
+    /** The first line of a stack trace, or what the linker makes of it. */
+    private static final Pattern EXCEPTION = Pattern.compile("^(?!\\s).*(Exception|Error)\\b");
+
     private static final Pattern CLASSES =
             Pattern.compile("Class records\\s*:\\s*([0-9]{1,6})\\b.*");
 
@@ -46,7 +52,8 @@ public final class LinkStep {
         JarReader jar = JarReader.read(request.jar(), names);
         BrickReport report = BrickCheck.check(jar.jar(), BrickTable.leJos());
         if (!report.fits()) {
-            return new LinkResult(report, Optional.empty(), Optional.empty(), List.of());
+            return new LinkResult(
+                    report, Optional.empty(), Optional.empty(), List.of(), Optional.empty());
         }
         progress.step("linking " + request.jar());
         return new LinkStep(jar, request, names).link(report);
@@ -70,7 +77,7 @@ public final class LinkStep {
     private LinkResult result(NxjLinker.Run run, BrickReport report) throws IOException {
         Optional<String> failure = run.failure();
         OptionalInt classes = classes(run.output());
-        if (failure.isEmpty() && classes.orElse(0) > MOST_CLASSES) {
+        if (classes.orElse(0) > MOST_CLASSES) { // whatever else that has led to
             failure = Optional.of(tooLarge(classes.getAsInt(), "classes", MOST_CLASSES));
         }
         if (failure.isEmpty() && Files.size(run.program()) > MOST_BYTES) {
@@ -78,13 +85,33 @@ public final class LinkStep {
             failure = Optional.of(tooLarge(size, "bytes", MOST_BYTES));
         }
         if (failure.isPresent()) {
-            return new LinkResult(report, Optional.empty(), failure, run.output());
+            return failed(report, failure.get(), run.output());
         }
-        String shown = request.out().orElse(request.jar().replaceFirst("(\\.jar)?$", ".nxj"));
+        String shown = out();
         Path out = names.resolve(shown);
         Files.move(run.program(), out, StandardCopyOption.REPLACE_EXISTING);
         LinkResult.Linked linked = new LinkResult.Linked(shown, Files.size(out), classes);
-        return new LinkResult(report, Optional.of(linked), Optional.empty(), List.of());
+        return new LinkResult(
+                report, Optional.of(linked), Optional.empty(), List.of(), Optional.empty());
+    }
+
+    private String out() {
+        return request.out().orElse(request.jar().replaceFirst("(\\.jar)?$", ".nxj"));
+    }
+
+    /** The linker lists every class and method before it says what is wrong. */
+    private LinkResult failed(BrickReport report, String failure, List<String> output)
+            throws IOException {
+        if (output.size() <= FEW_LINES) {
+            return new LinkResult(
+                    report, Optional.empty(), Optional.of(failure), output, Optional.empty());
+        }
+        String log = out().replaceFirst("(\\.nxj)?$", ".nxjlink.log");
+        AtomicFile.write(names.resolve(log), String.join("\n", output) + "\n");
+        List<String> exception =
+                output.stream().filter(line -> EXCEPTION.matcher(line).find()).limit(1).toList();
+        return new LinkResult(
+                report, Optional.empty(), Optional.of(failure), exception, Optional.of(log));
     }
 
     private static String tooLarge(int is, String what, int most) {

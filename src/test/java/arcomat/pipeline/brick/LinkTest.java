@@ -89,6 +89,29 @@ class LinkTest {
         assertThat(files()).containsExactly("Fetcher.jar", "lejos");
     }
 
+    /** With assertions on, the linker lists all it has and dies of the class that is too many. */
+    @Test
+    void ofManyLinesTheOneThatMattersIsSaid() throws Exception {
+        linker(
+                """
+                i=0
+                while [ $i -lt 880 ]; do echo "Method $i: Class: p.C Signature: run()V"; i=$((i+1)); done
+                echo 'Class records    : 277 (3324 bytes).'
+                echo 'Exception in thread "main" java.lang.AssertionError: Not a byte' >&2
+                echo '\tat js.tinyvm.ClassRecord.dump(ClassRecord.java:1)' >&2
+                exit 1
+                """);
+        LinkResult result = link();
+        assertThat(result.failure().orElseThrow())
+                .startsWith("the linked program has 277 classes, and the brick has room for 256");
+        assertThat(result.output())
+                .containsExactly(
+                        "Exception in thread \"main\" java.lang.AssertionError: Not a byte");
+        assertThat(result.log()).contains("Fetcher.nxjlink.log");
+        assertThat(folder.resolve("Fetcher.nxjlink.log")).content().hasLineCount(883);
+        assertThat(files()).containsExactly("Fetcher.jar", "Fetcher.nxjlink.log", "lejos");
+    }
+
     @Test
     void aLinkerThatHangsIsStoppedWithItsChildren() throws Exception {
         linker("echo $$ > '" + folder.resolve("lejos/process") + "'\nsleep 300 & wait\n");
