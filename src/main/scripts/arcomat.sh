@@ -19,11 +19,18 @@ case ${1-} in
     *) compiler=-XX:TieredStopAtLevel=1 ;;
 esac
 
-# Whether somebody looks on. Java cannot find out.
+# Whether somebody looks on, and how wide a line may be. Java cannot find out. COLUMNS has the last word, also
+# where there is no terminal.
 watched=
 [ -t 2 ] && watched=-Darcomat.watched=true
+columns=${COLUMNS-}
+if [ -z "$columns" ] && [ -t 1 ]; then
+    columns=$(stty size <&1 2>/dev/null)
+    columns=${columns#* }
+    [ "${columns:-0}" -gt 0 ] 2>/dev/null || columns=80
+fi
 
 # Classes are mapped from an archive that was made with the installation. Another Java, or an
 # installation that was moved, starts without it, a little later; nobody needs to be told.
 exec "$java" -Xshare:auto -XX:SharedArchiveFile="$app/lib/arcomat.jsa" -Xlog:disable \
-    -XX:+UseSerialGC $compiler $watched $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"
+    -XX:+UseSerialGC $compiler $watched ${columns:+"-Darcomat.columns=$columns"} $JAVA_OPTS -classpath "@classpath@" arcomat.cli.Main "$@"

@@ -20,7 +20,13 @@ public final class Cli {
     /** Set to any text, it shows the stack trace of an internal error. */
     static final String DEBUG = "ARCOMAT_DEBUG";
 
-    private static final int WIDTH = 100;
+    /** Where nobody says how wide a line is. */
+    private static final int WIDTH = 80;
+
+    /** The least that help can be written in. */
+    private static final int NARROWEST = 55;
+
+    private static final int WIDEST = 100;
 
     /** In the order of their use. */
     private static final Map<String, Function<Console, Command>> COMMANDS = new LinkedHashMap<>();
@@ -75,7 +81,7 @@ public final class Cli {
     }
 
     private static CommandLine commandLine(String[] arguments, Console console) {
-        Ansi ansi = console.style() == Style.COLOURED ? Ansi.ON : Ansi.OFF;
+        Ansi ansi = console.style().coloured() ? Ansi.ON : Ansi.OFF;
         CommandLine line = new CommandLine(new ArcomatCommand());
         Map<String, Function<Console, Command>> wanted = COMMANDS;
         if (arguments.length > 0 && COMMANDS.containsKey(arguments[0])) {
@@ -83,12 +89,28 @@ public final class Cli {
             wanted = Map.of(arguments[0], COMMANDS.get(arguments[0]));
         }
         wanted.values().forEach(command -> line.addSubcommand(command.apply(console)));
-        return line.setUsageHelpWidth(WIDTH)
+        int width = helpWidth(console);
+        fit(line, width);
+        line.getSubcommands().values().forEach(command -> fit(command, width));
+        return line.setUsageHelpWidth(width)
                 .setOut(console.out())
                 .setErr(console.err())
                 .setColorScheme(CommandLine.Help.defaultColorScheme(ansi))
                 .setParameterExceptionHandler((e, given) -> wrongArguments(e, console))
                 .setExecutionExceptionHandler((e, failed, parsed) -> failure(e, console));
+    }
+
+    /** A line as long as there is room would be followed by an empty one. */
+    private static void fit(CommandLine command, int width) {
+        CommandLine.Model.UsageMessageSpec usage = command.getCommandSpec().usageMessage();
+        usage.description(HelpText.fit(usage.description(), width - 1));
+        usage.footer(HelpText.fit(usage.footer(), width - 1));
+    }
+
+    /** Help is read by people, wherever it goes; beyond a width, lines are hard to follow. */
+    private static int helpWidth(Console console) {
+        int width = console.style().width();
+        return width == Style.PLAIN.width() ? WIDTH : Math.max(NARROWEST, Math.min(width, WIDEST));
     }
 
     private static int wrongArguments(ParameterException e, Console console) {

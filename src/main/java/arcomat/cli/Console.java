@@ -37,6 +37,9 @@ public record Console(
     /** Set by the start script where standard error is a terminal: Java cannot find out. */
     private static final String WATCHED = "arcomat.watched";
 
+    /** Set by the start script to the width of the terminal that standard output is. */
+    private static final String COLUMNS = "arcomat.columns";
+
     /** Inside another program, which knows itself what becomes of the results. */
     public static Console quiet(
             Path directory, PrintWriter out, PrintWriter err, BufferedReader in) {
@@ -54,10 +57,16 @@ public record Console(
                 writer(results, charset),
                 writer(System.err, charset),
                 new BufferedReader(new InputStreamReader(System.in, charset)),
-                terminal != null && wantsColour() ? Style.COLOURED : Style.PLAIN,
+                style(terminal != null && wantsColour()),
                 Boolean.getBoolean(WATCHED),
                 Runtime.getRuntime()::halt,
                 results::loss);
+    }
+
+    private static Style style(boolean coloured) {
+        Style style = coloured ? Style.COLOURED : Style.PLAIN;
+        int width = Integer.getInteger(COLUMNS, 0);
+        return width > 0 ? style.within(width) : style;
     }
 
     /** That of a terminal, if it can show more than ASCII. All else reads UTF-8. */

@@ -16,6 +16,10 @@ final class PageOption {
             description = "Also write a page to look at and to step through: DIR/index.html.")
     private String folder;
 
+    boolean isWanted() {
+        return folder != null;
+    }
+
     /** Complains before any work is done in vain. */
     void prepare(Pipeline pipeline) throws WrongUse {
         if (folder != null) {

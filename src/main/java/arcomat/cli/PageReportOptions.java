@@ -16,10 +16,9 @@ final class PageReportOptions extends ResultOptions {
             names = "--report",
             paramLabel = "FORMAT=FILE|DIR",
             converter = ReportFile.ReaderOfPages.class,
-            description = {
-                "Also write a file in that format, or a page to look at and to step through,",
-                "DIR/index.html; may be repeated."
-            })
+            description =
+                    "Also write a file in that format, or a page to look at and to step through,"
+                            + " DIR/index.html; may be repeated.")
     private List<ReportFile> files = new ArrayList<>();
 
     @Override

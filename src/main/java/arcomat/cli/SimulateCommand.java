@@ -1,10 +1,12 @@
 package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.simulate.Audience;
 import arcomat.pipeline.simulate.Dialogue;
 import arcomat.pipeline.simulate.SimulationRequest;
 import arcomat.pipeline.simulate.SimulationResult;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.report.run.RunText;
 import arcomat.report.run.TraceCsv;
 import arcomat.report.run.TraceJson;
 import arcomat.report.run.TracePage;
@@ -41,6 +43,9 @@ import java.util.OptionalInt;
             "",
             "Without --input, letters are drawn with the seed: the same seed, the same run.",
             "",
+            "What has happened is written as the run goes on, and not kept, but for --record and",
+            "--report: a run may have any number of slices.",
+            "",
             "A run that errs shows in its last slice what was sent before, and no reaction.",
             "",
             "Exit status: 0 it ran, and all that was watched is kept; 1 the model went wrong, a",
@@ -68,10 +73,9 @@ final class SimulateCommand extends Command {
     @Option(
             names = "--main",
             paramLabel = "QNAME",
-            description = {
-                "The component to run, with its arguments if it takes any: 'p.Timer(2)'.",
-                "May be left out if --input or a single <<deploy>> component tells."
-            })
+            description =
+                    "The component to run, with its arguments if it takes any: 'p.Timer(2)'. May"
+                            + " be left out if --input or a single <<deploy>> component tells.")
     private String main;
 
     @Option(
@@ -125,10 +129,9 @@ final class SimulateCommand extends Command {
     @Option(
             names = "--monitor",
             paramLabel = "Q",
-            description = {
-                "Watch the run for the automata of this component, or component#automaton;",
-                "may be given several times."
-            })
+            description =
+                    "Watch the run for the automata of this component, or component#automaton;"
+                            + " may be given several times.")
     private List<String> monitors = List.of();
 
     @Mixin private PageOption report = new PageOption();
@@ -152,18 +155,21 @@ final class SimulateCommand extends Command {
             throw new WrongUse("--slices " + slices + " is negative");
         }
         report.prepare(pipeline);
-        SimulationResult result = pipeline.simulate(request(), paths, dialogue());
+        Audience audience = new Audience(text(), () -> !console.out().checkError());
+        SimulationResult result = pipeline.simulate(request(), paths, dialogue(), audience);
         if (result.trace().isEmpty()) {
             return reportErrors(result.check());
         }
         report.write(() -> TracePage.of(result.trace().get(), result.watched()), pipeline);
-        print(
-                switch (trace) {
-                    case table -> TraceTable.render(result.trace().get(), console.style());
-                    case csv -> TraceCsv.render(result.trace().get());
-                    case json -> TraceJson.render(result.trace().get());
-                });
         return report(result);
+    }
+
+    private RunText text() {
+        return switch (trace) {
+            case table -> new TraceTable(this::print, console.style());
+            case csv -> new TraceCsv(this::print);
+            case json -> new TraceJson(this::print);
+        };
     }
 
     /** What fails the command: a model that goes wrong, a requirement that is violated. */
@@ -214,7 +220,8 @@ final class SimulateCommand extends Command {
                 SimulationRequest.Engine.valueOf(engine.name().toUpperCase(Locale.ROOT)),
                 Optional.ofNullable(input),
                 Optional.ofNullable(record),
-                monitors);
+                monitors,
+                report.isWanted());
     }
 
     private Dialogue dialogue() {

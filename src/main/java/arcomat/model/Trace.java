@@ -29,6 +29,11 @@ public record Trace(
         this(component, steps, failure, Optional.empty(), Optional.empty());
     }
 
+    /** The same with other steps. */
+    public Trace with(List<Step> other) {
+        return new Trace(component, other, failure, opening, end);
+    }
+
     /** Per step what came in, the one in which the run goes wrong included. */
     public List<Letter> received() {
         return withEnd(Step::inputs, End::inputs);

@@ -51,6 +51,7 @@ import arcomat.pipeline.monitor.MonitorStep;
 import arcomat.pipeline.recheck.IncrementalCheck;
 import arcomat.pipeline.recheck.Recheck;
 import arcomat.pipeline.recheck.StateFile;
+import arcomat.pipeline.simulate.Audience;
 import arcomat.pipeline.simulate.Dialogue;
 import arcomat.pipeline.simulate.SimulateStep;
 import arcomat.pipeline.simulate.SimulationRequest;
@@ -71,6 +72,7 @@ import arcomat.world.Recording;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /** Everything that the tool does, for whoever asks: the command line, a build, a test. */
 public final class Pipeline {
@@ -180,7 +182,20 @@ public final class Pipeline {
      */
     public SimulationResult simulate(
             SimulationRequest request, List<String> paths, Dialogue dialogue) throws WrongUse {
-        return SimulateStep.run(request, paths, dialogue, names, progress);
+        return SimulateStep.run(request, paths, dialogue, Optional.empty(), names, progress);
+    }
+
+    /**
+     * Runs a component before an audience. The result holds no steps, unless somebody else needs
+     * them: they would fill the memory.
+     *
+     * @param dialogue asked and told while the model runs
+     * @throws WrongUse where the request does not fit the models
+     */
+    public SimulationResult simulate(
+            SimulationRequest request, List<String> paths, Dialogue dialogue, Audience audience)
+            throws WrongUse {
+        return SimulateStep.run(request, paths, dialogue, Optional.of(audience), names, progress);
     }
 
     /**

@@ -56,6 +56,16 @@ public final class Interpreter implements Execution {
         this.choice = new RememberedChoice(choice, decisions);
     }
 
+    private Interpreter(Network network, Choice choice) {
+        this.network = network;
+        this.choice = choice;
+    }
+
+    /** One for runs without an end: it does not remember its choices. */
+    public static Interpreter forgetful(Component component, List<Value> arguments, Choice choice) {
+        return new Interpreter(Network.of(component, arguments), choice);
+    }
+
     /** Made in the first step, which so reports what goes wrong in the beginning. */
     private Engine engine() {
         if (engine == null) {

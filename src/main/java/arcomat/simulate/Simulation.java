@@ -10,10 +10,13 @@ import arcomat.semantics.Execution;
 import arcomat.semantics.Network;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** Lets an execution run over letters, given or drawn. */
 public final class Simulation {
@@ -26,16 +29,29 @@ public final class Simulation {
      */
     public static Trace run(Execution execution, List<Letter> letters) {
         List<Trace.Step> steps = new ArrayList<>(letters.size());
+        return run(execution, letters.iterator(), steps::add).with(steps);
+    }
+
+    /**
+     * Performs a step per letter, without keeping them.
+     *
+     * @param execution that has not stepped yet
+     * @param seen is shown each step, and says whether to go on
+     * @return what there is to say of the run besides its steps
+     */
+    public static Trace run(
+            Execution execution, Iterator<Letter> letters, Predicate<Trace.Step> seen) {
         Optional<String> failure = Optional.empty();
-        for (int i = 0; i < letters.size() && failure.isEmpty(); i++) {
+        boolean wanted = true;
+        while (wanted && failure.isEmpty() && letters.hasNext()) {
             try {
-                steps.add(execution.step(letters.get(i)));
+                wanted = seen.test(execution.step(letters.next()));
             } catch (ModelError error) {
                 failure = Optional.of(error.getMessage());
             }
         }
         return new Trace(
-                execution.component(), steps, failure, execution.opening(), execution.end());
+                execution.component(), List.of(), failure, execution.opening(), execution.end());
     }
 
     /**
@@ -47,13 +63,15 @@ public final class Simulation {
      * @param chance of a message on a port in a slice, in percent
      */
     public static List<Letter> randomLetters(Network network, int seed, int count, int chance) {
+        return drawn(network, seed, chance).limit(count).toList();
+    }
+
+    /** As above, one after the other as they are asked for, without an end. */
+    public static Stream<Letter> drawn(Network network, int seed, int chance) {
         Choice generator = new Choice(~seed);
         boolean timed = network.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
-        List<Letter> letters = new ArrayList<>(count);
-        for (int i = 0; i < count; i++) {
-            letters.add(timed ? slice(network, generator, chance) : event(network, generator));
-        }
-        return letters;
+        return Stream.generate(
+                () -> timed ? slice(network, generator, chance) : event(network, generator));
     }
 
     private static Letter slice(Network network, Choice generator, int chance) {

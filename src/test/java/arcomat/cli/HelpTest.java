@@ -31,6 +31,19 @@ class HelpTest {
                 .containsPattern("Exit status: 0 [^;]+;.* 2 [^;]+\\. ?$");
     }
 
+    /** Eighty columns, where nobody says how many there are. */
+    @TestFactory
+    Stream<DynamicTest> everyHelpFits() {
+        return COMMAND.matcher(help("--help"))
+                .results()
+                .map(found -> found.group(1))
+                .map(command -> DynamicTest.dynamicTest(command, () -> fits(command)));
+    }
+
+    private static void fits(String command) {
+        assertThat(help(command, "--help").lines()).allMatch(line -> line.length() <= 80);
+    }
+
     private static String help(String... arguments) {
         StringWriter out = new StringWriter();
         Console console =

@@ -71,4 +71,21 @@ class StandardStreamsTest {
         assertThat(shell("script -qec '" + simulate + " >/dev/null' /dev/null").out())
                 .contains("simulating ...");
     }
+
+    @Test
+    void tablesAndHelpFitTheTerminal() throws Exception {
+        String[] commands = {
+            "simulate --slices 5 --main coffee.fetcher.Fetcher \"$M\"", "simulate --help", "--help"
+        };
+        for (String command : commands) {
+            assertThat(shell("COLUMNS=90 \"$A\" " + command).out().lines())
+                    .allMatch(line -> line.length() <= 90);
+        }
+        assumeTrue(shell("command -v script").status() == 0, "script makes terminals");
+        for (String command : commands) {
+            String seen = "stty cols 70; NO_COLOR=1 \"$A\" " + command;
+            assertThat(shell("unset COLUMNS; script -qec '" + seen + "' /dev/null").out().lines())
+                    .allMatch(line -> line.stripTrailing().length() <= 70);
+        }
+    }
 }

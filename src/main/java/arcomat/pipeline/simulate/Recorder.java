@@ -12,6 +12,7 @@ import arcomat.syntax.Formatter;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -22,6 +23,32 @@ final class Recorder {
     private static final String MARK = "Recorded by arcomat simulate";
 
     private Recorder() {}
+
+    /** Complains before a run is made in vain. */
+    static void requireWritable(SimulationRequest request, PathNames names) throws WrongUse {
+        String written = request.record().orElseThrow();
+        Path file = names.resolve(written);
+        suite(written, file);
+        try {
+            if (!Files.isDirectory(file.toAbsolutePath().getParent())) {
+                throw new NoSuchFileException(written);
+            }
+            requireRecorded(written, file);
+        } catch (IOException e) {
+            throw unwritable(written, e);
+        }
+    }
+
+    private static void requireRecorded(String written, Path file) throws IOException, WrongUse {
+        if (Files.exists(file) && !Files.readString(file).contains(MARK)) {
+            throw new WrongUse(
+                    "'" + written + "' was not recorded; name another file with --record");
+        }
+    }
+
+    private static WrongUse unwritable(String written, IOException e) {
+        return new WrongUse("cannot write '" + written + "': " + Failures.reason(e));
+    }
 
     static void write(
             SimulationRequest request,
@@ -46,13 +73,10 @@ final class Recorder {
         String text = Recording.of(suite, trace, main.arguments(), remarks);
         String formatted = Formatter.format(new SourceFile(written, text)).text().orElse(text);
         try {
-            if (Files.exists(file) && !Files.readString(file).contains(MARK)) {
-                throw new WrongUse(
-                        "'" + written + "' was not recorded; name another file with --record");
-            }
+            requireRecorded(written, file);
             AtomicFile.write(file, formatted);
         } catch (IOException e) {
-            throw new WrongUse("cannot write '" + written + "': " + Failures.reason(e));
+            throw unwritable(written, e);
         }
     }
 

@@ -14,6 +14,7 @@ import arcomat.pipeline.monitor.Watches;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.report.run.TraceColumns;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.Network;
@@ -21,14 +22,16 @@ import arcomat.simulate.Choice;
 import arcomat.simulate.Interpreter;
 import arcomat.simulate.Simulation;
 import arcomat.simulate.StreamTests;
-import arcomat.simulate.Watch;
-import arcomat.simulate.Watched;
+import arcomat.simulate.Watching;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Stream;
 
 /** Runs a component over the input of a test, or over random letters. */
 public final class SimulateStep {
@@ -40,20 +43,30 @@ public final class SimulateStep {
     private final SimulationRequest request;
     private final PathNames names;
     private final Dialogue dialogue;
+    private final Optional<Audience> audience;
 
-    private SimulateStep(SimulationRequest request, PathNames names, Dialogue dialogue) {
+    private SimulateStep(
+            SimulationRequest request,
+            PathNames names,
+            Dialogue dialogue,
+            Optional<Audience> audience) {
         this.request = request;
         this.names = names;
         this.dialogue = dialogue;
+        this.audience = audience;
     }
 
     public static SimulationResult run(
             SimulationRequest request,
             List<String> paths,
             Dialogue dialogue,
+            Optional<Audience> audience,
             PathNames names,
             Progress progress)
             throws WrongUse {
+        if (request.record().isPresent()) {
+            Recorder.requireWritable(request, names);
+        }
         Optional<TestReference> input = Optional.empty();
         List<String> all = new ArrayList<>(paths);
         if (request.input().isPresent()) {
@@ -73,12 +86,12 @@ public final class SimulateStep {
         }
         Model model = checked.lower(progress);
         progress.step("simulating");
-        SimulateStep step = new SimulateStep(request, names, dialogue);
+        SimulateStep step = new SimulateStep(request, names, dialogue, audience);
         MainComponent main = step.main(checked, model, step.test(model, input));
-        List<Watch> watches = Watches.of(request.monitors(), main.component(), checked, model);
-        Trace trace = step.run(main, step.test(model, input));
-        return new SimulationResult(
-                checked.result(), Optional.of(trace), Watched.all(watches, trace));
+        Watching watching =
+                new Watching(Watches.of(request.monitors(), main.component(), checked, model));
+        Trace trace = step.run(main, step.test(model, input), watching);
+        return new SimulationResult(checked.result(), Optional.of(trace), watching.end(trace));
     }
 
     /** The component that code is made of, before it is sure that there is exactly one. */
@@ -100,21 +113,50 @@ public final class SimulateStep {
         return input.isPresent() ? Optional.of(input.get().in(model, names)) : Optional.empty();
     }
 
-    private Trace run(MainComponent main, Optional<StreamTest> test) throws WrongUse {
+    private Trace run(MainComponent main, Optional<StreamTest> test, Watching watching)
+            throws WrongUse {
         Network network;
         try {
             network = Network.of(main.component(), main.arguments());
         } catch (ModelError error) {
             Trace nothing = new Trace(main.component(), List.of(), Optional.of(error.getMessage()));
+            audience.ifPresent(
+                    a -> a.text().begin(main.component(), TraceColumns.of(main.component())));
+            audience.ifPresent(a -> a.text().end(0, nothing));
             return record(main, nothing, List.of());
         }
-        List<Letter> letters = letters(network, test);
-        if (request.engine() == SimulationRequest.Engine.COMPILED) {
-            return record(main, Simulation.run(compiled(main), letters), List.of());
-        }
-        Interpreter interpreter = new Interpreter(main.component(), main.arguments(), choice());
-        Trace trace = Simulation.run(watched(interpreter), letters);
-        return record(main, trace, interpreter.decisions());
+        boolean compiled = request.engine() == SimulationRequest.Engine.COMPILED;
+        Interpreter interpreter = interpreter(main);
+        Execution execution = compiled ? compiled(main) : watched(interpreter);
+        List<Trace.Step> kept = new ArrayList<>();
+        AtomicInteger shown = new AtomicInteger();
+        audience.ifPresent(a -> a.text().begin(main.component(), TraceColumns.of(network)));
+        Trace rest =
+                Simulation.run(
+                        execution,
+                        letters(network, test),
+                        step -> {
+                            watching.see(execution.opening(), step);
+                            if (keepsSteps()) {
+                                kept.add(step);
+                            }
+                            shown.incrementAndGet();
+                            audience.ifPresent(a -> a.text().step(step));
+                            return audience.isEmpty() || audience.get().staysAfter(step.number());
+                        });
+        audience.ifPresent(a -> a.text().end(shown.get(), rest));
+        return record(main, rest.with(kept), interpreter.decisions());
+    }
+
+    /** Only for whom the whole run is needed at once. */
+    private boolean keepsSteps() {
+        return audience.isEmpty() || request.keepsSteps();
+    }
+
+    private Interpreter interpreter(MainComponent main) {
+        return request.record().isPresent()
+                ? new Interpreter(main.component(), main.arguments(), choice())
+                : Interpreter.forgetful(main.component(), main.arguments(), choice());
     }
 
     private Trace record(MainComponent main, Trace trace, List<String> decisions) throws WrongUse {
@@ -194,17 +236,17 @@ public final class SimulateStep {
     }
 
     /** The letters of the test, or random ones; behind the input it is quiet. */
-    private List<Letter> letters(Network network, Optional<StreamTest> test) {
+    private Iterator<Letter> letters(Network network, Optional<StreamTest> test) {
         if (test.isEmpty()) {
             int count = request.slices().orElse(DEFAULT_STEPS);
-            return Simulation.randomLetters(network, request.seed(), count, CHANCE_OF_A_MESSAGE);
+            return Simulation.drawn(network, request.seed(), CHANCE_OF_A_MESSAGE)
+                    .limit(count)
+                    .iterator();
         }
-        List<Letter> letters = new ArrayList<>(test.get().inputs());
+        List<Letter> given = test.get().inputs();
         int count = request.slices().orElse(length(test.get()));
-        while (letters.size() < count) {
-            letters.add(StreamTests.quietAfter(letters, network));
-        }
-        return letters.subList(0, count);
+        Letter quiet = StreamTests.quietAfter(given, network);
+        return Stream.concat(given.stream(), Stream.generate(() -> quiet)).limit(count).iterator();
     }
 
     /** Where outputs have delay 1, the reaction to the last input shows one slice later. */

@@ -14,6 +14,7 @@ import java.util.OptionalInt;
  * @param input {@code FILE.mt#test}, whose input streams are used
  * @param record a file that keeps the run as a stream test
  * @param monitors what watches the run: components, or {@code component#automaton}
+ * @param whole whether the result holds all steps, though there is an audience
  */
 public record SimulationRequest(
         Optional<String> main,
@@ -23,9 +24,15 @@ public record SimulationRequest(
         Engine engine,
         Optional<String> input,
         Optional<String> record,
-        List<String> monitors) {
+        List<String> monitors,
+        boolean whole) {
     public SimulationRequest {
         monitors = List.copyOf(monitors);
+    }
+
+    /** Whether all steps are needed at once. */
+    boolean keepsSteps() {
+        return whole || record.isPresent();
     }
 
     /** Who decides where a model leaves something open. */

@@ -4,11 +4,14 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
+import arcomat.semantics.Network;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -17,17 +20,44 @@ import java.util.Set;
  *
  * @param unit {@code slice} or {@code event}
  */
-record TraceColumns(String unit, List<String> inputs, List<String> outputs, List<String> automata) {
+public record TraceColumns(
+        String unit, List<String> inputs, List<String> outputs, List<String> automata) {
+
+    /** What may occur in a run of a network; nothing else does. */
+    public static TraceColumns of(Network network) {
+        Component component = network.component();
+        List<String> automata = new ArrayList<>();
+        for (Network.Instance instance : network.instances()) {
+            if (!instance.component().platform()) {
+                instance.component()
+                        .automata()
+                        .forEach(each -> automata.add(name(instance.path(), each.name())));
+            }
+        }
+        return new TraceColumns(
+                unit(component),
+                network.inputs().stream().map(Network.External::name).toList(),
+                network.outputs().stream().map(Network.External::name).toList(),
+                automata);
+    }
+
+    /** Of a component of which no network can be made. */
+    public static TraceColumns of(Component component) {
+        return of(new Trace(component, List.of(), Optional.empty()));
+    }
+
+    static String unit(Component component) {
+        return component.profile() == Component.Profile.EVENT_DRIVEN ? "event" : "slice";
+    }
 
     static TraceColumns of(Trace trace) {
         Component component = trace.component();
-        boolean events = component.profile() == Component.Profile.EVENT_DRIVEN;
         Set<String> automata = new LinkedHashSet<>();
         for (Trace.Step step : trace.steps()) {
             step.activities().forEach(activity -> automata.add(nameOf(activity)));
         }
         return new TraceColumns(
-                events ? "event" : "slice",
+                unit(component),
                 ports(component.inputs(), trace.received()),
                 ports(component.outputs(), trace.shown()),
                 List.copyOf(automata));
@@ -42,12 +72,14 @@ record TraceColumns(String unit, List<String> inputs, List<String> outputs, List
 
     /** The path of the instance, and the automaton where it has a name. */
     static String nameOf(Trace.Activity activity) {
-        if (activity.automaton().isEmpty()) {
-            return activity.instance();
+        return name(activity.instance(), activity.automaton());
+    }
+
+    private static String name(String instance, String automaton) {
+        if (automaton.isEmpty()) {
+            return instance;
         }
-        return activity.instance().isEmpty()
-                ? activity.automaton()
-                : activity.instance() + "." + activity.automaton();
+        return instance.isEmpty() ? automaton : instance + "." + automaton;
     }
 
     /** What the automata did in a step, by their names. */

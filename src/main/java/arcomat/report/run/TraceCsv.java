@@ -1,5 +1,6 @@
 package arcomat.report.run;
 
+import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -8,6 +9,7 @@ import arcomat.report.text.CsvLine;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
@@ -16,40 +18,50 @@ import java.util.stream.Collectors;
  * is silence, several messages in one step are separated by blanks. A step that goes wrong shows
  * what was sent before it, and no states.
  */
-public final class TraceCsv {
-    private TraceCsv() {}
+public final class TraceCsv implements RunText {
+    private final Consumer<String> out;
+    private TraceColumns columns;
 
-    public static String render(Trace trace) {
-        TraceColumns columns = TraceColumns.of(trace);
-        StringBuilder out = new StringBuilder(CsvLine.of(headings(columns)));
-        for (Trace.Step step : trace.steps()) {
-            List<String> fields = new ArrayList<>();
-            fields.add(String.valueOf(step.number()));
-            columns.inputs().forEach(port -> fields.add(messages(step.inputs(), port)));
-            columns.outputs().forEach(port -> fields.add(messages(step.outputs(), port)));
-            Map<String, Trace.Activity> activities = TraceColumns.activities(step);
-            for (String automaton : columns.automata()) {
-                Trace.Activity activity = activities.get(automaton);
-                fields.add(activity == null ? "" : activity.after());
-                fields.add(activity == null ? "" : CauseText.brief(activity.cause()));
-            }
-            out.append(CsvLine.of(fields));
-        }
-        if (trace.shown().size() > trace.steps().size()) {
-            out.append(CsvLine.of(end(trace, columns)));
-        }
-        return out.toString();
+    /**
+     * @param out takes the text, line by line
+     */
+    public TraceCsv(Consumer<String> out) {
+        this.out = out;
     }
 
-    private static List<String> end(Trace trace, TraceColumns columns) {
-        int number = trace.steps().size();
-        Letter received = trace.received().get(number);
-        Letter shown = trace.shown().get(number);
+    @Override
+    public void begin(Component component, TraceColumns all) {
+        columns = all;
+        out.accept(CsvLine.of(headings(columns)));
+    }
+
+    @Override
+    public void step(Trace.Step step) {
+        List<String> fields = fields(step.number(), step.inputs(), step.outputs());
+        Map<String, Trace.Activity> activities = TraceColumns.activities(step);
+        for (String automaton : columns.automata()) {
+            Trace.Activity activity = activities.get(automaton);
+            fields.add(activity == null ? "" : activity.after());
+            fields.add(activity == null ? "" : CauseText.brief(activity.cause()));
+        }
+        out.accept(CsvLine.of(fields));
+    }
+
+    @Override
+    public void end(int steps, Trace rest) {
+        if (RunText.endsInError(rest)) {
+            List<String> fields =
+                    fields(steps, RunText.lastInputs(rest), RunText.lastOutputs(rest));
+            columns.automata().forEach(automaton -> fields.addAll(List.of("", "")));
+            out.accept(CsvLine.of(fields));
+        }
+    }
+
+    private List<String> fields(int number, Letter received, Letter shown) {
         List<String> fields = new ArrayList<>();
         fields.add(String.valueOf(number));
         columns.inputs().forEach(port -> fields.add(messages(received, port)));
         columns.outputs().forEach(port -> fields.add(messages(shown, port)));
-        columns.automata().forEach(automaton -> fields.addAll(List.of("", "")));
         return fields;
     }
 

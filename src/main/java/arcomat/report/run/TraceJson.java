@@ -1,5 +1,6 @@
 package arcomat.report.run;
 
+import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -11,42 +12,63 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * A trace for programs. Messages are lists, for an event may send several; values are written as in
  * models, but for numbers and truth values.
  */
-public final class TraceJson {
-    private TraceJson() {}
+public final class TraceJson implements RunText {
+    private final Consumer<String> out;
+    private final Json.Growing text = new Json.Growing();
 
-    public static String render(Trace trace) {
-        return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeStringField("component", trace.component().qualifiedName());
-                    json.writeStringField("unit", TraceColumns.of(trace).unit());
-                    json.writeArrayFieldStart("steps");
-                    for (Trace.Step step : trace.steps()) {
-                        write(json, step);
-                    }
-                    json.writeEndArray();
-                    if (trace.shown().size() > trace.steps().size()) {
-                        writeEnd(json, trace);
-                    }
-                    if (trace.failure().isPresent()) {
-                        json.writeStringField("failure", trace.failure().get());
-                    }
-                    json.writeEndObject();
-                });
+    /**
+     * @param out takes the text, step by step
+     */
+    public TraceJson(Consumer<String> out) {
+        this.out = out;
+    }
+
+    @Override
+    public void begin(Component component, TraceColumns columns) {
+        out.accept(
+                text.add(
+                        json -> {
+                            json.writeStartObject();
+                            json.writeStringField("component", component.qualifiedName());
+                            json.writeStringField("unit", columns.unit());
+                            json.writeArrayFieldStart("steps");
+                        }));
+    }
+
+    @Override
+    public void step(Trace.Step step) {
+        out.accept(text.add(json -> write(json, step)));
+    }
+
+    @Override
+    public void end(int steps, Trace rest) {
+        out.accept(
+                text.add(
+                        json -> {
+                            json.writeEndArray();
+                            if (RunText.endsInError(rest)) {
+                                writeEnd(json, steps, rest);
+                            }
+                            if (rest.failure().isPresent()) {
+                                json.writeStringField("failure", rest.failure().get());
+                            }
+                            json.writeEndObject();
+                        }));
+        out.accept("\n");
     }
 
     /** The step that goes wrong, with what was sent before it. */
-    private static void writeEnd(JsonGenerator json, Trace trace) throws IOException {
-        int number = trace.steps().size();
+    private static void writeEnd(JsonGenerator json, int number, Trace rest) throws IOException {
         json.writeObjectFieldStart("end");
         json.writeNumberField("number", number);
-        writeLetter(json, "inputs", trace.received().get(number));
-        writeLetter(json, "outputs", trace.shown().get(number));
+        writeLetter(json, "inputs", RunText.lastInputs(rest));
+        writeLetter(json, "outputs", RunText.lastOutputs(rest));
         json.writeEndObject();
     }
 

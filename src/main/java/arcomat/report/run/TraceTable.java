@@ -1,5 +1,6 @@
 package arcomat.report.run;
 
+import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -9,33 +10,75 @@ import arcomat.report.text.TextTable;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
  * A trace to be read from top to bottom: for every slice what came in, what was to be seen outside,
  * and what each automaton did for which reason.
  */
-public final class TraceTable {
-    private TraceTable() {}
+public final class TraceTable implements RunText {
+    /** So many slices tell how wide columns are; longer texts of later ones are broken. */
+    private static final int SLICES_AHEAD = 1000;
 
-    public static String render(Trace trace, Style style) {
-        TraceColumns columns = TraceColumns.of(trace);
-        TextTable table = new TextTable(headings(columns));
-        for (Trace.Step step : trace.steps()) {
-            addStep(table, step, columns);
+    /** Of the column with the numbers, where there are more. */
+    private static final int NUMBERS = 8;
+
+    private final Consumer<String> out;
+    private final Style style;
+    private TraceColumns columns;
+    private TextTable table;
+    private boolean begun;
+
+    /**
+     * @param out takes the text, piece by piece
+     */
+    public TraceTable(Consumer<String> out, Style style) {
+        this.out = out;
+        this.style = style;
+    }
+
+    @Override
+    public void begin(Component component, TraceColumns all) {
+        columns = all;
+        table = new TextTable(headings(columns));
+    }
+
+    @Override
+    public void step(Trace.Step step) {
+        List<List<String>> done = new ArrayList<>();
+        for (Trace.Activity activity : step.activities()) {
+            done.add(
+                    did(
+                            TraceColumns.nameOf(activity),
+                            state(activity),
+                            CauseText.of(activity.cause())));
         }
-        if (trace.shown().size() > trace.steps().size()) {
-            addEnd(table, trace, columns);
+        addLines(step.number(), step.inputs(), step.outputs(), done);
+        if (step.number() == SLICES_AHEAD) {
+            out.accept(table.begin(style, NUMBERS));
+            begun = true;
         }
-        StringBuilder out = new StringBuilder(table.render(style));
-        trace.failure()
+    }
+
+    /** What an earlier step has sent is seen in the one that goes wrong, too. */
+    @Override
+    public void end(int steps, Trace rest) {
+        if (RunText.endsInError(rest)) {
+            List<List<String>> done = List.of(did("", "", "error"));
+            addLines(steps, RunText.lastInputs(rest), RunText.lastOutputs(rest), done);
+        }
+        if (!begun) {
+            out.accept(table.render(style));
+        }
+        rest.failure()
                 .ifPresent(
                         failure ->
-                                out.append(style.error("stopped"))
-                                        .append(": ")
-                                        .append(Printable.escape(failure))
-                                        .append('\n'));
-        return out.toString();
+                                out.accept(
+                                        style.error("stopped")
+                                                + ": "
+                                                + Printable.escape(failure)
+                                                + "\n"));
     }
 
     private static List<String> headings(TraceColumns columns) {
@@ -45,43 +88,14 @@ public final class TraceTable {
                 : List.of(columns.unit(), "input", "output", "state", "because");
     }
 
-    private static void addStep(TextTable table, Trace.Step step, TraceColumns columns) {
-        List<List<String>> done = new ArrayList<>();
-        for (Trace.Activity activity : step.activities()) {
-            done.add(
-                    did(
-                            columns,
-                            TraceColumns.nameOf(activity),
-                            state(activity),
-                            CauseText.of(activity.cause())));
-        }
-        addLines(table, step.number(), step.inputs(), step.outputs(), columns, done);
-    }
-
-    /** What an earlier step has sent is seen in the one that goes wrong, too. */
-    private static void addEnd(TextTable table, Trace trace, TraceColumns columns) {
-        int number = trace.steps().size();
-        Letter inputs = trace.received().get(number);
-        Letter outputs = trace.shown().get(number);
-        List<List<String>> done = List.of(did(columns, "", "", "error"));
-        addLines(table, number, inputs, outputs, columns, done);
-    }
-
-    private static List<String> did(
-            TraceColumns columns, String automaton, String state, String cause) {
+    private List<String> did(String automaton, String state, String cause) {
         return columns.automata().size() > 1
                 ? List.of(automaton, state, cause)
                 : List.of(state, cause);
     }
 
     /** A step has as many lines as its longest list. */
-    private static void addLines(
-            TextTable table,
-            int number,
-            Letter received,
-            Letter shown,
-            TraceColumns columns,
-            List<List<String>> done) {
+    private void addLines(int number, Letter received, Letter shown, List<List<String>> done) {
         List<String> inputs = messages(received, columns.inputs());
         List<String> outputs = messages(shown, columns.outputs());
         int lines = Math.max(1, Math.max(inputs.size(), Math.max(outputs.size(), done.size())));
@@ -93,6 +107,14 @@ public final class TraceTable {
             if (i < done.size()) {
                 cells.addAll(done.get(i));
             }
+            add(cells);
+        }
+    }
+
+    private void add(List<String> cells) {
+        if (begun) {
+            out.accept(table.more(cells));
+        } else {
             table.add(cells);
         }
     }

@@ -21,14 +21,44 @@ public final class Json {
 
     /** With two blanks of indentation. */
     public static String text(Body body) {
-        DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
-        DefaultPrettyPrinter printer =
-                new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
         return compact(
                 json -> {
-                    json.setPrettyPrinter(printer);
+                    json.setPrettyPrinter(printer());
                     body.write(json);
                 });
+    }
+
+    private static DefaultPrettyPrinter printer() {
+        DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
+        return new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
+    }
+
+    /** A text that is taken away while it grows; with two blanks of indentation. */
+    public static final class Growing {
+        private final StringWriter out = new StringWriter();
+        private final JsonGenerator json;
+
+        public Growing() {
+            try {
+                json = new JsonFactory().createGenerator(out);
+                json.setPrettyPrinter(printer());
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+        }
+
+        /** What has come to the text, half a value perhaps, but a whole text. */
+        public String add(Body part) {
+            try {
+                part.write(json);
+                json.flush();
+            } catch (IOException e) {
+                throw new UncheckedIOException(e);
+            }
+            String added = escapeHalfPairs(out.toString());
+            out.getBuffer().setLength(0);
+            return added;
+        }
     }
 
     /** With no more blanks and line breaks than the body writes. */

@@ -5,10 +5,9 @@ import java.util.List;
 
 /** Columns of text, aligned at the left; the first column at the right, if it holds numbers. */
 public final class TextTable {
-    private static final String GAP = "  ";
-
     private final List<String> headings;
     private final List<List<String>> rows = new ArrayList<>();
+    private TableLayout layout;
 
     public TextTable(List<String> headings) {
         this.headings = headings;
@@ -33,45 +32,55 @@ public final class TextTable {
     }
 
     public String render(Style style) {
-        int[] widths = widths();
-        boolean numbered = isNumbered();
+        return head(style) + body();
+    }
+
+    private String head(Style style) {
+        List<List<String>> all = new ArrayList<>(rows.size() + 1);
+        all.add(headings);
+        all.addAll(rows);
+        layout = TableLayout.of(all, style.width(), isNumbered());
+        return headings(style);
+    }
+
+    private String headings(Style style) {
         StringBuilder out = new StringBuilder();
-        out.append(style.strong(line(headings, widths, numbered))).append('\n');
-        List<String> rules = new ArrayList<>();
-        for (int width : widths) {
-            rules.add("-".repeat(width));
-        }
-        out.append(style.quiet(line(rules, widths, numbered))).append('\n');
-        for (List<String> row : rows) {
-            out.append(line(row, widths, numbered)).append('\n');
-        }
+        layout.lines(headings).forEach(line -> out.append(style.strong(line)).append('\n'));
+        return out.append(style.quiet(layout.rule())).append('\n').toString();
+    }
+
+    private String body() {
+        StringBuilder out = new StringBuilder();
+        rows.forEach(row -> out.append(text(row)));
         return out.toString();
     }
 
-    private int[] widths() {
-        int[] widths = new int[headings.size()];
-        for (int i = 0; i < widths.length; i++) {
-            widths[i] = headings.get(i).length();
-            for (List<String> row : rows) {
-                if (i < row.size()) {
-                    widths[i] = Math.max(widths[i], row.get(i).length());
-                }
-            }
-        }
-        return widths;
+    /**
+     * The table as far as it goes now. More rows follow one by one, in columns that are as wide as
+     * now: nobody has seen those rows yet.
+     *
+     * @param first width of the first column at least
+     */
+    public String begin(Style style, int first) {
+        head(style);
+        layout = layout.withFirst(first);
+        String begun = headings(style) + body();
+        rows.clear();
+        return begun;
+    }
+
+    /** One more row of a table that has begun. */
+    public String more(List<String> cells) {
+        return text(cells);
+    }
+
+    private String text(List<String> cells) {
+        StringBuilder out = new StringBuilder();
+        layout.lines(cells).forEach(line -> out.append(line).append('\n'));
+        return out.toString();
     }
 
     private boolean isNumbered() {
         return rows.stream().allMatch(row -> row.get(0).matches("[0-9.]*"));
-    }
-
-    private static String line(List<String> cells, int[] widths, boolean numbered) {
-        StringBuilder line = new StringBuilder();
-        for (int i = 0; i < cells.size(); i++) {
-            String blanks = " ".repeat(widths[i] - cells.get(i).length());
-            line.append(i == 0 ? "" : GAP)
-                    .append(i == 0 && numbered ? blanks + cells.get(i) : cells.get(i) + blanks);
-        }
-        return line.toString().stripTrailing();
     }
 }
