@@ -25,7 +25,7 @@ watched=
 [ -t 2 ] && watched=-Darcomat.watched=true
 columns=${COLUMNS-}
 if [ -z "$columns" ] && [ -t 1 ]; then
-    columns=$(stty size <&1 2>/dev/null)
+    { columns=$(stty size <&3 2>/dev/null); } 3>&1 # what is captured is no terminal
     columns=${columns#* }
     [ "${columns:-0}" -gt 0 ] 2>/dev/null || columns=80
 fi

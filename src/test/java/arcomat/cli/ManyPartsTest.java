@@ -24,18 +24,18 @@ class ManyPartsTest {
                 temporary.resolve("L0.arc"),
                 """
                 component L0 {
-                  port in Boolean i, out Boolean o;
-                  automaton { state s; initial s; s {i == true} / {o = true}; }
+                  port in Boolean x, out Boolean y;
+                  automaton { state s; initial s; s {x == true} / {y = true}; }
                 }
                 """);
         for (int level = 1; level <= levels; level++) {
             StringBuilder text = new StringBuilder("component L" + level + " {\n");
-            text.append("  port in Boolean i, out Boolean o;\n");
+            text.append("  port in Boolean x, out Boolean y;\n");
             for (char name = 'a'; name <= 'j'; name++) {
                 text.append("  component L%d %s;\n".formatted(level - 1, name));
-                text.append("  connect i -> %s.i;\n".formatted(name));
+                text.append("  connect x -> %s.x;\n".formatted(name));
             }
-            text.append("  connect a.o -> o;\n}\n");
+            text.append("  connect a.y -> y;\n}\n");
             Files.writeString(temporary.resolve("L" + level + ".arc"), text);
         }
     }
@@ -65,7 +65,17 @@ class ManyPartsTest {
     @Timeout(120)
     void aComparisonOfManyPartsEndsInTime() throws Exception {
         writeLevels(4);
-        Outcome outcome = new Shell(temporary).run("$A refines --timeout 3 L4 L3 .");
+        Files.writeString(
+                temporary.resolve("Most.arc"),
+                """
+                component Most {
+                  port in Boolean x, out Boolean y;
+                  component L4 a, b, c, d, e, f, g, h;
+                  connect x -> a.x, b.x, c.x, d.x, e.x, f.x, g.x, h.x;
+                  connect a.y -> y;
+                }
+                """);
+        Outcome outcome = new Shell(temporary).run("$A refines --timeout 1 Most L4 .");
         assertThat(outcome.out() + outcome.err()).contains("unknown", "the time is up");
         assertThat(outcome.status()).isEqualTo(3);
     }
