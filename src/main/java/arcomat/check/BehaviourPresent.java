@@ -8,7 +8,7 @@ final class BehaviourPresent implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.executableError("ARC0125");
+        return Law.executableError("ARC0125").needing(Law.Needs.ALL);
     }
 
     @Override

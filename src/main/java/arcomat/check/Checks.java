@@ -4,12 +4,16 @@ import arcomat.check.Suppressions.Suppression;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Consumer;
@@ -191,6 +195,30 @@ public final class Checks {
             all.addAll(new SuppressionUsed().unused(suppressions, used, profile).diagnostics());
         }
         return sort(all, suppressions, profile);
+    }
+
+    /**
+     * The findings about the parts that could be read of files with syntax errors, as far as they
+     * do not come from what could not be read.
+     *
+     * @param around a workspace around these files
+     */
+    public static Review reviewRecovered(
+            Workspace around, Profile profile, Collection<Recovered> files) {
+        if (files.isEmpty()) {
+            return new Review(List.of(), List.of());
+        }
+        Map<String, Recovery> recoveries = new HashMap<>();
+        files.forEach(each -> recoveries.put(each.unit().file().path(), new Recovery(each)));
+        Predicate<Diagnostic> sure =
+                finding ->
+                        Optional.ofNullable(recoveries.get(finding.span().file().path()))
+                                .filter(recovery -> recovery.isSure(finding))
+                                .isPresent();
+        Review all = review(around, profile, unit -> recoveries.containsKey(unit.file().path()));
+        return new Review(
+                all.findings().stream().filter(sure).toList(),
+                all.suppressed().stream().filter(each -> sure.test(each.finding())).toList());
     }
 
     /** Findings that others made: those that the models declare to be meant are told apart. */

@@ -18,7 +18,7 @@ final class ComponentExists implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0111");
+        return Law.error("ARC0111").needing(Law.Needs.NAMES);
     }
 
     @Override

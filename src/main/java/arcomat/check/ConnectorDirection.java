@@ -15,7 +15,7 @@ final class ConnectorDirection implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0105");
+        return Law.error("ARC0105").needing(Law.Needs.NAMES);
     }
 
     @Override

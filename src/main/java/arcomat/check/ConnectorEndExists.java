@@ -17,7 +17,7 @@ final class ConnectorEndExists implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0103");
+        return Law.error("ARC0103").needing(Law.Needs.NAMES);
     }
 
     @Override

@@ -11,7 +11,7 @@ final class DelayInCycle implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0124");
+        return Law.error("ARC0124").needing(Law.Needs.ALL);
     }
 
     @Override

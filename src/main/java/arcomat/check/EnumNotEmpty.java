@@ -8,7 +8,7 @@ final class EnumNotEmpty implements Check.OnClassDiagram {
 
     @Override
     public Law law() {
-        return Law.error("ARC0605");
+        return Law.error("ARC0605").needing(Law.Needs.ALL);
     }
 
     @Override

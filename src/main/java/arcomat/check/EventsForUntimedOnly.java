@@ -11,7 +11,7 @@ final class EventsForUntimedOnly implements Check.OnStreamTest {
 
     @Override
     public Law law() {
-        return Law.error("ARC0707");
+        return Law.error("ARC0707").needing(Law.Needs.ALL);
     }
 
     @Override

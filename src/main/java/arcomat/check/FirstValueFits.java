@@ -11,7 +11,7 @@ final class FirstValueFits implements Check.OnPort {
 
     @Override
     public Law law() {
-        return Law.error("ARC0340");
+        return Law.error("ARC0340").needing(Law.Needs.ALL);
     }
 
     @Override

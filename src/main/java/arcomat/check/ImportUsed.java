@@ -16,7 +16,7 @@ final class ImportUsed implements Check.OnNames {
 
     @Override
     public Law law() {
-        return Law.warning("ARC0123");
+        return Law.warning("ARC0123").needing(Law.Needs.ALL);
     }
 
     @Override
@@ -29,6 +29,7 @@ final class ImportUsed implements Check.OnNames {
         for (Import each : unit.imports()) {
             boolean leadsSomewhere = context.scope().target(each).isFound();
             if (leadsSomewhere
+                    && !context.scope().mayLeadFurther(each)
                     && !used.contains(text(each))
                     && !isAmbiguous(distinct.values(), context)) {
                 String name = text(each);

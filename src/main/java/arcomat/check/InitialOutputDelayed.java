@@ -8,7 +8,7 @@ final class InitialOutputDelayed implements Check.OnItem {
 
     @Override
     public Law law() {
-        return Law.error("ARC0321");
+        return Law.error("ARC0321").needing(Law.Needs.ALL);
     }
 
     /** Untimed components have no delays. */

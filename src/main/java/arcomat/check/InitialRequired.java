@@ -10,7 +10,7 @@ final class InitialRequired implements Check.OnAutomaton {
 
     @Override
     public Law law() {
-        return Law.error("ARC0302");
+        return Law.error("ARC0302").needing(Law.Needs.ALL);
     }
 
     /** An automaton without states has a finding already. */

@@ -9,7 +9,7 @@ final class ItemNameExists implements Check.OnItem {
 
     @Override
     public Law law() {
-        return Law.error("ARC0305");
+        return Law.error("ARC0305").needing(Law.Needs.NAMES);
     }
 
     @Override

@@ -9,7 +9,7 @@ final class ItemTypeFits implements Check.OnItem {
 
     @Override
     public Law law() {
-        return Law.error("ARC0316");
+        return Law.error("ARC0316").needing(Law.Needs.NAMES);
     }
 
     /** What stands on the wrong side has a finding already. */

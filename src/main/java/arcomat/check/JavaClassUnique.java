@@ -19,7 +19,7 @@ final class JavaClassUnique implements Check.OnWorkspace {
 
     @Override
     public Law law() {
-        return Law.error("ARC0214");
+        return Law.error("ARC0214").needing(Law.Needs.ALL);
     }
 
     @Override

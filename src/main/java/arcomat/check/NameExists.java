@@ -18,7 +18,7 @@ final class NameExists implements Check.OnExpression {
 
     @Override
     public Law law() {
-        return Law.error("ARC0329");
+        return Law.error("ARC0329").needing(Law.Needs.NAMES);
     }
 
     /** What exists but is read too early is the business of {@link InitialReadsNoInput}. */

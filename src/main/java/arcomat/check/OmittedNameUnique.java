@@ -10,7 +10,7 @@ final class OmittedNameUnique implements Check.OnItem {
 
     @Override
     public Law law() {
-        return Law.error("ARC0318");
+        return Law.error("ARC0318").needing(Law.Needs.ALL);
     }
 
     @Override

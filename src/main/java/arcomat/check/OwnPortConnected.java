@@ -11,7 +11,7 @@ final class OwnPortConnected implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.warning("ARC0108");
+        return Law.warning("ARC0108").needing(Law.Needs.ALL);
     }
 
     @Override

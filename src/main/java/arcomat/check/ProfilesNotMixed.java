@@ -14,7 +14,7 @@ final class ProfilesNotMixed implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0129");
+        return Law.error("ARC0129").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -14,7 +14,7 @@ final class RefinesInterface implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0402");
+        return Law.error("ARC0402").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -19,7 +19,7 @@ final class SingleEvent implements Check.OnAutomaton, Check.OnTable {
 
     @Override
     public Law law() {
-        return Law.error("ARC0320");
+        return Law.error("ARC0320").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -8,7 +8,7 @@ final class SingleMessagePerSlice implements Check.OnItem {
 
     @Override
     public Law law() {
-        return Law.error("ARC0314");
+        return Law.error("ARC0314").needing(Law.Needs.NAMES);
     }
 
     /** Lists at variables are the business of {@link NoSequenceOnVariable}. */

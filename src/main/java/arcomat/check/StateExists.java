@@ -18,7 +18,7 @@ final class StateExists implements Check.OnAutomaton {
 
     @Override
     public Law law() {
-        return Law.error("ARC0304");
+        return Law.error("ARC0304").needing(Law.Needs.NAMES);
     }
 
     /** One finding per unknown name; an automaton without any state has a finding already. */

@@ -14,7 +14,7 @@ final class StateNamesCapitalisedAlike implements Check.OnAutomaton {
 
     @Override
     public Law law() {
-        return Law.warning("ARC0211");
+        return Law.warning("ARC0211").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -7,7 +7,7 @@ final class StateRequired implements Check.OnAutomaton {
 
     @Override
     public Law law() {
-        return Law.error("ARC0301");
+        return Law.error("ARC0301").needing(Law.Needs.ALL);
     }
 
     @Override

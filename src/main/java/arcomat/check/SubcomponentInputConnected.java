@@ -11,7 +11,7 @@ final class SubcomponentInputConnected implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.executableError("ARC0110");
+        return Law.executableError("ARC0110").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -14,7 +14,7 @@ final class SubcomponentPortConnected implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.warning("ARC0109");
+        return Law.warning("ARC0109").needing(Law.Needs.ALL);
     }
 
     @Override

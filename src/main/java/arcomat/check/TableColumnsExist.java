@@ -13,7 +13,7 @@ final class TableColumnsExist implements Check.OnTable {
 
     @Override
     public Law law() {
-        return Law.error("ARC0334");
+        return Law.error("ARC0334").needing(Law.Needs.NAMES);
     }
 
     @Override

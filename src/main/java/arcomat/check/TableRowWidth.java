@@ -11,7 +11,7 @@ final class TableRowWidth implements Check.OnTable {
 
     @Override
     public Law law() {
-        return Law.error("ARC0335");
+        return Law.error("ARC0335").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -14,7 +14,7 @@ final class TestPortExists implements Check.OnStreamTest {
 
     @Override
     public Law law() {
-        return Law.error("ARC0702");
+        return Law.error("ARC0702").needing(Law.Needs.NAMES);
     }
 
     @Override

@@ -13,7 +13,7 @@ final class TotalInputHasTotalSender implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.error("ARC0326");
+        return Law.error("ARC0326").needing(Law.Needs.ALL);
     }
 
     @Override

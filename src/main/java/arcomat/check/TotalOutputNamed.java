@@ -18,7 +18,7 @@ final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable {
 
     @Override
     public Law law() {
-        return Law.error("ARC0327");
+        return Law.error("ARC0327").needing(Law.Needs.ALL);
     }
 
     @Override

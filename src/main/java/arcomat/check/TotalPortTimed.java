@@ -9,7 +9,7 @@ final class TotalPortTimed implements Check.OnPort {
 
     @Override
     public Law law() {
-        return Law.error("ARC0339");
+        return Law.error("ARC0339").needing(Law.Needs.ALL);
     }
 
     @Override

@@ -15,7 +15,7 @@ final class TypeExists implements Check.OnType {
 
     @Override
     public Law law() {
-        return Law.error("ARC0120");
+        return Law.error("ARC0120").needing(Law.Needs.NAMES);
     }
 
     @Override

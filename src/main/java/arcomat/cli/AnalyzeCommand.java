@@ -52,6 +52,7 @@ final class AnalyzeCommand extends AnalysisCommand {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         AnalyzeResult result = pipeline.analyze(new AnalyzeRequest(components, limits()), paths);
+        tellAside(result.check());
         if (result.check().hasErrors()) {
             return refuse(result.check());
         }

@@ -1,13 +1,18 @@
 package arcomat.cli;
 
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
+import arcomat.report.finding.Case;
 import arcomat.report.finding.CheckReport;
 import arcomat.report.finding.FileCases;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.finding.JunitXml;
+import arcomat.report.finding.Reported;
 import arcomat.report.text.Style;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /**
@@ -25,6 +30,24 @@ record CheckRendering(String command, CheckReport report, boolean strict, Machin
                 new CheckReport(
                         check.paths(), check.findings(), check.suppressed(), Optional.empty());
         return new CheckRendering(command, report, false, MachineFormats.of(console));
+    }
+
+    /** With the findings about files that a command went on without. */
+    static List<Reported> withAside(List<Reported> results, Aside aside) {
+        List<Reported> all = new ArrayList<>(results);
+        all.addAll(report(aside).reported());
+        return all;
+    }
+
+    /** With the files that a command went on without, as far as something was found in them. */
+    static List<Case> withCasesAside(List<Case> results, Aside aside) {
+        List<Case> all = new ArrayList<>(results);
+        all.addAll(new FileCases(report(aside), false).all());
+        return all;
+    }
+
+    private static CheckReport report(Aside aside) {
+        return new CheckReport(List.of(), aside.findings(), List.of(), Optional.empty());
     }
 
     @Override

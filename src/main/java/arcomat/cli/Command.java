@@ -1,10 +1,12 @@
 package arcomat.cli;
 
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.report.finding.FindingsText;
+import arcomat.report.text.Printable;
 
 import picocli.CommandLine.Option;
 
@@ -54,6 +56,18 @@ abstract class Command implements Callable<Integer> {
         print(FindingsText.render(check.findings(), console.style()));
         printLine(FindingsText.summary(check.findings(), check.files(), console.style()));
         return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
+    }
+
+    /** Tells what a command went on without; what it found out is for the standard output. */
+    final void tellAside(CheckResult check) {
+        Aside aside = check.aside();
+        if (!aside.isEmpty()) {
+            console.err().print(FindingsText.render(aside.findings(), console.style()));
+            console.err()
+                    .println(
+                            "left out, with errors in its syntax or in need of a file that has: "
+                                    + Printable.escape(String.join(", ", aside.files())));
+        }
     }
 
     final void print(String text) {

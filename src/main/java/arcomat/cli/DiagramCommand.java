@@ -100,6 +100,7 @@ final class DiagramCommand extends LimitedCommand {
         DiagramResult result =
                 pipeline.diagram(
                         new DiagramRequest(components, format, out, depth, sought()), paths);
+        tellAside(result.check());
         if (result.check().hasErrors()) {
             return reportErrors(result.check());
         }

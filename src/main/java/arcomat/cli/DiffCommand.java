@@ -29,6 +29,7 @@ final class DiffCommand extends ComparisonCommand {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         DiffResult result = pipeline.diff(request(Optional.empty()), paths());
+        tellAside(result.check());
         if (result.difference().isEmpty()) {
             return refuse(result.check());
         }

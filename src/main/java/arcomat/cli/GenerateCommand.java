@@ -96,6 +96,7 @@ final class GenerateCommand extends Command {
                 new GenerationRequest(
                         target, out, Optional.ofNullable(main), choose == Choose.random, monitors);
         GenerationResult result = pipeline.generate(request, paths);
+        tellAside(result.check());
         if (result.check().hasErrors()) {
             return reportErrors(result.check());
         }

@@ -40,6 +40,7 @@ final class MonaCommand extends ComparisonCommand {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         MonaResult result = pipeline.mona(request(Optional.empty()), out, paths());
+        tellAside(result.check());
         if (result.settled().isPresent()) {
             Answered answered = result.settled().get();
             print(answered);

@@ -79,6 +79,7 @@ final class RefinesCommand extends ComparisonCommand {
         }
         report.prepare(pipeline);
         AnalysisResult result = pipeline.refines(request(asked()), paths());
+        tellAside(result.check());
         if (result.check().hasErrors()) {
             return refuse(result.check());
         }

@@ -157,6 +157,7 @@ final class SimulateCommand extends Command {
         report.prepare(pipeline);
         Audience audience = new Audience(text(), () -> !console.out().checkError());
         SimulationResult result = pipeline.simulate(request(), paths, dialogue(), audience);
+        tellAside(result.check());
         if (result.trace().isEmpty()) {
             return reportErrors(result.check());
         }

@@ -4,7 +4,9 @@ import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.simulate.TestResult;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.report.finding.Case;
 import arcomat.report.finding.JunitXml;
+import arcomat.report.finding.Reported;
 import arcomat.report.run.StreamTestCases;
 import arcomat.report.run.StreamTestFindings;
 import arcomat.report.run.StreamTestJson;
@@ -49,6 +51,7 @@ final class TestCommand extends Command {
     int run(Pipeline pipeline) throws WrongUse {
         reports.prepare(pipeline);
         TestResult result = pipeline.test(paths);
+        tellAside(result.check());
         CheckResult check = result.check();
         if (check.hasErrors()) {
             reports.write(CheckRendering.refused("test", check, console), pipeline, console);
@@ -57,7 +60,7 @@ final class TestCommand extends Command {
         reports.writePage(
                 () -> StreamTestPage.of(String.join(", ", paths), result.tests()), pipeline);
         reports.write((format, style) -> text(result, format, style), pipeline, console);
-        return status(result);
+        return check.aside().isEmpty() ? status(result) : ExitStatus.FINDINGS;
     }
 
     private static int status(TestResult result) {
@@ -71,13 +74,21 @@ final class TestCommand extends Command {
         return switch (format) {
             case text -> StreamTestText.render(result.tests(), style) + summary(result, style);
             case json -> StreamTestJson.render(result.tests());
-            case sarif ->
-                    MachineFormats.of(console).sarif(StreamTestFindings.of(result.tests()), false);
+            case sarif -> MachineFormats.of(console).sarif(findings(result), false);
             case github ->
-                    MachineFormats.of(console)
-                            .github(StreamTestFindings.of(result.tests()), summary(result, style));
-            case junit -> JunitXml.render("arcomat test", StreamTestCases.of(result.tests()));
+                    MachineFormats.of(console).github(findings(result), summary(result, style));
+            case junit -> JunitXml.render("arcomat test", cases(result));
         };
+    }
+
+    private static List<Reported> findings(TestResult result) {
+        return CheckRendering.withAside(
+                StreamTestFindings.of(result.tests()), result.check().aside());
+    }
+
+    private static List<Case> cases(TestResult result) {
+        return CheckRendering.withCasesAside(
+                StreamTestCases.of(result.tests()), result.check().aside());
     }
 
     private static String summary(TestResult result, Style style) {

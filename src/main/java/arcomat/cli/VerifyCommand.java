@@ -5,8 +5,10 @@ import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.AnalysisResult;
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.report.finding.JunitXml;
+import arcomat.report.finding.Reported;
 import arcomat.report.text.Style;
 import arcomat.report.verdict.ObligationsText;
 import arcomat.report.verdict.VerdictCases;
@@ -49,6 +51,7 @@ final class VerifyCommand extends LimitedCommand {
     int run(Pipeline pipeline) throws WrongUse {
         reports.prepare(pipeline);
         AnalysisResult result = pipeline.verify(paths, limits());
+        tellAside(result.check());
         if (result.check().hasErrors()) {
             Rendering findings = CheckRendering.refused("verify", result.check(), console);
             reports.write(findings, pipeline, console);
@@ -57,19 +60,22 @@ final class VerifyCommand extends LimitedCommand {
         List<Answered> answers = result.answers();
         reports.writePage(
                 () -> VerdictPage.of("verify", String.join(", ", paths), answers), pipeline);
-        reports.write((format, style) -> text(answers, format, style), pipeline, console);
-        return status(result.answer());
+        Aside aside = result.check().aside();
+        reports.write((format, style) -> text(answers, aside, format, style), pipeline, console);
+        return aside.isEmpty() ? status(result.answer()) : ExitStatus.WRONG_USE;
     }
 
-    private String text(List<Answered> answers, ReportFormat format, Style style) {
+    private String text(List<Answered> answers, Aside aside, ReportFormat format, Style style) {
+        List<Reported> findings = CheckRendering.withAside(VerdictFindings.of(answers), aside);
         return switch (format) {
             case text -> text(answers, style) + summary(answers, style);
             case json -> VerdictJson.render(answers);
-            case sarif -> MachineFormats.of(console).sarif(VerdictFindings.of(answers), false);
-            case github ->
-                    MachineFormats.of(console)
-                            .github(VerdictFindings.of(answers), summary(answers, style));
-            case junit -> JunitXml.render("arcomat verify", VerdictCases.of(answers));
+            case sarif -> MachineFormats.of(console).sarif(findings, false);
+            case github -> MachineFormats.of(console).github(findings, summary(answers, style));
+            case junit ->
+                    JunitXml.render(
+                            "arcomat verify",
+                            CheckRendering.withCasesAside(VerdictCases.of(answers), aside));
         };
     }
 

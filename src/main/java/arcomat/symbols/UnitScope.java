@@ -94,6 +94,17 @@ public final class UnitScope {
         return excused ? Resolution.excused() : Resolution.unknown();
     }
 
+    /**
+     * Whether what an import leads to is open: to something in a file that did not parse, or to the
+     * same as another import that leads there.
+     */
+    public boolean mayLeadFurther(Import imported) {
+        return imported.wildcard()
+                ? index.hasBrokenFileIn(imported.name().text())
+                : singleImports.get().get(imported.name().last().text()).stream()
+                        .anyMatch(each -> !target(each).isFound());
+    }
+
     /** Whether a name refers to the Java library, so that no model can define it. */
     public boolean isJava(QualifiedName name) {
         List<Import> imports = singleImports.get().get(Names.first(name));

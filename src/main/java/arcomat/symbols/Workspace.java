@@ -33,13 +33,15 @@ public final class Workspace {
     private final Lazy<List<Outline>> outlines = new Lazy<>(this::allOutlines);
     private final Delays delays = new Delays();
 
-    private Workspace(List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
+    private Workspace(
+            List<Unit> units, List<Unit> unseen, Set<String> brokenFiles, List<Outline> others) {
         this.complete = brokenFiles.isEmpty();
         this.units = List.copyOf(units);
         this.others = List.copyOf(others);
         brokenFiles.forEach(index::addBroken);
         this.others.forEach(index::addQualifiers);
-        this.units.forEach(this::add);
+        this.units.forEach(unit -> add(unit, true));
+        unseen.forEach(unit -> add(unit, false));
     }
 
     /**
@@ -57,7 +59,18 @@ public final class Workspace {
      * @param brokenFiles as above, those of the other part included
      */
     public static Workspace of(List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
-        return new Workspace(units, brokenFiles, others);
+        return new Workspace(units, List.of(), brokenFiles, others);
+    }
+
+    /**
+     * With files of which only parts are known. They see the others; nobody sees them, so that
+     * nothing is found about others that has its reason here.
+     *
+     * @param recovered such files, which are among the broken ones
+     */
+    public static Workspace around(
+            List<Unit> recovered, List<Unit> units, Set<String> brokenFiles, List<Outline> others) {
+        return new Workspace(units, recovered, brokenFiles, others);
     }
 
     /** Whether every file has a tree, so that nothing is excused. */
@@ -65,16 +78,16 @@ public final class Workspace {
         return complete;
     }
 
-    private void add(Unit unit) {
+    private void add(Unit unit, boolean seen) {
         UnitScope scope = new UnitScope(unit, index);
         scopes.put(unit.file(), scope);
         index.addQualifier(unit.packageText());
         if (unit.definition() instanceof Component component) {
             ComponentSymbol symbol = new ComponentSymbol(scope, component, Optional.empty());
             topLevel.add(symbol);
-            addComponent(symbol);
+            addComponent(symbol, seen);
         } else if (unit.definition() instanceof ClassDiagram diagram) {
-            addDiagram(scope, diagram);
+            addDiagram(scope, diagram, seen);
         } else if (unit.definition() instanceof Automaton automaton) {
             bareAutomata.add(AutomatonSymbol.bare(automaton, scope));
         } else if (unit.definition() instanceof TestSuite suite) {
@@ -84,21 +97,24 @@ public final class Workspace {
         }
     }
 
-    private void addComponent(ComponentSymbol component) {
+    private void addComponent(ComponentSymbol component, boolean seen) {
         components.add(component);
-        index.add(component);
-        index.addQualifier(component.qualifiedName());
-        component.innerComponents().forEach(this::addComponent);
+        if (seen) {
+            index.add(component);
+            index.addQualifier(component.qualifiedName());
+        }
+        component.innerComponents().forEach(inner -> addComponent(inner, seen));
     }
 
-    private void addDiagram(UnitScope scope, ClassDiagram diagram) {
+    private void addDiagram(UnitScope scope, ClassDiagram diagram, boolean seen) {
         String name = Names.join(scope.unit().packageText(), diagram.name().text());
-        index.addQualifier(name);
         List<DefinedType> types = new ArrayList<>();
         for (ClassDiagram.TypeDefinition node : diagram.types()) {
-            DefinedType type = define(scope, node, Names.join(name, node.name().text()));
-            types.add(type);
-            index.add(type);
+            types.add(define(scope, node, Names.join(name, node.name().text())));
+        }
+        if (seen) {
+            index.addQualifier(name);
+            types.forEach(index::add);
         }
         diagrams.add(new DiagramSymbol(scope.unit(), diagram, name, types));
     }

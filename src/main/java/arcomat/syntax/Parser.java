@@ -2,6 +2,7 @@ package arcomat.syntax;
 
 import arcomat.source.SourceFile;
 import arcomat.syntax.build.UnitBuilder;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.util.List;
@@ -21,9 +22,20 @@ public final class Parser {
 
     private static Parsed parsed(Reading reading) {
         if (!reading.findings().isEmpty()) {
-            return new Parsed(Optional.empty(), reading.findings());
+            return new Parsed(Optional.empty(), recovered(reading), reading.findings());
         }
-        Unit unit = UnitBuilder.unit(reading.file(), reading.root(), reading.comments());
-        return new Parsed(Optional.of(unit), List.of());
+        return new Parsed(Optional.of(unit(reading)), Optional.empty(), List.of());
+    }
+
+    private static Optional<Recovered> recovered(Reading reading) {
+        if (reading.root() == null || !UnclosedBrace.areBalanced(reading.tokens())) {
+            return Optional.empty();
+        }
+        return Gaps.takeFrom(reading.root(), reading.file())
+                .map(gaps -> new Recovered(unit(reading), gaps));
+    }
+
+    private static Unit unit(Reading reading) {
+        return UnitBuilder.unit(reading.file(), reading.root(), reading.comments());
     }
 }

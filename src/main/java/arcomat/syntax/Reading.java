@@ -18,9 +18,10 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * A file as ANTLR sees it: tokens, comments, parse tree. With findings there is no parse tree.
+ * A file as ANTLR sees it: tokens, comments, parse tree. With findings the tree has gaps.
  *
- * @param root what the entry rule of the file's language returned; null with findings
+ * @param root what the entry rule of the file's language returned; null where the tokens alone are
+ *     reason enough not to parse
  */
 record Reading(
         SourceFile file,

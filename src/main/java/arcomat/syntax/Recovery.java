@@ -99,8 +99,13 @@ final class Recovery extends DefaultErrorStrategy {
     @Override
     public void recover(Parser parser, RecognitionException error) {
         ParserRuleContext context = parser.getContext();
+        boolean onlySemicolonMissing = SyntaxErrorMessage.isSemicolonMissing(parser, error);
+        if (onlySemicolonMissing && error instanceof InputMismatchException) {
+            // All else is there: it can be read as if it were whole.
+            context.exception = null;
+        }
         if (isElement(context)) {
-            if (isOnlySemicolonMissing(parser, error)) {
+            if (onlySemicolonMissing) {
                 skipTo(parser, error.getOffendingToken().getTokenIndex());
             } else {
                 skip(parser, context.start.getTokenIndex(), mayHaveBody(context));
@@ -109,10 +114,6 @@ final class Recovery extends DefaultErrorStrategy {
         } else if (context.getParent() != null) {
             throw error;
         }
-    }
-
-    private static boolean isOnlySemicolonMissing(Parser parser, RecognitionException error) {
-        return SyntaxErrorMessage.isSemicolonMissing(parser, error);
     }
 
     private void skip(Parser parser, int start, boolean hasBody) {

@@ -17,7 +17,7 @@ final class SyntaxErrors {
     /**
      * Adds what is wrong, in text order.
      *
-     * @return the parse tree if nothing is wrong after all, else null
+     * @return the parse tree; where something is wrong, with gaps
      */
     static ParserRuleContext parse(
             SourceFile file, CommonTokenStream tokens, List<Diagnostic> findings) {
@@ -26,7 +26,6 @@ final class SyntaxErrors {
         parser.removeErrorListeners();
         parser.setErrorHandler(new Recovery(file, findings));
         parser.getInterpreter().setPredictionMode(PredictionMode.LL);
-        ParserRuleContext root = Language.of(file).enter(parser);
-        return findings.isEmpty() ? root : null;
+        return Language.of(file).enter(parser);
     }
 }

@@ -25,4 +25,19 @@ final class UnclosedBrace {
         }
         return open.peek();
     }
+
+    /**
+     * Whether every brace has a partner, so that elements are in the bodies they were written in.
+     */
+    static boolean areBalanced(TokenStream tokens) {
+        int depth = 0;
+        for (int i = 0; i < tokens.size() && depth >= 0; i++) {
+            switch (tokens.get(i).getType()) {
+                case ArcomatLexer.OPEN_BRACE -> depth++;
+                case ArcomatLexer.CLOSE_BRACE -> depth--;
+                default -> {}
+            }
+        }
+        return depth == 0;
+    }
 }

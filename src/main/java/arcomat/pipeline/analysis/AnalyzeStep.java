@@ -10,6 +10,7 @@ import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.model.Component;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.PromiseReference;
 import arcomat.pipeline.step.PathNames;
@@ -30,7 +31,12 @@ public final class AnalyzeStep {
             AnalyzeRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths,
+                        Asked.components(request.components()),
+                        models -> List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new AnalyzeResult(checked.result(), List.of(), List.of(), 0);
         }

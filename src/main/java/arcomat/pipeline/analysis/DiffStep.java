@@ -3,6 +3,7 @@ package arcomat.pipeline.analysis;
 import arcomat.analysis.Difference;
 import arcomat.analysis.Promise;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
@@ -19,7 +20,12 @@ public final class DiffStep {
             RefinesRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths,
+                        Asked.components(List.of(request.left(), request.right())),
+                        models -> List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new DiffResult(
                     checked.result(), request.left(), request.right(), Optional.empty());

@@ -8,6 +8,7 @@ import arcomat.analysis.Verdict;
 import arcomat.analysis.mona.Question;
 import arcomat.generate.MonaText;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
@@ -37,7 +38,12 @@ public final class MonaStep {
             Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths,
+                        Asked.components(List.of(request.left(), request.right())),
+                        models -> List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new MonaResult(checked.result(), Optional.empty(), Optional.empty());
         }

@@ -8,6 +8,7 @@ import arcomat.analysis.Verdict;
 import arcomat.diagram.Graph;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.PromiseReference;
 import arcomat.pipeline.picture.DiagramFile;
@@ -27,7 +28,12 @@ public final class RefinesStep {
             RefinesRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths,
+                        Asked.components(List.of(request.left(), request.right())),
+                        models -> List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new AnalysisResult(checked.result(), List.of());
         }

@@ -9,6 +9,7 @@ import arcomat.analysis.Refinement;
 import arcomat.analysis.Verdict;
 import arcomat.model.Component;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
@@ -23,7 +24,8 @@ public final class VerifyStep {
     public static AnalysisResult run(
             List<String> paths, AnalysisLimits limits, PathNames names, Progress progress) {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths, Asked.WHAT_IS_WHOLE, models -> List.of(), names, progress);
         if (checked.hasErrors()) {
             return new AnalysisResult(checked.result(), List.of());
         }

@@ -13,13 +13,18 @@ import java.util.List;
  * @param findings in the order in which they are shown, each once
  * @param suppressed what the models declare to be meant, in the same order
  * @param paths the files that were named, one by one or by their folder
+ * @param aside what a command went on without
  */
 public record CheckResult(
-        List<Diagnostic> findings, List<Suppressed> suppressed, List<String> paths) {
+        List<Diagnostic> findings, List<Suppressed> suppressed, List<String> paths, Aside aside) {
     public CheckResult {
         findings = List.copyOf(findings);
         suppressed = List.copyOf(suppressed);
         paths = List.copyOf(paths);
+    }
+
+    public CheckResult(List<Diagnostic> findings, List<Suppressed> suppressed, List<String> paths) {
+        this(findings, suppressed, paths, Aside.NOTHING);
     }
 
     /** The number of files that were named. */
@@ -29,7 +34,7 @@ public record CheckResult(
 
     /** The same with other findings. */
     public CheckResult with(List<Diagnostic> others) {
-        return new CheckResult(others, suppressed, paths);
+        return new CheckResult(others, suppressed, paths, aside);
     }
 
     /** What checking both found. */

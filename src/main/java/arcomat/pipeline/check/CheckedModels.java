@@ -5,17 +5,23 @@ import arcomat.check.Profile;
 import arcomat.check.Review;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
+import arcomat.pipeline.file.FileFindings;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.tree.Recovered;
+import arcomat.tree.Unit;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * The files behind a set of paths, read, parsed and checked: every finding of every file in one
@@ -23,19 +29,21 @@ import java.util.function.Function;
  *
  * @param findings to be shown, ordered, each once
  * @param suppressed what the models declare to be meant and what does not keep them from their use
+ * @param aside what is left out
  */
 public record CheckedModels(
         LoadedModels loaded,
         Workspace workspace,
         List<Diagnostic> findings,
-        List<Suppressed> suppressed) {
+        List<Suppressed> suppressed,
+        Aside aside) {
 
     /** Checks models for their own sake. */
     public static CheckedModels check(
             List<String> paths, Profile profile, PathNames names, Progress progress) {
         LoadedModels loaded = ModelLoader.load(paths, names, progress);
         Workspace workspace = workspace(loaded, progress);
-        Review review = Checks.review(workspace, profile, unit -> true, progress::goOn);
+        Review review = review(loaded, workspace, profile, progress);
         return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
@@ -50,7 +58,43 @@ public record CheckedModels(
             Function<Workspace, Collection<ComponentSymbol>> executable,
             PathNames names,
             Progress progress) {
-        return checkToRun(ModelLoader.load(paths, names, progress), executable, progress);
+        return checkToRun(paths, Asked.EVERYTHING, executable, names, progress);
+    }
+
+    /** As above; files with errors in their syntax are left out where the rest is what is asked. */
+    public static CheckedModels checkToRun(
+            List<String> paths,
+            Asked asked,
+            Function<Workspace, Collection<ComponentSymbol>> executable,
+            PathNames names,
+            Progress progress) {
+        LoadedModels loaded = ModelLoader.load(paths, names, progress);
+        CheckedModels all = checkToRun(loaded, executable, progress);
+        return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
+    }
+
+    /**
+     * Without the files that have errors in their syntax and those that need them, if there are.
+     */
+    private Optional<CheckedModels> withoutBroken() {
+        if (loaded.broken().isEmpty()
+                || loaded.findings().stream().anyMatch(FileFindings::isUnreadableInput)) {
+            return Optional.empty();
+        }
+        Set<String> whole = WholeFiles.in(loaded);
+        LoadedModels rest = loaded.only(whole);
+        Set<String> others = new TreeSet<>();
+        loaded.sources().forEach(file -> others.add(file.path()));
+        others.removeAll(whole);
+        Predicate<Diagnostic> isAside = each -> others.contains(each.span().file().path());
+        return Optional.of(
+                new CheckedModels(
+                        rest,
+                        Workspace.of(rest.units(), Set.of()),
+                        findings.stream().filter(isAside.negate()).toList(),
+                        suppressed.stream().filter(each -> !isAside.test(each.finding())).toList(),
+                        new Aside(
+                                findings.stream().filter(isAside).toList(), List.copyOf(others))));
     }
 
     /** As {@link #checkToRun}, but stream tests are not looked at. */
@@ -65,8 +109,7 @@ public record CheckedModels(
             Function<Workspace, Collection<ComponentSymbol>> executable,
             Progress progress) {
         Workspace workspace = workspace(loaded, progress);
-        Review review =
-                Checks.review(workspace, Profile.REQUIREMENTS, unit -> true, progress::goOn);
+        Review review = review(loaded, workspace, Profile.REQUIREMENTS, progress);
         TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
         findings.addAll(review.findings());
         review.suppressed().stream()
@@ -92,6 +135,14 @@ public record CheckedModels(
         return Workspace.of(loaded.units(), loaded.broken());
     }
 
+    private static Review review(
+            LoadedModels loaded, Workspace workspace, Profile profile, Progress progress) {
+        List<Unit> recovered = loaded.recovered().stream().map(Recovered::unit).toList();
+        Workspace around = Workspace.around(recovered, loaded.units(), loaded.broken(), List.of());
+        return Checks.review(workspace, profile, unit -> true, progress::goOn)
+                .and(Checks.reviewRecovered(around, profile, loaded.recovered()));
+    }
+
     private static CheckedModels of(
             LoadedModels loaded,
             Workspace workspace,
@@ -107,7 +158,8 @@ public record CheckedModels(
         }
         List<Suppressed> suppressed =
                 meant.stream().filter(each -> loaded.isShown(each.finding())).toList();
-        return new CheckedModels(loaded, workspace, List.copyOf(findings), suppressed);
+        return new CheckedModels(
+                loaded, workspace, List.copyOf(findings), suppressed, Aside.NOTHING);
     }
 
     public boolean hasErrors() {
@@ -121,6 +173,6 @@ public record CheckedModels(
     }
 
     public CheckResult result() {
-        return new CheckResult(findings, suppressed, loaded.named());
+        return new CheckResult(findings, suppressed, loaded.named(), aside);
     }
 }

@@ -3,6 +3,7 @@ package arcomat.pipeline.check;
 import arcomat.pipeline.step.PathNames;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;
@@ -17,6 +18,7 @@ import java.util.stream.Collectors;
  * @param named paths of the files that the user named, by file or by folder
  * @param sources all files that could be read, in that order
  * @param units the trees of all files that parse, files that others need included
+ * @param recovered what could be read of files that do not parse
  * @param broken paths of the files that could not be read or parsed
  * @param findings about reading and parsing
  * @param needed paths of the files that were read only because others refer to them
@@ -25,6 +27,7 @@ public record LoadedModels(
         List<String> named,
         List<SourceFile> sources,
         List<Unit> units,
+        List<Recovered> recovered,
         Set<String> broken,
         List<Diagnostic> findings,
         Set<String> needed) {
@@ -32,6 +35,7 @@ public record LoadedModels(
         named = List.copyOf(named);
         sources = List.copyOf(sources);
         units = List.copyOf(units);
+        recovered = List.copyOf(recovered);
         broken = Set.copyOf(broken);
         findings = List.copyOf(findings);
         needed = Set.copyOf(needed);
@@ -43,8 +47,21 @@ public record LoadedModels(
                 named.stream().filter(path -> !isTest(path)).toList(),
                 sources.stream().filter(file -> !isTest(file.path())).toList(),
                 units.stream().filter(unit -> !isTest(unit.file().path())).toList(),
+                recovered.stream().filter(each -> !isTest(each.unit().file().path())).toList(),
                 broken.stream().filter(path -> !isTest(path)).collect(Collectors.toSet()),
                 findings.stream().filter(each -> !isTest(each.span().file().path())).toList(),
+                needed);
+    }
+
+    /** The same but for the trees of files that are not whole. */
+    LoadedModels only(Set<String> whole) {
+        return new LoadedModels(
+                named,
+                sources,
+                units.stream().filter(unit -> whole.contains(unit.file().path())).toList(),
+                List.of(),
+                Set.of(),
+                findings,
                 needed);
     }
 

@@ -8,6 +8,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.nio.file.Files;
@@ -32,6 +33,7 @@ public final class ModelLoader {
     private final Progress progress;
     private final List<SourceFile> sources = new ArrayList<>();
     private final List<Unit> units = new ArrayList<>();
+    private final List<Recovered> recovered = new ArrayList<>();
     private final Set<String> broken = new HashSet<>();
     private final List<Diagnostic> findings = new ArrayList<>();
     private final Map<String, Path> places = new HashMap<>();
@@ -60,14 +62,15 @@ public final class ModelLoader {
             fresh = parse(more);
         }
         Library library = new Library();
-        fresh = List.copyOf(units);
+        fresh = new ArrayList<>(units);
+        recovered.stream().map(Recovered::unit).forEach(fresh::add);
         while (!fresh.isEmpty()) {
             List<SourceFile> more = library.neededBy(fresh, places.values());
             more.forEach(file -> needed.add(file.path()));
             fresh = parse(more);
         }
         List<String> named = finder.files().stream().map(FileFinder.Found::shown).toList();
-        return new LoadedModels(named, sources, units, broken, findings, needed);
+        return new LoadedModels(named, sources, units, recovered, broken, findings, needed);
     }
 
     /** Those of the paths that are folders. */
@@ -101,18 +104,21 @@ public final class ModelLoader {
         return read;
     }
 
+    /** Returns the trees, those with gaps included. */
     private List<Unit> parse(List<SourceFile> fresh) {
         sources.addAll(fresh);
         List<Parsed> parsed = parse(fresh, progress);
         List<Unit> parsedUnits = new ArrayList<>();
         for (int i = 0; i < parsed.size(); i++) {
-            findings.addAll(parsed.get(i).findings());
-            parsed.get(i).unit().ifPresent(parsedUnits::add);
-            if (parsed.get(i).unit().isEmpty()) {
+            Parsed each = parsed.get(i);
+            findings.addAll(each.findings());
+            each.unit().ifPresent(units::add);
+            each.recovered().ifPresent(recovered::add);
+            each.readable().ifPresent(parsedUnits::add);
+            if (each.unit().isEmpty()) {
                 broken.add(fresh.get(i).path());
             }
         }
-        units.addAll(parsedUnits);
         return parsedUnits;
     }
 

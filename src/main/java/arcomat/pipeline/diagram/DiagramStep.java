@@ -9,6 +9,7 @@ import arcomat.model.Model;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.analysis.AnalyzeStep;
 import arcomat.pipeline.analysis.InstancePromises;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.MainComponent;
@@ -36,7 +37,12 @@ public final class DiagramStep {
             DiagramRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths,
+                        Asked.components(request.components()),
+                        models -> List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new DiagramResult(checked.result(), List.of());
         }

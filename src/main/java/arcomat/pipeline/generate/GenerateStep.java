@@ -7,6 +7,7 @@ import arcomat.generate.Request;
 import arcomat.generate.SelfWatch;
 import arcomat.generate.Target;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
@@ -36,7 +37,11 @@ public final class GenerateStep {
         requireWatching(request, target);
         CheckedModels checked =
                 CheckedModels.checkToRun(
-                        paths, models -> wantedOf(request, models), names, progress);
+                        paths,
+                        Asked.components(request.main().stream().toList()),
+                        models -> wantedOf(request, models),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return refused(checked.result());
         }

@@ -25,7 +25,7 @@ record Footprint(List<List<String>> offers, Set<String> mentions, Set<String> cl
         Set<String> claims = new HashSet<>();
         claims.add("file " + file.path().toLowerCase(Locale.ROOT));
         if (file.names().isEmpty()) {
-            return new Footprint(brokenOffers(file.path()), Set.of(), claims);
+            return new Footprint(brokenOffers(file.path()), file.mentions(), claims);
         }
         CheckState.Names names = file.names().get();
         List<List<String>> offers = new ArrayList<>();

@@ -8,7 +8,9 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.Outline;
+import arcomat.syntax.Parsed;
 import arcomat.tree.Import;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -28,6 +30,8 @@ record StateOfFiles(Surroundings around) {
         Set<String> named = Set.copyOf(loaded.named());
         Map<String, Unit> units = new HashMap<>();
         loaded.units().forEach(unit -> units.put(unit.file().path(), unit));
+        Map<String, Recovered> recovered = new HashMap<>();
+        loaded.recovered().forEach(each -> recovered.put(each.unit().file().path(), each));
         Map<String, List<Diagnostic>> findings = byFile(models.findings());
         Map<String, List<Suppressed>> suppressed = suppressedByFile(models.suppressed());
         List<File> files = new ArrayList<>();
@@ -35,8 +39,12 @@ record StateOfFiles(Surroundings around) {
         for (SourceFile source : loaded.sources()) {
             String path = source.path();
             unreadable.remove(path);
-            Optional<Unit> unit = Optional.ofNullable(units.get(path));
-            File file = of(source, unit, named.contains(path));
+            Parsed parsed =
+                    new Parsed(
+                            Optional.ofNullable(units.get(path)),
+                            Optional.ofNullable(recovered.get(path)),
+                            List.of());
+            File file = of(source, parsed, named.contains(path));
             files.add(
                     file.with(
                             findings.getOrDefault(path, List.of()),
@@ -47,14 +55,15 @@ record StateOfFiles(Surroundings around) {
     }
 
     /** Without findings. */
-    File of(SourceFile source, Optional<Unit> unit, boolean named) {
+    File of(SourceFile source, Parsed parsed, boolean named) {
+        Optional<Unit> readable = parsed.readable();
         return new File(
                 source.path(),
                 Digest.of(source.text()),
                 named,
-                unit.map(around::neededBy).orElse(List.of()),
-                unit.map(Outline::of).map(StateOfFiles::names),
-                unit.map(StateOfFiles::mentions).orElse(Set.of()),
+                readable.map(around::neededBy).orElse(List.of()),
+                parsed.unit().map(Outline::of).map(StateOfFiles::names),
+                readable.map(StateOfFiles::mentions).orElse(Set.of()),
                 List.of(),
                 List.of());
     }

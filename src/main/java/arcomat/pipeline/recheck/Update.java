@@ -18,6 +18,7 @@ import arcomat.symbols.Outline;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.nio.file.Files;
@@ -105,7 +106,7 @@ final class Update {
         }
         Parsed result = Parser.parse(source);
         parsed.put(source.path(), result);
-        return states.of(source, result.unit(), isNamed);
+        return states.of(source, result, isNamed);
     }
 
     /**
@@ -153,9 +154,15 @@ final class Update {
         List<Unit> units = new ArrayList<>();
         List<Outline> outlines = new ArrayList<>();
         Set<String> broken = new HashSet<>();
+        List<Recovered> recovered = new ArrayList<>();
         for (File file : after.values()) {
             if (file.names().isEmpty()) {
                 broken.add(file.path());
+                if (affected.contains(file.path())) {
+                    Optional.ofNullable(parsed.get(file.path()))
+                            .flatMap(Parsed::recovered)
+                            .ifPresent(recovered::add);
+                }
             } else if (needed.contains(file.path())) {
                 units.add(parsed.get(file.path()).unit().orElseThrow());
             } else {
@@ -164,12 +171,16 @@ final class Update {
         }
         progress.step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
+        Workspace around =
+                Workspace.around(
+                        recovered.stream().map(Recovered::unit).toList(), units, broken, outlines);
         return merge(
                 Checks.review(
-                        workspace,
-                        profile,
-                        unit -> affected.contains(unit.file().path()),
-                        progress::goOn));
+                                workspace,
+                                profile,
+                                unit -> affected.contains(unit.file().path()),
+                                progress::goOn)
+                        .and(Checks.reviewRecovered(around, profile, recovered)));
     }
 
     private void parse(Set<String> needed) {

@@ -6,6 +6,7 @@ import arcomat.model.Letter;
 import arcomat.model.Model;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.compile.CompiledExecution;
@@ -78,6 +79,7 @@ public final class SimulateStep {
         CheckedModels checked =
                 CheckedModels.checkToRun(
                         all,
+                        asked(request, test, names),
                         models -> compiled ? mayRun(request, test, models, names) : List.of(),
                         names,
                         progress);
@@ -92,6 +94,20 @@ public final class SimulateStep {
                 new Watching(Watches.of(request.monitors(), main.component(), checked, model));
         Trace trace = step.run(main, step.test(model, input), watching);
         return new SimulationResult(checked.result(), Optional.of(trace), watching.end(trace));
+    }
+
+    /** What runs, and what watches it; everything where neither says what runs. */
+    private static Asked asked(
+            SimulationRequest request, Optional<TestReference> input, PathNames names) {
+        if (request.main().isEmpty() && input.isEmpty()) {
+            return Asked.EVERYTHING;
+        }
+        List<String> named = new ArrayList<>(request.monitors());
+        request.main().ifPresent(named::add);
+        return models ->
+                (named.isEmpty() || Asked.components(named).isIn(models))
+                        && input.stream()
+                                .noneMatch(test -> test.components(models, names).isEmpty());
     }
 
     /** The component that code is made of, before it is sure that there is exactly one. */

@@ -19,7 +19,12 @@ public final class TestStep {
     public static TestResult run(List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToRun(
+                        paths,
+                        whole -> !whole.testSuites().isEmpty(),
+                        models -> List.of(),
+                        names,
+                        progress);
         if (checked.hasErrors()) {
             return new TestResult(checked.result(), List.of());
         }

@@ -1,0 +1,80 @@
+package arcomat.check;
+
+import arcomat.check.Law.Needs;
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+import arcomat.tree.Recovered;
+
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * What may be said of the parts that could be read of a file with syntax errors: only what would
+ * still be true if the gaps were filled.
+ */
+final class Recovery {
+    private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
+
+    /** A connector, a transition or a row of a table: they have an arrow. */
+    private static final Pattern ARROW = Pattern.compile("->|=>");
+
+    private static final Set<String> DECLARING =
+            Set.of(
+                    "automaton",
+                    "class",
+                    "component",
+                    "enum",
+                    "extends",
+                    "import",
+                    "in",
+                    "input",
+                    "out",
+                    "output",
+                    "port",
+                    "ports",
+                    "state",
+                    "table",
+                    "var",
+                    "variable");
+
+    private static final Map<String, Needs> NEEDS =
+            Checks.ALL.stream().map(Check::law).collect(Collectors.toMap(Law::code, Law::needs));
+
+    private final Set<String> missing = new HashSet<>();
+    private final boolean namesAreKnown;
+
+    Recovery(Recovered recovered) {
+        recovered.gaps().forEach(gap -> missing.addAll(words(gap)));
+        namesAreKnown = recovered.gaps().stream().noneMatch(Recovery::mayDeclare);
+    }
+
+    /** A misspelt word may be that of a declaration, and its name a misspelt one. */
+    private static boolean mayDeclare(Span gap) {
+        return !ARROW.matcher(gap.text()).find()
+                || words(gap).stream().anyMatch(DECLARING::contains);
+    }
+
+    /** Whether nothing that a gap may hold is at the bottom of a finding. */
+    boolean isSure(Diagnostic finding) {
+        return switch (NEEDS.getOrDefault(finding.code(), Needs.ALL)) {
+            case NOTHING ->
+                    namesAreKnown || words(finding.span()).stream().noneMatch(missing::contains);
+            case NAMES -> namesAreKnown;
+            case ALL -> false;
+        };
+    }
+
+    /** As they are, and as what is called after them: a type {@code Light} makes a port light. */
+    private static Set<String> words(Span span) {
+        return WORD.matcher(span.text())
+                .results()
+                .map(MatchResult::group)
+                .map(word -> word.substring(0, 1).toLowerCase(Locale.ROOT) + word.substring(1))
+                .collect(Collectors.toSet());
+    }
+}

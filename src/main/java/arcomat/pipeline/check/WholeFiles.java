@@ -1,0 +1,76 @@
+package arcomat.pipeline.check;
+
+import arcomat.tree.Automaton;
+import arcomat.tree.ClassDiagram;
+import arcomat.tree.Component;
+import arcomat.tree.Name;
+import arcomat.tree.Unit;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Tells files that need none with an error in its syntax. A file may need another one if the name
+ * of what that one defines is a word of its text: nothing can be referred to without it.
+ */
+final class WholeFiles {
+    private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
+
+    private WholeFiles() {}
+
+    /** The paths of the files that are whole, with all that they need. */
+    static Set<String> in(LoadedModels loaded) {
+        Map<Unit, Set<String>> open = new HashMap<>();
+        loaded.units().forEach(unit -> open.put(unit, words(unit)));
+        Deque<String> missing = new ArrayDeque<>();
+        loaded.broken().forEach(path -> missing.add(simpleName(path)));
+        loaded.recovered().forEach(each -> name(each.unit()).ifPresent(missing::add));
+        while (!missing.isEmpty()) {
+            String name = missing.remove();
+            Set<Unit> needing =
+                    open.entrySet().stream()
+                            .filter(each -> each.getValue().contains(name))
+                            .map(Map.Entry::getKey)
+                            .collect(Collectors.toSet());
+            open.keySet().removeAll(needing);
+            needing.forEach(unit -> name(unit).ifPresent(missing::add));
+        }
+        return open.keySet().stream()
+                .map(unit -> unit.file().path())
+                .collect(Collectors.toCollection(HashSet::new));
+    }
+
+    private static Set<String> words(Unit unit) {
+        return WORD.matcher(unit.file().text())
+                .results()
+                .map(MatchResult::group)
+                .collect(Collectors.toSet());
+    }
+
+    /** Of what others can refer to; that is never a test. */
+    private static Optional<String> name(Unit unit) {
+        if (unit.definition() instanceof Component component) {
+            return Optional.of(component.name().text());
+        }
+        if (unit.definition() instanceof ClassDiagram diagram) {
+            return Optional.of(diagram.name().text());
+        }
+        return unit.definition() instanceof Automaton automaton
+                ? automaton.name().map(Name::text)
+                : Optional.empty();
+    }
+
+    private static String simpleName(String path) {
+        String file = path.substring(path.lastIndexOf('/') + 1);
+        int dot = file.lastIndexOf('.');
+        return dot < 0 ? file : file.substring(0, dot);
+    }
+}

@@ -1,0 +1,88 @@
+package arcomat.syntax;
+
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+import org.antlr.v4.runtime.tree.ErrorNode;
+import org.antlr.v4.runtime.tree.ParseTree;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Takes what has an error out of a parse tree, so that the rest can be built. */
+final class Gaps {
+    private final SourceFile file;
+    private final List<Span> gaps = new ArrayList<>();
+
+    private Gaps(SourceFile file) {
+        this.file = file;
+    }
+
+    /**
+     * The gaps that are left in a tree that {@link Recovery} made. Empty where too much is missing:
+     * the definition itself, or the package and the imports, without which no name means anything.
+     */
+    static Optional<List<Span>> takeFrom(ParserRuleContext root, SourceFile file) {
+        Gaps gaps = new Gaps(file);
+        ParseTree header = root.getChild(0);
+        ParseTree definition = root.getChild(1);
+        if (gaps.isGap(header) || !(definition instanceof ParserRuleContext body)) {
+            return Optional.empty();
+        }
+        gaps.take((ParserRuleContext) header);
+        if (gaps.isGap(body) || !gaps.gaps.isEmpty()) {
+            return Optional.empty();
+        }
+        gaps.take(body);
+        return Optional.of(gaps.gaps);
+    }
+
+    private void take(ParserRuleContext context) {
+        if (context.children != null) {
+            context.children.removeIf(this::isGap);
+            context.children.forEach(this::takeInside);
+        }
+    }
+
+    private void takeInside(ParseTree child) {
+        if (child instanceof ParserRuleContext context) {
+            take(context);
+        }
+    }
+
+    private boolean isGap(ParseTree child) {
+        if (child instanceof ErrorNode error) {
+            add(error.getSymbol(), error.getSymbol());
+            return true;
+        }
+        if (child instanceof ParserRuleContext context && context.exception != null) {
+            add(context.start, context.stop == null ? context.start : context.stop);
+            return true;
+        }
+        return false;
+    }
+
+    private void add(Token first, Token last) {
+        int start = Math.max(0, first.getStartIndex());
+        int end = Math.max(first.getStopIndex(), last.getStopIndex()) + 1;
+        add(file.span(start, Math.min(Math.max(start, end), file.text().length())));
+    }
+
+    /** What was skipped in several steps is one gap. */
+    private void add(Span gap) {
+        int latest = gaps.size() - 1;
+        if (latest >= 0 && isBehind(gaps.get(latest), gap)) {
+            gaps.set(latest, gaps.get(latest).to(gap));
+        } else {
+            gaps.add(gap);
+        }
+    }
+
+    private boolean isBehind(Span first, Span second) {
+        return first.end() <= second.start()
+                && file.span(first.end(), second.start()).text().isBlank();
+    }
+}
