@@ -8,8 +8,9 @@ import java.util.Optional;
 
 /**
  * Sets a file in canonical white space: four spaces for each level, one element to a line, lines of
- * at most 100 characters where they can be broken, line feeds. Tokens and comments are kept as they
- * are, single blank lines too. Formatting twice gives the same text as formatting once.
+ * at most 100 characters where they can be broken. Line breaks are all like the first one of the
+ * file. Tokens and comments are kept as they are, single blank lines too. Formatting twice gives
+ * the same text as formatting once.
  */
 public final class Formatter {
     private Formatter() {}
@@ -25,6 +26,12 @@ public final class Formatter {
         }
         String text =
                 Layout.format(reading.file().text(), reading.tokens().getTokens(), reading.root());
-        return new Formatted(Optional.of(text), List.of());
+        boolean isWindows = breaksLikeWindows(reading.file().text());
+        return new Formatted(Optional.of(isWindows ? text.replace("\n", "\r\n") : text), List.of());
+    }
+
+    private static boolean breaksLikeWindows(String text) {
+        int first = text.indexOf('\n');
+        return first > 0 && text.charAt(first - 1) == '\r';
     }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 import java.nio.file.Path;
@@ -34,6 +35,17 @@ class FormatterTest {
             Samples.write(golden, seen);
         }
         assertThat(seen).isEqualTo(Samples.read(golden));
+    }
+
+    @Test
+    void lineBreaksAreLikeTheFirstOne() {
+        String text = "component C{ // one\n/* a\nb */ port in Integer i;\n}\n";
+        String unix = check(new SourceFile("C.arc", text));
+        assertThat(unix).isNotEqualTo(text).doesNotContain("\r");
+        assertThat(check(new SourceFile("C.arc", text.replace("\n", "\r\n"))))
+                .isEqualTo(unix.replace("\n", "\r\n"));
+        String mixed = "component C{\n}\r\n";
+        assertThat(check(new SourceFile("C.arc", mixed))).isEqualTo("component C { }\n");
     }
 
     /** Gives the canonical text. */
