@@ -44,3 +44,20 @@ component Typeless {
 //           ~~ error ARC0318: '--' could be meant for 'left', 'right'; write the name before it, as in 'left == --'
   }
 }
+
+//// Itself.arc
+component Itself {
+  port in Boolean a, in Boolean b, in Integer m, in Integer n, out Integer c, out Integer d;
+
+  automaton {
+    state s;
+    initial s;
+    s {b} / {c = 1};
+//     ~ error ARC0318: 'b' could be meant for 'a', 'b'; write the name before it, as in 'b == true'
+    s {n} / {c = 1};
+//     ~ error ARC0318: 'n' could be meant for 'm', 'n'; write the name before it, as in 'n == ..'
+    s {--} / {m};
+//     ~~ error ARC0318: '--' could be meant for 'a', 'b', 'm', 'n'; write the name before it, as in 'a == --'
+//            ~ error ARC0318: 'm' could be meant for 'c', 'd'; write the name before it, as in 'c = m'
+  }
+}

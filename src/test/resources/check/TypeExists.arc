@@ -55,3 +55,12 @@ component NotInSight {
   port in Mug mug, out Integer volume;
 //        ~~~ error ARC0120: type 'Mug' is not in sight of this file; add 'import p.Types.Mug;'
 }
+
+//// Clause.arc
+component Clause {
+  port in Boolean a;
+  timimg instant;
+//~~~~~~ error ARC0120: there is no type 'timimg'; did you mean 'timing'?
+  autoconect port;
+//~~~~~~~~~~ error ARC0120: there is no type 'autoconect'; did you mean 'autoconnect'?
+}

@@ -19,7 +19,9 @@ final class ComponentVariableConstant implements Check.OnVariable, Check.OnItem 
 
     @Override
     public void check(VariableSymbol variable, Context context, Findings findings) {
-        if (variable.kind() == Kind.COMPONENT && variable.node().initial().isEmpty()) {
+        if (variable.kind() == Kind.COMPONENT
+                && variable.node().initial().isEmpty()
+                && !variable.type().isErroneous()) {
             findings.report(
                     variable.nameSpan(),
                     "'"

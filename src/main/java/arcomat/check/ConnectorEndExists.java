@@ -1,12 +1,12 @@
 package arcomat.check;
 
 import arcomat.source.Fix;
+import arcomat.source.Nearest;
 import arcomat.source.Span;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.ConnectorSymbol;
 import arcomat.symbols.ConnectorSymbol.End;
 import arcomat.symbols.InstanceSymbol;
-import arcomat.symbols.Nearest;
 import arcomat.symbols.PortSymbol;
 
 import java.util.ArrayList;

@@ -2,9 +2,9 @@ package arcomat.check;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
+import arcomat.source.Nearest;
 import arcomat.source.Severity;
 import arcomat.source.Span;
-import arcomat.symbols.Nearest;
 import arcomat.tree.Node;
 
 import java.util.ArrayList;

@@ -42,13 +42,22 @@ final class OmittedNameUnique implements Check.OnItem {
                         + "' could be meant for "
                         + Wording.quoted(names)
                         + "; write the name before it, as in '"
-                        + names.get(0)
-                        + relation
-                        + text(item)
+                        + example(candidates, relation, text(item))
                         + "'");
         for (ValueSymbol candidate : candidates) {
             findings.related(candidate.nameSpan(), "could be meant");
         }
+    }
+
+    /** A port in the place of a message: nobody means to compare it with itself. */
+    private static String example(List<ValueSymbol> candidates, String relation, String message) {
+        ValueSymbol meant =
+                candidates.stream()
+                        .filter(each -> each.name().equals(message))
+                        .findFirst()
+                        .orElse(candidates.get(0));
+        String fitting = meant.type().isBoolean() ? "true" : "..";
+        return meant.name() + relation + (meant.name().equals(message) ? fitting : message);
     }
 
     private static String side(ItemSymbol item) {

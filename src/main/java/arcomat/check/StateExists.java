@@ -1,9 +1,9 @@
 package arcomat.check;
 
 import arcomat.source.Fix;
+import arcomat.source.Nearest;
 import arcomat.source.TextEdit;
 import arcomat.symbols.AutomatonSymbol;
-import arcomat.symbols.Nearest;
 import arcomat.tree.Name;
 
 import java.util.ArrayList;

@@ -1,8 +1,8 @@
 package arcomat.check;
 
 import arcomat.source.Fix;
+import arcomat.source.Nearest;
 import arcomat.source.Span;
-import arcomat.symbols.Nearest;
 import arcomat.tree.Name;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;

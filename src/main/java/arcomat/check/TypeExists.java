@@ -6,12 +6,16 @@ import arcomat.symbols.TypeSymbol;
 import arcomat.symbols.UnsupportedType;
 import arcomat.tree.TypeReference;
 
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 
 /** ARC0120: a type is one that messages can have, and it is clear which one is meant. */
 final class TypeExists implements Check.OnType {
+    /** With one of their letters wrong, {@code timing instant;} declares a variable. */
+    private static final List<String> CLAUSES =
+            List.of("timing", "behavior", "autoconnect", "autoinstantiate");
 
     @Override
     public Law law() {
@@ -55,11 +59,15 @@ final class TypeExists implements Check.OnType {
             Imports.reportMissing(type.name(), "type", elsewhere.get(0), context.unit(), findings);
             return;
         }
+        List<String> names = new ArrayList<>(VisibleNames.types(context));
+        if (type.span().equals(type.name().span())) {
+            names.addAll(CLAUSES);
+        }
         findings.reportUnknown(
                 type.name().span(),
                 "there is no type '" + type.name() + "'",
                 type.name().text(),
-                VisibleNames.types(context),
+                names,
                 advice(type, context));
     }
 

@@ -1,4 +1,4 @@
-package arcomat.symbols;
+package arcomat.source;
 
 import java.util.Collection;
 import java.util.Locale;

@@ -1,5 +1,6 @@
 package arcomat.symbols;
 
+import arcomat.source.Nearest;
 import arcomat.tree.Expression;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;

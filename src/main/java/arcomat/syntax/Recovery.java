@@ -131,7 +131,7 @@ final class Recovery extends DefaultErrorStrategy {
     }
 
     /** Contexts that are followed by a sibling or by the brace that closes their parent. */
-    private static boolean isElement(ParserRuleContext context) {
+    static boolean isElement(ParserRuleContext context) {
         return switch (context.getRuleIndex()) {
             case ArcomatParser.RULE_packageDeclaration,
                     ArcomatParser.RULE_importDeclaration,

@@ -44,7 +44,20 @@ final class SyntaxErrorMessage {
         if (found.getType() == Token.EOF) {
             return endOfFile();
         }
-        return Diagnostic.error(Codes.SYNTAX, span(found), message());
+        return Misspelling.of(parser, error)
+                .map(this::misspelt)
+                .orElseGet(() -> Diagnostic.error(Codes.SYNTAX, span(found), message()));
+    }
+
+    private Diagnostic misspelt(Misspelling misspelling) {
+        Span word = span(misspelling.written());
+        String meant = misspelling.meant();
+        return Diagnostic.error(
+                        Codes.SYNTAX,
+                        word,
+                        "Unexpected %s. Did you mean '%s'?".formatted(quote(word), meant))
+                .withFix(
+                        Fix.replace("Replace " + quote(word) + " by '" + meant + "'", word, meant));
     }
 
     private boolean isDefinitionMissing() {

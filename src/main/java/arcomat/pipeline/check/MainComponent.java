@@ -6,8 +6,8 @@ import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.semantics.Arguments;
+import arcomat.source.Nearest;
 import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.Nearest;
 import arcomat.symbols.Workspace;
 
 import java.util.ArrayList;

@@ -4,8 +4,8 @@ import arcomat.model.Model;
 import arcomat.model.StreamTest;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.source.Nearest;
 import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.Nearest;
 import arcomat.symbols.Workspace;
 
 import java.nio.file.Path;
