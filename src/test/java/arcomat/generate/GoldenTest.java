@@ -46,7 +46,8 @@ class GoldenTest {
                         "expressions",
                         "latched",
                         "mentions",
-                        "names")) {
+                        "names",
+                        "newer-names")) {
             Path file = Path.of("src/test/resources/agreement", folder + ".txt");
             Model model = Lowering.lower(Scenario.read(file).workspace());
             tests.addAll(compare("jvm/" + folder, Request.all(model, Choosing.FIRST)));
