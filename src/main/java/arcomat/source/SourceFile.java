@@ -35,13 +35,18 @@ public final class SourceFile {
 
     /** The text of a line (from 1) without its line break. */
     public String line(int line) {
+        return text.substring(lineStart(line), lineEnd(line));
+    }
+
+    /** The offset at which a line (from 1) ends, in front of its line break. */
+    public int lineEnd(int line) {
         int[] starts = lineStarts();
         int start = starts[line - 1];
         int end = line < starts.length ? starts[line] : text.length();
         while (end > start && isLineBreak(text.charAt(end - 1))) {
             end--;
         }
-        return text.substring(start, end);
+        return end;
     }
 
     /** The offset at which a line (from 1) begins. */

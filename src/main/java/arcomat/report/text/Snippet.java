@@ -14,6 +14,9 @@ public final class Snippet {
     private static final int LEAD = 40;
     private static final String CUT = "...";
 
+    /** Characters on each side of a place that are looked at, enough to fill the window. */
+    private static final int REACH = 500;
+
     private final Style style;
     private final Severity severity;
     private final StringBuilder out = new StringBuilder();
@@ -38,36 +41,53 @@ public final class Snippet {
         Position end = span.endPosition();
         if (end.line() > start.line() && end.column() == 1) {
             // A range that ends with a line break ends on the line before it.
-            end = new Position(end.line() - 1, file.line(end.line() - 1).length() + 1);
+            end = new Position(end.line() - 1, length(file, end.line() - 1) + 1);
         }
         margin = " ".repeat(Math.max(5, String.valueOf(end.line()).length() + 1));
         if (start.line() == end.line()) {
             line(file, start.line(), start.column() - 1, end.column() - 1);
         } else {
-            line(file, start.line(), start.column() - 1, file.line(start.line()).length());
+            line(file, start.line(), start.column() - 1, length(file, start.line()));
             if (end.line() > start.line() + 1) {
                 out.append(margin).append(style.quiet(" | ")).append("...\n");
             }
-            String last = file.line(end.line());
-            int indent = last.length() - last.stripLeading().length();
-            line(file, end.line(), Math.min(indent, end.column() - 1), end.column() - 1);
+            line(file, end.line(), indent(file, end), end.column() - 1);
         }
         return out.toString();
     }
 
+    private static int length(SourceFile file, int line) {
+        return file.lineEnd(line) - file.lineStart(line);
+    }
+
+    /** Of the line of a position, as far as the position. */
+    private static int indent(SourceFile file, Position end) {
+        int start = file.lineStart(end.line());
+        int indent = 0;
+        while (indent < end.column() - 1
+                && Character.isWhitespace(file.text().charAt(start + indent))) {
+            indent++;
+        }
+        return indent;
+    }
+
     /** Shows one line and underlines the offsets {@code [from, to)} of it, at least one column. */
     private void line(SourceFile file, int number, int from, int to) {
-        DisplayLine line = DisplayLine.of(file.line(number));
-        int first = line.column(from);
-        int last = Math.max(first + 1, line.column(to));
+        int start = file.lineStart(number);
+        int left = boundary(file, Math.max(0, from - REACH) + start);
+        int right = boundary(file, Math.min(file.lineEnd(number), start + from + REACH));
+        DisplayLine line = DisplayLine.of(file.text().substring(left, right));
+        int first = line.column(start + from - left);
+        int last = Math.max(first + 1, line.column(start + to - left));
         String text = line.text();
         if (text.length() > WINDOW) {
             // Columns and characters differ only where wide characters occur; cutting is rough
             // there.
             int begin = Math.max(0, Math.min(first - LEAD, text.length() - WINDOW));
             int end = Math.min(text.length(), begin + WINDOW);
-            String before = begin > 0 ? CUT : "";
-            text = before + text.substring(begin, end) + (end < text.length() ? CUT : "");
+            String before = begin > 0 || left > start ? CUT : "";
+            boolean isCut = end < text.length() || right < file.lineEnd(number);
+            text = before + text.substring(begin, end) + (isCut ? CUT : "");
             first = first - begin + before.length();
             last = Math.min(last - begin + before.length(), text.length());
         }
@@ -82,5 +102,15 @@ public final class Snippet {
                 .append(" ".repeat(first))
                 .append(style.of(severity, "^".repeat(Math.max(1, last - first))))
                 .append('\n');
+    }
+
+    /** Between two characters, also where one of them takes two units. */
+    private static int boundary(SourceFile file, int offset) {
+        String text = file.text();
+        boolean isInside =
+                offset > 0
+                        && offset < text.length()
+                        && Character.isSurrogatePair(text.charAt(offset - 1), text.charAt(offset));
+        return isInside ? offset - 1 : offset;
     }
 }

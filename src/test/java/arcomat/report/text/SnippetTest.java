@@ -4,11 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.source.Severity;
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
+import com.sun.management.ThreadMXBean;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
 import org.junit.jupiter.api.Test;
+
+import java.lang.management.ManagementFactory;
 
 class SnippetTest {
     /** The text from the first to the last bracket, brackets left out, is underlined. */
@@ -66,6 +71,28 @@ class SnippetTest {
         assertThat(lines[0]).hasSizeLessThan(120).contains("aerrorb").endsWith("...");
         assertThat(lines[1].indexOf('^')).isEqualTo(lines[0].indexOf("error"));
         assertThat(lines[1]).endsWith("^^^^^");
+    }
+
+    /** Work is counted in bytes that are allocated: these do not depend on the machine. */
+    @Test
+    void workDoesNotGrowWithTheLengthOfTheLine() {
+        long small = work(2_000);
+        assertThat(work(200_000)).isLessThan(2 * small);
+    }
+
+    private static long work(int length) {
+        String half = "\tfoo é ".repeat(length / 14);
+        SourceFile file = new SourceFile("a.arc", "x\n" + half + "error" + half + "\ny");
+        Span place = file.span(half.length() + 2, half.length() + 7);
+        Span all = file.span(0, file.text().length());
+        Snippet.render(place, Severity.ERROR, Style.PLAIN);
+        ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+        long before = threads.getThreadAllocatedBytes(Thread.currentThread().getId());
+        for (int i = 0; i < 100; i++) {
+            Snippet.render(place, Severity.ERROR, Style.PLAIN);
+            Snippet.render(all, Severity.ERROR, Style.PLAIN);
+        }
+        return threads.getThreadAllocatedBytes(Thread.currentThread().getId()) - before;
     }
 
     @Property(seed = "1")
