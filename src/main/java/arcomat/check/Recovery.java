@@ -23,6 +23,9 @@ final class Recovery {
     /** A connector, a transition or a row of a table: they have an arrow. */
     private static final Pattern ARROW = Pattern.compile("->|=>");
 
+    /** Guards, and the connectors of a part, which is declared in front of them. */
+    private static final Pattern BRACKETS = Pattern.compile("\\[[^\\]]*\\]");
+
     private static final Set<String> DECLARING =
             Set.of(
                     "automaton",
@@ -55,8 +58,8 @@ final class Recovery {
 
     /** A misspelt word may be that of a declaration, and its name a misspelt one. */
     private static boolean mayDeclare(Span gap) {
-        return !ARROW.matcher(gap.text()).find()
-                || words(gap).stream().anyMatch(DECLARING::contains);
+        String outside = BRACKETS.matcher(gap.text()).replaceAll(" ");
+        return !ARROW.matcher(outside).find() || words(gap).stream().anyMatch(DECLARING::contains);
     }
 
     /** Whether nothing that a gap may hold is at the bottom of a finding. */
