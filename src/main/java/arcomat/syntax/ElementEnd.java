@@ -52,7 +52,7 @@ final class ElementEnd {
         TokenKind kind = TokenKind.of(next);
         return kind == TokenKind.SEPARATOR
                 || kind == TokenKind.OPENING
-                || kind == TokenKind.OPERATOR && next != ArcomatLexer.LESS;
+                || kind.isOperator() && next != ArcomatLexer.LESS;
     }
 
     private static boolean isLastOfLine(TokenStream tokens, int index) {

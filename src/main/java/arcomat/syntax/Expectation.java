@@ -69,15 +69,15 @@ final class Expectation {
     private void takeSets(ParserRuleContext context) {
         dropOperators();
         take(ArcomatParser.RULE_element, "an element of a component");
-        take(ArcomatParser.RULE_value, "a message");
-        take(ArcomatParser.RULE_expression, "an expression");
-        take(ArcomatParser.RULE_message, "a message");
-        take(ArcomatParser.RULE_type, "a type");
         if (context != null
                 && context.getRuleIndex() == ArcomatParser.RULE_automaton
                 && types.contains(ArcomatLexer.CLOSE_BRACE)) {
             take(ArcomatParser.RULE_automatonElement, "an element of an automaton");
         }
+        take(ArcomatParser.RULE_value, "a message");
+        take(ArcomatParser.RULE_expression, "an expression");
+        take(ArcomatParser.RULE_message, "a message");
+        take(ArcomatParser.RULE_type, "a type");
         take(ArcomatParser.RULE_name, "a name");
     }
 
@@ -87,7 +87,7 @@ final class Expectation {
             return;
         }
         for (int type = 1; type <= ArcomatLexer.VOCABULARY.getMaxTokenType(); type++) {
-            if (TokenKind.of(type) == TokenKind.OPERATOR) {
+            if (TokenKind.of(type).isOperator()) {
                 types.remove(type);
             }
         }

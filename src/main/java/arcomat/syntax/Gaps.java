@@ -2,6 +2,7 @@ package arcomat.syntax;
 
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatParser;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
@@ -47,8 +48,10 @@ final class Gaps {
         }
     }
 
+    /** Elements lie in elements, never in expressions, whose trees may be deep. */
     private void takeInside(ParseTree child) {
-        if (child instanceof ParserRuleContext context) {
+        if (child instanceof ParserRuleContext context
+                && context.getRuleIndex() != ArcomatParser.RULE_expression) {
             take(context);
         }
     }

@@ -9,15 +9,21 @@ import java.util.Arrays;
 /**
  * Finds nesting that would exhaust the stack, here or in a later step, before anything recursive
  * looks at the text. The bound is taken from the tokens alone: brackets that are open plus
- * operators since the last separator on each level. A parse tree is at most as deep, save for a
- * constant factor.
+ * operators since the last separator on each level, without those of operands of {@code &&} and
+ * {@code ||} that are complete: rows of these are built as shallow trees. A parse tree is at most
+ * as deep, save for a constant factor, and for rows of these two, which nobody descends into.
  */
 final class NestingGuard {
     static final int LIMIT = 1000;
 
     private int[] outer = new int[64];
+    private int[] tightOutside = new int[64];
     private int open;
     private int depth;
+
+    /** Operators since the last one that does not bind tighter than a row. */
+    private int tight;
+
     private int deepest;
     private int previous;
     private int beforePrevious;
@@ -28,12 +34,27 @@ final class NestingGuard {
         TokenKind kind = TokenKind.of(type);
         if (beginsElement(type, kind)) {
             depth = base();
+            tight = 0;
         }
         switch (kind) {
             case OPENING -> enter();
             case CLOSING -> leave();
-            case SEPARATOR -> depth = base();
-            case OPERATOR -> depth++;
+            case SEPARATOR -> {
+                depth = base();
+                tight = 0;
+            }
+            case OPERATOR -> {
+                depth++;
+                tight++;
+            }
+            case CHAIN -> {
+                depth -= tight;
+                tight = 0;
+            }
+            case LOOSE -> {
+                depth++;
+                tight = 0;
+            }
             case OTHER -> {}
         }
         beforePrevious = previous;
@@ -62,18 +83,23 @@ final class NestingGuard {
     private void enter() {
         if (open == outer.length) {
             outer = Arrays.copyOf(outer, open * 2);
+            tightOutside = Arrays.copyOf(tightOutside, open * 2);
         }
         // A bracket behind a bracket may be a cast or a call: "(A) (B) (c)" is three levels deep.
         if (TokenKind.of(previous) == TokenKind.CLOSING) {
             depth++;
+            tight++;
         }
+        tightOutside[open] = tight;
         outer[open++] = depth;
         depth++;
+        tight = 0;
     }
 
     private void leave() {
         if (open > 0) {
             depth = outer[--open];
+            tight = tightOutside[open];
         }
     }
 }

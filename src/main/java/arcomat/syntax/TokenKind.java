@@ -8,6 +8,10 @@ enum TokenKind {
     CLOSING,
     SEPARATOR,
     OPERATOR,
+    /** {@code &&} and {@code ||}: however many in a row, they are no nesting. */
+    CHAIN,
+    /** Operators that bind less than those, and nest them. */
+    LOOSE,
     OTHER;
 
     private static final TokenKind[] BY_TYPE = byType();
@@ -28,11 +32,16 @@ enum TokenKind {
             case "')'", "']'", "'}'" -> CLOSING;
             case "','", "';'", "'|'" -> SEPARATOR;
             case "'.'", "'!'", "'~'", "'+'", "'-'", "'*'", "'/'", "'%'" -> OPERATOR;
-            case "'<'", "'<='", "'>'", "'>='", "'=='", "'!='", "'&&'", "'||'" -> OPERATOR;
-            case "'<=>'", "'implies'", "'isin'", "'instanceof'" -> OPERATOR;
-            case "'?'", "':'", "'if'", "'then'", "'else'" -> OPERATOR;
+            case "'<'", "'<='", "'>'", "'>='", "'=='", "'!='" -> OPERATOR;
+            case "'isin'", "'instanceof'" -> OPERATOR;
+            case "'&&'", "'||'" -> CHAIN;
+            case "'<=>'", "'implies'", "'?'", "':'", "'if'", "'then'", "'else'" -> LOOSE;
             default -> OTHER;
         };
+    }
+
+    boolean isOperator() {
+        return this == OPERATOR || this == CHAIN || this == LOOSE;
     }
 
     /** The kind of a token type; the end of the file is {@link #OTHER}. */

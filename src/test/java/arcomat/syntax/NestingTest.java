@@ -8,6 +8,7 @@ import arcomat.source.SourceFile;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
@@ -58,6 +59,23 @@ class NestingTest {
         String automaton = "<<x>> automaton { " + states + transition.repeat(TOO_DEEP) + "}\n";
         String components = "<<x, y = \"z\">> component B { timing sync; }\n".repeat(TOO_DEEP);
         assertThat(parse(Texts.component(automaton + components)).findings()).isEmpty();
+    }
+
+    /** However many operands a row has, none lies deeper for it. */
+    @ParameterizedTest
+    @ValueSource(strings = {" && ", " || ", " && !a || ", " && a == b && ", " || -a < +b && "})
+    void rowsAreNoNesting(String operator) {
+        SourceFile row = Texts.expression("a" + (operator + "a").repeat(TOO_DEEP));
+        assertThat(parse(row).findings()).isEmpty();
+        assertThat(Formatter.format(row).text()).isPresent();
+        SourceFile broken = Texts.expression("a" + (operator + "a").repeat(TOO_DEEP) + " a");
+        assertThat(parse(broken).findings()).extracting(Diagnostic::code).contains("ARC0001");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"(a && , a, )", "a && (b || , a, )", "'a || b implies ', a, ''"})
+    void nestingInRowsIsNesting(String before, String middle, String after) {
+        assertTooDeep(Texts.expression(nested(before, middle, after, TOO_DEEP)));
     }
 
     private static String nested(String before, String middle, String after, int levels) {

@@ -26,6 +26,7 @@ import arcomat.syntax.antlr.ArcomatParser.UnaryOperandContext;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Absence;
 import arcomat.tree.Expression.Binary;
+import arcomat.tree.Expression.BinaryOperator;
 import arcomat.tree.Expression.Cast;
 import arcomat.tree.Expression.Conditional;
 import arcomat.tree.Expression.InstanceOf;
@@ -41,6 +42,9 @@ import java.util.List;
 
 /** Expressions. Parentheses leave no node. */
 final class ExpressionBuilder extends TreeBuilder<Expression> {
+    /** Longer ones would be deep trees. */
+    private static final int LONG_ROW = 16;
+
     ExpressionBuilder(Builders builders) {
         super(builders);
     }
@@ -132,11 +136,26 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     @Override
     public Expression visitBinaryExpression(BinaryExpressionContext context) {
+        List<ExpressionContext> row = Rows.operands(context);
+        return row(Operators.binary(context.operator), row, row.size() > LONG_ROW);
+    }
+
+    /**
+     * Operands joined by one operator.
+     *
+     * @param shallow groups a long row by halves, which means the same: its operator evaluates from
+     *     left to right, however operands are grouped
+     */
+    private Expression row(BinaryOperator operator, List<ExpressionContext> row, boolean shallow) {
+        int last = row.size() - 1;
+        if (last == 0) {
+            return build(row.get(0));
+        }
+        int middle = shallow ? (row.size() + 1) / 2 : last;
+        Expression left = row(operator, row.subList(0, middle), shallow);
+        Expression right = row(operator, row.subList(middle, row.size()), shallow);
         return new Binary(
-                span(context),
-                Operators.binary(context.operator),
-                build(context.expression(0)),
-                build(context.expression(1)));
+                span(row.get(0).getStart(), row.get(last).getStop()), operator, left, right);
     }
 
     @Override

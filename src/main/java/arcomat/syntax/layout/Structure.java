@@ -2,6 +2,7 @@ package arcomat.syntax.layout;
 
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.syntax.antlr.ArcomatParser.BinaryExpressionContext;
 import arcomat.syntax.antlr.ArcomatParser.ClassDefinitionContext;
 import arcomat.syntax.antlr.ArcomatParser.EventsPartContext;
 import arcomat.syntax.antlr.ArcomatParser.PortContext;
@@ -13,6 +14,11 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
 
 /** What the parse tree says of each token, by token index. */
 final class Structure {
@@ -73,7 +79,18 @@ final class Structure {
         return context == null ? -1 : context.getRuleIndex();
     }
 
+    /** A row of operators is a tree that is deep on the left: that side is gone down in a loop. */
     private void visit(ParserRuleContext context, int level) {
+        ParserRuleContext next = context;
+        while (next instanceof BinaryExpressionContext row) {
+            parent[row.operator.getTokenIndex()] = row;
+            visit(row.expression(1), level);
+            next = row.expression(0);
+        }
+        visitOne(next, level);
+    }
+
+    private void visitOne(ParserRuleContext context, int level) {
         if (startsLine(context)) {
             markLine(context.start, level);
         } else if (context instanceof PortContext && context.getParent() == spreadPorts) {
@@ -119,16 +136,25 @@ final class Structure {
      * Ports stand below each other where one line cannot hold them, or where they have comments.
      */
     private static boolean isSpread(PortsContext ports, int level) {
-        int leaves = leaves(ports);
-        boolean hasComments = ports.stop.getTokenIndex() - ports.start.getTokenIndex() >= leaves;
-        int length = ports.getText().length() + leaves + 4 * level;
+        List<TerminalNode> leaves = leaves(ports);
+        boolean hasComments =
+                ports.stop.getTokenIndex() - ports.start.getTokenIndex() >= leaves.size();
+        int text = leaves.stream().mapToInt(leaf -> leaf.getText().length()).sum();
+        int length = text + leaves.size() + 4 * level;
         return ports.port().size() > 1 && (hasComments || length > Wrapping.WIDTH);
     }
 
-    private static int leaves(ParseTree tree) {
-        int leaves = tree instanceof TerminalNode ? 1 : 0;
-        for (int i = 0; i < tree.getChildCount(); i++) {
-            leaves += leaves(tree.getChild(i));
+    private static List<TerminalNode> leaves(ParseTree tree) {
+        List<TerminalNode> leaves = new ArrayList<>();
+        Deque<ParseTree> open = new ArrayDeque<>(List.of(tree));
+        while (!open.isEmpty()) {
+            ParseTree next = open.pop();
+            if (next instanceof TerminalNode leaf) {
+                leaves.add(leaf);
+            }
+            for (int i = 0; i < next.getChildCount(); i++) {
+                open.push(next.getChild(i));
+            }
         }
         return leaves;
     }

@@ -7,14 +7,19 @@ import static arcomat.semantics.ComponentBuilder.component;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.check.Checks;
+import arcomat.check.Profile;
 import arcomat.generate.Choosing;
 import arcomat.generate.SampleComponents;
+import arcomat.lower.Lowering;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.ComponentBuilder;
+import arcomat.symbols.Scenario;
+import arcomat.symbols.Workspace;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -22,6 +27,7 @@ import org.junit.jupiter.api.Test;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /** Large models compile, and run as small ones do. */
@@ -139,6 +145,36 @@ class LargeModelsTest {
     @Test
     void severalHundredPartsAgreeWithTheInterpreter() {
         new Agreement(chain(250), List.of()).holds(3, 20);
+    }
+
+    @Test
+    void aGuardOfTwoThousandTermsAgreesWithTheInterpreter() {
+        String all = terms("a > -%d", " && ");
+        String some = terms("b == %d", " || ");
+        String model =
+                """
+                ==== Row.arc
+                component Row {
+                  timing instant;
+                  port in Integer a, in Integer b, out Integer c;
+                  <<completion = "ignore">> automaton {
+                    state s;
+                    initial s;
+                    s [%s] / {c = 1};
+                    s [!(%s)] / {c = 2};
+                  }
+                }
+                """;
+        Workspace workspace = Scenario.of(model.formatted(all, some)).workspace();
+        assertThat(Checks.run(workspace, Profile.EXECUTABLE)).isEmpty();
+        Component row = Lowering.lower(workspace).components().get(0);
+        new Agreement(row, List.of()).holds(3, 20);
+    }
+
+    private static String terms(String term, String operator) {
+        return IntStream.range(0, 2_000)
+                .mapToObj(i -> term.formatted(i))
+                .collect(Collectors.joining(operator));
     }
 
     @Tag("slow")
