@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -33,9 +34,13 @@ class ExplainPagesTest {
                     "^(?:<<.*>> *)?(?:component|automaton|classdiagram|testsuite) (\\w+)",
                     Pattern.MULTILINE);
 
+    /** A wrong model would be longer than its page. */
+    private static final Set<String> TOO_LONG_TO_SHOW = Set.of("ARC0608");
+
     @TestFactory
     Stream<DynamicTest> wrongModelsBreakTheLaw() {
         return Checks.ALL.stream()
+                .filter(check -> !TOO_LONG_TO_SHOW.contains(check.law().code()))
                 .map(check -> DynamicTest.dynamicTest(check.law().code(), () -> wrong(check)));
     }
 
