@@ -15,9 +15,16 @@ automaton
 
 automatonElement
     : kind = ('variable' | 'input' | 'output') type variable (',' variable)* ';'    # declaration
+    | 'var' type variable (',' variable)* ';'                               # markedDeclaration
     | 'state' state (',' state)* ';'                                        # states
     | 'initial' name (',' name)* ('/' block)? ';'                           # initial
     | source = name ('->' target = name)? guard? input = block? ('/' output = block)? ';'   # transition
+    | plainType valuedVariable (',' variable)* ';'                          # plainDeclaration
+    ;
+
+// As a component declares them. With a value: "sate open;" is a misspelt word, and no variable.
+valuedVariable
+    : name '=' expression
     ;
 
 state

@@ -4,6 +4,8 @@ import arcomat.syntax.antlr.ArcomatParser.AutomatonContext;
 import arcomat.syntax.antlr.ArcomatParser.DeclarationContext;
 import arcomat.syntax.antlr.ArcomatParser.GuardContext;
 import arcomat.syntax.antlr.ArcomatParser.InitialContext;
+import arcomat.syntax.antlr.ArcomatParser.MarkedDeclarationContext;
+import arcomat.syntax.antlr.ArcomatParser.PlainDeclarationContext;
 import arcomat.syntax.antlr.ArcomatParser.StateContext;
 import arcomat.syntax.antlr.ArcomatParser.StatesContext;
 import arcomat.syntax.antlr.ArcomatParser.TransitionContext;
@@ -17,6 +19,7 @@ import arcomat.tree.AutomatonElement.State;
 import arcomat.tree.AutomatonElement.States;
 import arcomat.tree.AutomatonElement.Transition;
 
+import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
 import java.util.ArrayList;
@@ -44,6 +47,26 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
                 kind(context.kind),
                 builders.types.build(context.type()),
                 builders.variables.buildAll(context.variable()));
+    }
+
+    @Override
+    public AutomatonElement visitMarkedDeclaration(MarkedDeclarationContext context) {
+        return new Declaration(
+                span(context),
+                Kind.VARIABLE,
+                builders.types.build(context.type()),
+                builders.variables.buildAll(context.variable()));
+    }
+
+    @Override
+    public AutomatonElement visitPlainDeclaration(PlainDeclarationContext context) {
+        List<ParserRuleContext> variables = new ArrayList<>(context.variable());
+        variables.add(0, context.valuedVariable());
+        return new Declaration(
+                span(context),
+                Kind.VARIABLE,
+                builders.types.build(context.plainType()),
+                builders.variables.buildAll(variables));
     }
 
     private static Kind kind(Token token) {
