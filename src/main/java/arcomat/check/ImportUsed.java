@@ -29,7 +29,7 @@ final class ImportUsed implements Check.OnNames {
         for (Import each : unit.imports()) {
             boolean leadsSomewhere = context.scope().target(each).isFound();
             if (leadsSomewhere
-                    && !context.scope().mayLeadFurther(each)
+                    && !(context.scope().mayLeadFurther(each) && isOpen(distinct.values(), context))
                     && !used.contains(text(each))
                     && !isAmbiguous(distinct.values(), context)) {
                 String name = text(each);
@@ -61,6 +61,11 @@ final class ImportUsed implements Check.OnNames {
             }
         }
         return false;
+    }
+
+    /** Whether the file uses something that another one should define, which did not parse. */
+    private static boolean isOpen(Collection<QualifiedName> names, Context context) {
+        return names.stream().anyMatch(name -> context.scope().type(name).isExcused());
     }
 
     private static String text(Import each) {

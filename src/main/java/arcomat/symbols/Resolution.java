@@ -54,6 +54,10 @@ public sealed interface Resolution<T> {
         return this instanceof Unknown<T>;
     }
 
+    default boolean isExcused() {
+        return this instanceof Excused<T>;
+    }
+
     default boolean isAmbiguous() {
         return this instanceof Ambiguous<T>;
     }

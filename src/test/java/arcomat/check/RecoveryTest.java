@@ -35,6 +35,9 @@ class RecoveryTest {
     /** No braces: without them a file has no parts that could be read. */
     private static final Pattern TOKEN = Pattern.compile("[A-Za-z_]\\w*|[;,=()\\[\\]]|->");
 
+    /** Told of one component that breaks the law: where that is broken, of another one. */
+    private static final String OF_THE_INNERMOST = "ARC0131";
+
     private static final int BREAKS_PER_FILE = 12;
 
     @TestFactory
@@ -78,7 +81,9 @@ class RecoveryTest {
 
     private static Set<String> told(List<SourceFile> files) {
         Set<String> told = new TreeSet<>();
-        review(files).findings().forEach(each -> told.add(each.code() + " " + each.span()));
+        review(files).findings().stream()
+                .filter(each -> !each.code().equals(OF_THE_INNERMOST))
+                .forEach(each -> told.add(each.code() + " " + each.span()));
         return told;
     }
 
