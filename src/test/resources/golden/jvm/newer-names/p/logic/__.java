@@ -14,7 +14,6 @@ public class __ {
 
     /** in Integer yield */
     private int yield_;
-
     private boolean hasYield;
 
     private int __2 = 0;
@@ -26,12 +25,12 @@ public class __ {
 
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
-
     private final int[] waitingYield = new int[16];
     private int oldest;
     private int queued;
 
-    public __() {}
+    public __() {
+    }
 
     /** Takes an initial state and sends the initial output. */
     public void start() {

@@ -6,17 +6,14 @@ package p.logic;
 public final class permits_ {
     /** in Integer record */
     public int record;
-
     public boolean hasRecord;
 
     /** out Integer _1 */
     public int _1;
-
     public boolean has_1;
 
     /** out Integer var */
     public int var;
-
     public boolean hasVar;
 
     public final permits_yield ___;

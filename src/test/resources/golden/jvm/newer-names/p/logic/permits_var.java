@@ -8,12 +8,10 @@ public final class permits_var {
 
     /** in Integer record */
     public int record;
-
     public boolean hasRecord;
 
     /** out Integer var */
     public int var;
-
     public boolean hasVar;
 
     private int state;

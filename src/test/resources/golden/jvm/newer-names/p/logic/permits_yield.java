@@ -8,12 +8,10 @@ public final class permits_yield {
 
     /** in Integer _ */
     public int __;
-
     public boolean has_;
 
     /** out Integer yield */
     public int yield_;
-
     public boolean hasYield;
 
     private int state;

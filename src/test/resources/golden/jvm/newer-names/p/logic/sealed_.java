@@ -13,17 +13,14 @@ public final class sealed_ {
 
     /** in Integer _ */
     public int __;
-
     public boolean has_;
 
     /** in Integer yield */
     public int yield_;
-
     public boolean hasYield;
 
     /** in Integer record */
     public int record;
-
     public boolean hasRecord;
 
     /** in record permits */
@@ -31,7 +28,6 @@ public final class sealed_ {
 
     /** out Integer sealed */
     public int sealed;
-
     public boolean hasSealed;
 
     /** out record var */

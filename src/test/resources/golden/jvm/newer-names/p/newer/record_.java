@@ -2,9 +2,7 @@
 
 package p.newer;
 
-/**
- * Messages of type p.Newer.record as objects, for the border of a program; inside they are codes.
- */
+/** Messages of type p.Newer.record as objects, for the border of a program; inside they are codes. */
 public enum record_ {
     __,
     yield,

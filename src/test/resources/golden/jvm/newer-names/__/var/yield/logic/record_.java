@@ -8,12 +8,10 @@ public final class record_ {
 
     /** in Integer a */
     public int a;
-
     public boolean hasA;
 
     /** out Integer b */
     public int b;
-
     public boolean hasB;
 
     private int state;
