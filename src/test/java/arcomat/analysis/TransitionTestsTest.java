@@ -166,7 +166,8 @@ class TransitionTestsTest {
         TransitionTests.Result result = tests(component, arguments);
         assertThat(result.tests()).isNotEmpty();
         String text = text(component, arguments, result.tests());
-        Parsed parsed = Parser.parse(new SourceFile("p/Transitions.mt", text));
+        String folder = component.packageName().replace('.', '/');
+        Parsed parsed = Parser.parse(new SourceFile(folder + "/Transitions.mt", text));
         assertThat(parsed.findings()).as(text).isEmpty();
         List<Unit> units = new ArrayList<>(workspace.units());
         units.add(parsed.unit().orElseThrow());
