@@ -2,13 +2,9 @@ package arcomat.brick;
 
 import arcomat.source.Diagnostic;
 
-import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.LdcInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
-import java.util.Arrays;
-import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.stream.Stream;
 
 /** ARC0915: the display draws ASCII; for any other letter the old one stays on it (measured). */
@@ -20,30 +16,26 @@ final class DisplayLetters implements BrickLaw {
 
     @Override
     public Stream<Diagnostic> findings(Program program) {
-        return program.inClasses(
-                (file, node) -> node.methods.stream().flatMap(method -> inMethod(file, method)));
+        return program.inInstructions(LdcInsnNode.class, this::inConstant);
     }
 
-    private Stream<Diagnostic> inMethod(ClassFile file, MethodNode method) {
-        return Arrays.stream(method.instructions.toArray())
-                .filter(each -> each instanceof LdcInsnNode text && text.cst instanceof String)
-                .flatMap(each -> inText(file, method, each).stream());
+    private Stream<Diagnostic> inConstant(ClassFile file, MethodNode method, LdcInsnNode each) {
+        return each.cst instanceof String text
+                ? text.codePoints()
+                        .filter(DisplayLetters::isStrange)
+                        .limit(1)
+                        .mapToObj(letter -> finding(file, method, each, letter))
+                : Stream.empty();
     }
 
-    private Optional<Diagnostic> inText(ClassFile file, MethodNode method, AbstractInsnNode each) {
-        String text = (String) ((LdcInsnNode) each).cst;
-        OptionalInt strange = text.codePoints().filter(DisplayLetters::isStrange).findFirst();
-        return strange.stream()
-                .mapToObj(
-                        letter ->
-                                Diagnostic.warning(
-                                        code(),
-                                        file.span(method, each),
-                                        "%s has a text with '%s', which the brick's display cannot show; use the letters of ASCII"
-                                                .formatted(
-                                                        file.where(method, each),
-                                                        Character.toString(letter))))
-                .findFirst();
+    private Diagnostic finding(ClassFile file, MethodNode method, LdcInsnNode each, int letter) {
+        return Diagnostic.warning(
+                code(),
+                file.span(method, each),
+                file.where(method, each)
+                        + " has a text with '"
+                        + Character.toString(letter)
+                        + "', which the brick's display cannot show; use the letters of ASCII");
     }
 
     /** Control characters are for other purposes than to be seen. */

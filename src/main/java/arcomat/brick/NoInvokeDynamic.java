@@ -2,11 +2,9 @@ package arcomat.brick;
 
 import arcomat.source.Diagnostic;
 
-import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.InvokeDynamicInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
-import java.util.Arrays;
 import java.util.stream.Stream;
 
 /** ARC0902: the linker does not know invokedynamic, to which later compilers turn many things. */
@@ -18,23 +16,18 @@ final class NoInvokeDynamic implements BrickLaw {
 
     @Override
     public Stream<Diagnostic> findings(Program program) {
-        return program.inClasses(
-                (file, node) -> node.methods.stream().flatMap(method -> inMethod(file, method)));
+        return program.inInstructions(
+                InvokeDynamicInsnNode.class,
+                (file, method, each) -> Stream.of(finding(file, method, each)));
     }
 
-    private Stream<Diagnostic> inMethod(ClassFile file, MethodNode method) {
-        return Arrays.stream(method.instructions.toArray())
-                .filter(InvokeDynamicInsnNode.class::isInstance)
-                .map(each -> finding(file, method, each));
-    }
-
-    private Diagnostic finding(ClassFile file, MethodNode method, AbstractInsnNode each) {
+    private Diagnostic finding(ClassFile file, MethodNode method, InvokeDynamicInsnNode each) {
         return Diagnostic.error(
                 code(),
                 file.span(method, each),
                 file.where(method, each)
                         + " uses invokedynamic ("
-                        + cause((InvokeDynamicInsnNode) each)
+                        + cause(each)
                         + "), which cannot be linked for the brick; write plain Java 6");
     }
 

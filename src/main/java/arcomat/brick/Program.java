@@ -4,8 +4,11 @@ import arcomat.brick.api.BrickTable;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
+import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
+import org.objectweb.asm.tree.MethodNode;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -57,6 +60,29 @@ final class Program {
     /** The place of findings about the program as a whole. */
     Span span() {
         return new SourceFile(jar.path(), "").span(0, 0);
+    }
+
+    /** What is found at an instruction of a method. */
+    interface PerInstruction<I, T> {
+        Stream<T> of(ClassFile file, MethodNode method, I instruction);
+    }
+
+    /** Applies a function to each instruction of a kind, in the order of the class files. */
+    <I extends AbstractInsnNode, T> Stream<T> inInstructions(
+            Class<I> kind, PerInstruction<I, T> function) {
+        return inClasses(
+                (file, node) ->
+                        node.methods.stream()
+                                .flatMap(
+                                        method ->
+                                                Arrays.stream(method.instructions.toArray())
+                                                        .filter(kind::isInstance)
+                                                        .map(kind::cast)
+                                                        .flatMap(
+                                                                each ->
+                                                                        function.of(
+                                                                                file, method,
+                                                                                each))));
     }
 
     /** Applies a function to each class that could be read. */

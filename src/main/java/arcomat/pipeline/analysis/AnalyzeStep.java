@@ -31,12 +31,8 @@ public final class AnalyzeStep {
             AnalyzeRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(
-                        paths,
-                        Asked.components(request.components()),
-                        models -> List.of(),
-                        names,
-                        progress);
+                CheckedModels.checkToExamine(
+                        paths, Asked.components(request.components()), names, progress);
         if (checked.hasErrors()) {
             return new AnalyzeResult(checked.result(), List.of(), List.of(), 0);
         }

@@ -7,6 +7,7 @@ import arcomat.generate.ControllerText;
 import arcomat.generate.GeneratedFile;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.PromiseReference;
 import arcomat.pipeline.file.OutputFolder;
@@ -34,7 +35,7 @@ public final class ContradictionsStep {
             ContradictionsRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
         if (checked.hasErrors()) {
             return new ContradictionsResult(
                     checked.result(),

@@ -20,10 +20,9 @@ public final class DiffStep {
             RefinesRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(
+                CheckedModels.checkToExamine(
                         paths,
                         Asked.components(List.of(request.left(), request.right())),
-                        models -> List.of(),
                         names,
                         progress);
         if (checked.hasErrors()) {

@@ -3,6 +3,7 @@ package arcomat.pipeline.analysis;
 import arcomat.analysis.Evolution;
 import arcomat.analysis.Promise;
 import arcomat.model.Model;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.PromiseReference;
 import arcomat.pipeline.step.PathNames;
@@ -25,7 +26,7 @@ public final class EvolutionStep {
             Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
         if (checked.hasErrors()) {
             return new EvolutionResult(checked.result(), Optional.empty());
         }

@@ -38,10 +38,9 @@ public final class MonaStep {
             Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(
+                CheckedModels.checkToExamine(
                         paths,
                         Asked.components(List.of(request.left(), request.right())),
-                        models -> List.of(),
                         names,
                         progress);
         if (checked.hasErrors()) {

@@ -28,10 +28,9 @@ public final class RefinesStep {
             RefinesRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(
+                CheckedModels.checkToExamine(
                         paths,
                         Asked.components(List.of(request.left(), request.right())),
-                        models -> List.of(),
                         names,
                         progress);
         if (checked.hasErrors()) {

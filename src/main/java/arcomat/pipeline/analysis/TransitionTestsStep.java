@@ -4,6 +4,7 @@ import arcomat.analysis.Promise;
 import arcomat.analysis.coverage.Goal;
 import arcomat.analysis.coverage.TransitionTests;
 import arcomat.model.Component;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.PromiseReference;
 import arcomat.pipeline.file.OutputFolder;
@@ -31,7 +32,7 @@ public final class TransitionTestsStep {
             TransitionTestsRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
         if (checked.hasErrors()) {
             return new TransitionTestsResult(checked.result(), Optional.empty(), "", "");
         }

@@ -24,8 +24,7 @@ public final class VerifyStep {
     public static AnalysisResult run(
             List<String> paths, AnalysisLimits limits, PathNames names, Progress progress) {
         CheckedModels checked =
-                CheckedModels.checkToRun(
-                        paths, Asked.WHAT_IS_WHOLE, models -> List.of(), names, progress);
+                CheckedModels.checkToExamine(paths, Asked.WHAT_IS_WHOLE, names, progress);
         if (checked.hasErrors()) {
             return new AnalysisResult(checked.result(), List.of());
         }

@@ -73,6 +73,12 @@ public record CheckedModels(
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
 
+    /** As above, for questions about models: no code is made of them. */
+    public static CheckedModels checkToExamine(
+            List<String> paths, Asked asked, PathNames names, Progress progress) {
+        return checkToRun(paths, asked, models -> List.of(), names, progress);
+    }
+
     /**
      * Without the files that have errors in their syntax and those that need them, if there are.
      */

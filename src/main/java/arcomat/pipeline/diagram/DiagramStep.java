@@ -37,12 +37,8 @@ public final class DiagramStep {
             DiagramRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(
-                        paths,
-                        Asked.components(request.components()),
-                        models -> List.of(),
-                        names,
-                        progress);
+                CheckedModels.checkToExamine(
+                        paths, Asked.components(request.components()), names, progress);
         if (checked.hasErrors()) {
             return new DiagramResult(checked.result(), List.of());
         }

@@ -7,6 +7,7 @@ import arcomat.generate.Monitors;
 import arcomat.generate.Target;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.file.OutputFolder;
@@ -29,7 +30,7 @@ public final class MonitorStep {
             MonitorRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToRun(paths, models -> List.of(), names, progress);
+                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
         if (checked.hasErrors()) {
             return new MonitorResult(checked.result(), "", List.of(), List.of());
         }
