@@ -71,7 +71,10 @@ final class RunsAreAllowed implements Law {
                 run.steps().stream()
                         .flatMap(step -> step.activities().stream())
                         .anyMatch(a -> a.cause().equals(new Trace.Completed(Completion.CHAOS)));
-        return chaos ? new Trace(run.component(), run.steps(), Optional.empty()) : run;
+        Optional<Trace.End> noEnd = Optional.empty();
+        return chaos
+                ? new Trace(run.component(), run.steps(), Optional.empty(), run.opening(), noEnd)
+                : run;
     }
 
     private static Outcome check(Component left, Component right, int seed) {
