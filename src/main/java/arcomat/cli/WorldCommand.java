@@ -27,7 +27,7 @@ import picocli.CommandLine.Parameters;
             "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
                     + " was",
             "not reached, or there are errors in the world or its models; 3 a run was given up; 2"
-                + " wrong",
+                    + " wrong",
             "use."
         })
 final class WorldCommand extends Command {

@@ -31,9 +31,9 @@ class PublishedArtifactsTest {
     @CsvSource({
         "arcomat, antlr4-runtime arcomat-brick-api arcomat-brick-simulation arcomat-runtime"
                 + " asm-tree ecj freemarker guava hppc jackson-core jsvg"
-                + " org.eclipse.elk.alg.layered picocli smtinterpol",
+                + " org.eclipse.elk.alg.layered org.eclipse.emf.ecore picocli smtinterpol",
         "arcomat-brick-api, asm",
-        "arcomat-brick-simulation, asm",
+        "arcomat-brick-simulation, asm asm-tree",
         "arcomat-gradle-plugin, ''",
         "arcomat-runtime, ''",
         "arcomat.gradle.plugin, arcomat-gradle-plugin"
