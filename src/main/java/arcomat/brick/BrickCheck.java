@@ -12,7 +12,16 @@ public final class BrickCheck {
 
     /** All laws at once: whatever is wrong, in one run. */
     public static BrickReport check(RobotJar jar, BrickTable table) {
+        return check(Program.read(jar, table));
+    }
+
+    /** As above; what is on the brick, but not on a simulated one, is a warning. */
+    public static BrickReport checkAlsoForSimulation(RobotJar jar, BrickTable table) {
         Program program = Program.read(jar, table);
+        return check(program).with(new SimulationCheck(program).findings());
+    }
+
+    private static BrickReport check(Program program) {
         List<Diagnostic> findings =
                 BrickLaws.ALL.stream()
                         .flatMap(law -> law.findings(program))

@@ -1,6 +1,7 @@
 package arcomat.brick;
 
 import arcomat.source.Diagnostic;
+import arcomat.source.Severity;
 
 import java.util.List;
 import java.util.stream.Stream;
@@ -34,6 +35,19 @@ public record BrickReport(List<Diagnostic> findings, List<Share> shares, int lin
         List<Diagnostic> all =
                 Stream.concat(findings.stream(), more.stream()).sorted(Diagnostic.ORDER).toList();
         return new BrickReport(all, shares, linkedClasses);
+    }
+
+    /**
+     * What speaks against running the jar on a simulated brick, where that was looked at; it may
+     * run if there is nothing.
+     */
+    public List<Diagnostic> obstacles() {
+        return fits()
+                ? findings.stream()
+                        .filter(each -> each.code().equals(SimulationCheck.CODE))
+                        .map(each -> each.withSeverity(Severity.ERROR))
+                        .toList()
+                : findings.stream().filter(Diagnostic::isError).toList();
     }
 
     public boolean fits() {

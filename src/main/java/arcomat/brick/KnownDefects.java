@@ -4,11 +4,9 @@ import arcomat.source.Diagnostic;
 
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
-import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -43,27 +41,19 @@ final class KnownDefects implements BrickLaw {
 
     @Override
     public Stream<Diagnostic> findings(Program program) {
-        return program.inClasses(
-                (file, node) ->
-                        node.methods.stream()
-                                .filter(method -> !isGeneratedByCompiler(node, method))
-                                .flatMap(method -> inMethod(program, file, method)));
+        return program.inInstructions(
+                MethodInsnNode.class,
+                (file, method, call) ->
+                        defect(program, call)
+                                .filter(text -> !isGeneratedByCompiler(file, method))
+                                .map(text -> finding(file, method, call, text))
+                                .stream());
     }
 
     /** Every enum has a valueOf that nobody need call. */
-    private static boolean isGeneratedByCompiler(ClassNode node, MethodNode method) {
-        return (node.access & Opcodes.ACC_ENUM) != 0 && method.name.equals("valueOf");
-    }
-
-    private Stream<Diagnostic> inMethod(Program program, ClassFile file, MethodNode method) {
-        return Arrays.stream(method.instructions.toArray())
-                .filter(MethodInsnNode.class::isInstance)
-                .flatMap(
-                        each ->
-                                defect(program, (MethodInsnNode) each)
-                                        .map(text -> finding(file, method, each, text))
-                                        .stream())
-                .distinct();
+    private static boolean isGeneratedByCompiler(ClassFile file, MethodNode method) {
+        return method.name.equals("valueOf")
+                && file.node().filter(node -> (node.access & Opcodes.ACC_ENUM) != 0).isPresent();
     }
 
     private Diagnostic finding(

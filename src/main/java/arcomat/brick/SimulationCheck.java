@@ -1,6 +1,5 @@
 package arcomat.brick;
 
-import arcomat.brick.api.BrickTable;
 import arcomat.sim.load.SimulatedMembers;
 import arcomat.source.Diagnostic;
 
@@ -16,25 +15,21 @@ import java.util.stream.Stream;
  * ARC0916: what is on the brick and not on a simulated one. A program that names it would break off
  * with an error of the PC's machine, or reach the PC itself: its files, its network.
  */
-public final class SimulationCheck {
-    private static final String CODE = "ARC0916";
+final class SimulationCheck {
+    static final String CODE = "ARC0916";
     private static final String SIMULATION = "arcomat/sim/";
 
     private final SimulatedMembers simulated = new SimulatedMembers();
     private final Program program;
     private final Hierarchy hierarchy;
 
-    private SimulationCheck(Program program) {
+    SimulationCheck(Program program) {
         this.program = program;
         this.hierarchy = new Hierarchy(program);
     }
 
-    /** Errors, for a program that is to be simulated; each type and member is told once. */
-    public static List<Diagnostic> check(RobotJar jar, BrickTable table) {
-        return new SimulationCheck(Program.read(jar, table)).findings();
-    }
-
-    private List<Diagnostic> findings() {
+    /** Warnings: the brick itself can do more. Each type and member is told once. */
+    List<Diagnostic> findings() {
         List<Diagnostic> findings =
                 new ArrayList<>(program.inClasses(SimulationCheck::ownPlace).toList());
         Set<String> told = new HashSet<>();
@@ -43,14 +38,13 @@ public final class SimulationCheck {
                 findings.add(finding(each));
             }
         }
-        findings.sort(Diagnostic.ORDER);
         return findings;
     }
 
     private static Stream<Diagnostic> ownPlace(ClassFile file, ClassNode node) {
         return node.name.startsWith(SIMULATION)
                 ? Stream.of(
-                        Diagnostic.error(
+                        Diagnostic.warning(
                                 CODE,
                                 file.span(),
                                 file.name()
@@ -84,7 +78,7 @@ public final class SimulationCheck {
     }
 
     private Diagnostic finding(Reference reference) {
-        return Diagnostic.error(
+        return Diagnostic.warning(
                 CODE,
                 reference.span(),
                 reference.where()

@@ -3,6 +3,7 @@ package arcomat.check;
 import arcomat.check.Suppressions.Suppression;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
+import arcomat.symbols.Outline;
 import arcomat.symbols.Workspace;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
@@ -204,13 +205,22 @@ public final class Checks {
      * The findings about the parts that could be read of files with syntax errors, as far as they
      * do not come from what could not be read.
      *
-     * @param around a workspace around these files
+     * @param files what could be read of them
+     * @param units the files that parse
+     * @param brokenFiles paths of those that do not
+     * @param others outlines of files that are not looked at
      */
     public static Review reviewRecovered(
-            Workspace around, Profile profile, Collection<Recovered> files) {
+            List<Recovered> files,
+            List<Unit> units,
+            Set<String> brokenFiles,
+            List<Outline> others,
+            Profile profile) {
         if (files.isEmpty()) {
             return new Review(List.of(), List.of());
         }
+        List<Unit> parts = files.stream().map(Recovered::unit).toList();
+        Workspace around = Workspace.around(parts, units, brokenFiles, others);
         Map<String, Recovery> recoveries = new HashMap<>();
         files.forEach(each -> recoveries.put(each.unit().file().path(), new Recovery(each)));
         Predicate<Diagnostic> sure =

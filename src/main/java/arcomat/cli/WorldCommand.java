@@ -25,10 +25,8 @@ import picocli.CommandLine.Parameters;
             "  arcomat world models/coffee/world/meeting.world --runs 100",
             "",
             "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
-                    + " was",
-            "not reached, or there are errors in the world or its models; 3 a run was given up; 2"
-                    + " wrong",
-            "use."
+                    + " was not reached, or there are errors in the world or its models; 3 a run"
+                    + " was given up; 2 wrong use."
         })
 final class WorldCommand extends Command {
     @Parameters(

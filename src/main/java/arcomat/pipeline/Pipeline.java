@@ -72,7 +72,6 @@ import arcomat.world.Recording;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 
 /** Everything that the tool does, for whoever asks: the command line, a build, a test. */
 public final class Pipeline {
@@ -182,7 +181,7 @@ public final class Pipeline {
      */
     public SimulationResult simulate(
             SimulationRequest request, List<String> paths, Dialogue dialogue) throws WrongUse {
-        return SimulateStep.run(request, paths, dialogue, Optional.empty(), names, progress);
+        return SimulateStep.run(request, paths, dialogue, names, progress);
     }
 
     /**
@@ -195,7 +194,7 @@ public final class Pipeline {
     public SimulationResult simulate(
             SimulationRequest request, List<String> paths, Dialogue dialogue, Audience audience)
             throws WrongUse {
-        return SimulateStep.run(request, paths, dialogue, Optional.of(audience), names, progress);
+        return SimulateStep.run(request, paths, dialogue, audience, names, progress);
     }
 
     /**

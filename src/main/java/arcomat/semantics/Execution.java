@@ -3,6 +3,7 @@ package arcomat.semantics;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
+import arcomat.rt.ModelError;
 
 import java.util.Optional;
 
@@ -13,6 +14,14 @@ import java.util.Optional;
 public interface Execution {
     /** After so many reactions to one event, messages are taken to circle for ever. */
     int MOST_REACTIONS = 100_000;
+
+    /** What such a run ends with. */
+    static ModelError circling() {
+        return new ModelError(
+                "messages circle without end: "
+                        + MOST_REACTIONS
+                        + " reactions to one event, and still some wait");
+    }
 
     Component component();
 

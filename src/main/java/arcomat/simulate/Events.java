@@ -125,10 +125,7 @@ final class Events implements Interpreter.Engine {
                 }
             }
             if (reactions > Execution.MOST_REACTIONS) {
-                throw new ModelError(
-                        "messages circle without end: "
-                                + Execution.MOST_REACTIONS
-                                + " reactions to one event, and still some wait");
+                throw Execution.circling();
             }
         }
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.DataFile;
 import arcomat.check.Expectation;
+import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.Test;
@@ -27,12 +28,14 @@ class SimulationCheckTest {
         SourceFile[] sources = data.files().toArray(new SourceFile[0]);
         Map<String, byte[]> classes = new BrickCompiler(folder).forBrick(sources).orFail();
         List<Expectation> actual =
-                SimulationCheck.check(Robots.jar(classes, data.files()), Robots.TABLE).stream()
-                        .map(Expectation::of)
-                        .toList();
+                obstacles(Robots.jar(classes, data.files())).stream().map(Expectation::of).toList();
         assertThat(data.withExpectations(actual))
                 .isEqualTo(data.withExpectations(data.expectations()));
         assertThat(EXPLAIN).content().startsWith("# ARC0916 ");
+    }
+
+    private static List<Diagnostic> obstacles(RobotJar jar) {
+        return BrickCheck.checkAlsoForSimulation(jar, Robots.TABLE).obstacles();
     }
 
     /** Its class would be the simulation's own, and could do what that can. */
@@ -45,7 +48,7 @@ class SimulationCheckTest {
                                         "arcomat/sim/Laboratory.java",
                                         "package arcomat.sim; public class Laboratory {}"))
                         .orFail();
-        assertThat(SimulationCheck.check(Robots.jar(classes), Robots.TABLE))
+        assertThat(obstacles(Robots.jar(classes)))
                 .singleElement()
                 .satisfies(
                         finding ->

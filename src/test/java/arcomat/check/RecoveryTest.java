@@ -99,10 +99,10 @@ class RecoveryTest {
                 broken.add(file.path());
             }
         }
-        List<Unit> parts = recovered.stream().map(Recovered::unit).toList();
-        Workspace around = Workspace.around(parts, units, broken, List.of());
         return Checks.review(Workspace.of(units, broken), Profile.EXECUTABLE)
-                .and(Checks.reviewRecovered(around, Profile.EXECUTABLE, recovered));
+                .and(
+                        Checks.reviewRecovered(
+                                recovered, units, broken, List.of(), Profile.EXECUTABLE));
     }
 
     /** Else the law above would hold for a tool that tells nothing. */

@@ -41,7 +41,7 @@ public final class BrickRunStep {
     public static BrickRunResult run(BrickRunRequest request, PathNames names, Progress progress)
             throws WrongUse {
         JarReader jar = JarReader.read(request.jar(), names);
-        List<Diagnostic> obstacles = jar.obstacles();
+        List<Diagnostic> obstacles = jar.report().obstacles();
         if (!obstacles.isEmpty()) {
             return new BrickRunResult(obstacles, Optional.empty());
         }

@@ -5,14 +5,11 @@ import arcomat.brick.BrickReport;
 import arcomat.brick.Origin;
 import arcomat.brick.RobotClass;
 import arcomat.brick.RobotJar;
-import arcomat.brick.SimulationCheck;
 import arcomat.brick.api.BrickTable;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.sim.load.Program;
-import arcomat.source.Diagnostic;
-import arcomat.source.Severity;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -108,24 +105,9 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
         return new Program(main, byName);
     }
 
-    /** What speaks against running it on a simulated brick; it may run if there is no finding. */
-    public List<Diagnostic> obstacles() {
-        BrickTable table = BrickTable.leJos();
-        List<Diagnostic> errors =
-                BrickCheck.check(jar(), table).findings().stream()
-                        .filter(Diagnostic::isError)
-                        .toList();
-        return errors.isEmpty() ? SimulationCheck.check(jar(), table) : errors;
-    }
-
-    /** What the brick has and can hold; what only a simulated one lacks is a warning. */
+    /** What the brick has and can hold, and what a simulated one has. */
     public BrickReport report() {
-        BrickTable table = BrickTable.leJos();
-        return BrickCheck.check(jar(), table)
-                .with(
-                        SimulationCheck.check(jar(), table).stream()
-                                .map(each -> each.withSeverity(Severity.WARNING))
-                                .toList());
+        return BrickCheck.checkAlsoForSimulation(jar(), BrickTable.leJos());
     }
 
     public RobotJar jar() {

@@ -21,6 +21,22 @@ public record LinkResult(
         Optional<String> failure,
         List<String> output,
         Optional<String> log) {
+    /** Of a jar that does not fit. */
+    static LinkResult refused(BrickReport report) {
+        return new LinkResult(
+                report, Optional.empty(), Optional.empty(), List.of(), Optional.empty());
+    }
+
+    static LinkResult of(BrickReport report, Linked linked) {
+        return new LinkResult(
+                report, Optional.of(linked), Optional.empty(), List.of(), Optional.empty());
+    }
+
+    static LinkResult failed(
+            BrickReport report, String failure, List<String> output, Optional<String> log) {
+        return new LinkResult(report, Optional.empty(), Optional.of(failure), output, log);
+    }
+
     public LinkResult {
         output = List.copyOf(output);
     }

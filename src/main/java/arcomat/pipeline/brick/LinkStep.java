@@ -52,8 +52,7 @@ public final class LinkStep {
         JarReader jar = JarReader.read(request.jar(), names);
         BrickReport report = BrickCheck.check(jar.jar(), BrickTable.leJos());
         if (!report.fits()) {
-            return new LinkResult(
-                    report, Optional.empty(), Optional.empty(), List.of(), Optional.empty());
+            return LinkResult.refused(report);
         }
         progress.step("linking " + request.jar());
         return new LinkStep(jar, request, names).link(report);
@@ -91,8 +90,7 @@ public final class LinkStep {
         Path out = names.resolve(shown);
         Files.move(run.program(), out, StandardCopyOption.REPLACE_EXISTING);
         LinkResult.Linked linked = new LinkResult.Linked(shown, Files.size(out), classes);
-        return new LinkResult(
-                report, Optional.of(linked), Optional.empty(), List.of(), Optional.empty());
+        return LinkResult.of(report, linked);
     }
 
     private String out() {
@@ -103,15 +101,13 @@ public final class LinkStep {
     private LinkResult failed(BrickReport report, String failure, List<String> output)
             throws IOException {
         if (output.size() <= FEW_LINES) {
-            return new LinkResult(
-                    report, Optional.empty(), Optional.of(failure), output, Optional.empty());
+            return LinkResult.failed(report, failure, output, Optional.empty());
         }
         String log = out().replaceFirst("(\\.nxj)?$", ".nxjlink.log");
         AtomicFile.write(names.resolve(log), String.join("\n", output) + "\n");
         List<String> exception =
                 output.stream().filter(line -> EXCEPTION.matcher(line).find()).limit(1).toList();
-        return new LinkResult(
-                report, Optional.empty(), Optional.of(failure), exception, Optional.of(log));
+        return LinkResult.failed(report, failure, exception, Optional.of(log));
     }
 
     private static String tooLarge(int is, String what, int most) {

@@ -12,8 +12,6 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
-import arcomat.tree.Recovered;
-import arcomat.tree.Unit;
 
 import java.util.Collection;
 import java.util.List;
@@ -143,10 +141,14 @@ public record CheckedModels(
 
     private static Review review(
             LoadedModels loaded, Workspace workspace, Profile profile, Progress progress) {
-        List<Unit> recovered = loaded.recovered().stream().map(Recovered::unit).toList();
-        Workspace around = Workspace.around(recovered, loaded.units(), loaded.broken(), List.of());
         return Checks.review(workspace, profile, unit -> true, progress::goOn)
-                .and(Checks.reviewRecovered(around, profile, loaded.recovered()));
+                .and(
+                        Checks.reviewRecovered(
+                                loaded.recovered(),
+                                loaded.units(),
+                                loaded.broken(),
+                                List.of(),
+                                profile));
     }
 
     private static CheckedModels of(

@@ -138,10 +138,7 @@ final class CompiledEvents implements CompiledExecution.Engine {
                 }
             }
             if (reactions > Execution.MOST_REACTIONS) {
-                throw new ModelError(
-                        "messages circle without end: "
-                                + Execution.MOST_REACTIONS
-                                + " reactions to one event, and still some wait");
+                throw Execution.circling();
             }
         }
     }

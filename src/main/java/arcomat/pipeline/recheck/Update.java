@@ -171,16 +171,13 @@ final class Update {
         }
         progress.step("checking", affected.size(), "model");
         Workspace workspace = Workspace.of(units, broken, outlines);
-        Workspace around =
-                Workspace.around(
-                        recovered.stream().map(Recovered::unit).toList(), units, broken, outlines);
         return merge(
                 Checks.review(
                                 workspace,
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
                                 progress::goOn)
-                        .and(Checks.reviewRecovered(around, profile, recovered)));
+                        .and(Checks.reviewRecovered(recovered, units, broken, outlines, profile)));
     }
 
     private void parse(Set<String> needed) {

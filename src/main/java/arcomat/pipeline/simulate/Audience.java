@@ -11,6 +11,9 @@ import java.util.function.BooleanSupplier;
  * @param present whether anybody still reads it
  */
 public record Audience(RunText text, BooleanSupplier present) {
+    /** Whoever has asked takes the whole run at its end. */
+    static final Audience NOBODY = new Audience(RunText.NOTHING, () -> true);
+
     /** As often the audience is asked whether it is still there. */
     private static final int STEPS_BETWEEN = 256;
 

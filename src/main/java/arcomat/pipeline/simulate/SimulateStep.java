@@ -44,24 +44,33 @@ public final class SimulateStep {
     private final SimulationRequest request;
     private final PathNames names;
     private final Dialogue dialogue;
-    private final Optional<Audience> audience;
+    private final Audience audience;
 
     private SimulateStep(
-            SimulationRequest request,
-            PathNames names,
-            Dialogue dialogue,
-            Optional<Audience> audience) {
+            SimulationRequest request, PathNames names, Dialogue dialogue, Audience audience) {
         this.request = request;
         this.names = names;
         this.dialogue = dialogue;
         this.audience = audience;
     }
 
+    /** Runs it for who takes the whole run. */
     public static SimulationResult run(
             SimulationRequest request,
             List<String> paths,
             Dialogue dialogue,
-            Optional<Audience> audience,
+            PathNames names,
+            Progress progress)
+            throws WrongUse {
+        return run(request, paths, dialogue, Audience.NOBODY, names, progress);
+    }
+
+    /** Runs it before an audience. */
+    public static SimulationResult run(
+            SimulationRequest request,
+            List<String> paths,
+            Dialogue dialogue,
+            Audience audience,
             PathNames names,
             Progress progress)
             throws WrongUse {
@@ -136,9 +145,8 @@ public final class SimulateStep {
             network = Network.of(main.component(), main.arguments());
         } catch (ModelError error) {
             Trace nothing = new Trace(main.component(), List.of(), Optional.of(error.getMessage()));
-            audience.ifPresent(
-                    a -> a.text().begin(main.component(), TraceColumns.of(main.component())));
-            audience.ifPresent(a -> a.text().end(0, nothing));
+            audience.text().begin(main.component(), TraceColumns.of(main.component()));
+            audience.text().end(0, nothing);
             return record(main, nothing, List.of());
         }
         boolean compiled = request.engine() == SimulationRequest.Engine.COMPILED;
@@ -146,7 +154,7 @@ public final class SimulateStep {
         Execution execution = compiled ? compiled(main) : watched(interpreter);
         List<Trace.Step> kept = new ArrayList<>();
         AtomicInteger shown = new AtomicInteger();
-        audience.ifPresent(a -> a.text().begin(main.component(), TraceColumns.of(network)));
+        audience.text().begin(main.component(), TraceColumns.of(network));
         Trace rest =
                 Simulation.run(
                         execution,
@@ -157,16 +165,16 @@ public final class SimulateStep {
                                 kept.add(step);
                             }
                             shown.incrementAndGet();
-                            audience.ifPresent(a -> a.text().step(step));
-                            return audience.isEmpty() || audience.get().staysAfter(step.number());
+                            audience.text().step(step);
+                            return audience.staysAfter(step.number());
                         });
-        audience.ifPresent(a -> a.text().end(shown.get(), rest));
+        audience.text().end(shown.get(), rest);
         return record(main, rest.with(kept), interpreter.decisions());
     }
 
     /** Only for whom the whole run is needed at once. */
     private boolean keepsSteps() {
-        return audience.isEmpty() || request.keepsSteps();
+        return audience == Audience.NOBODY || request.keepsSteps();
     }
 
     private Interpreter interpreter(MainComponent main) {

@@ -94,7 +94,7 @@ final class WorldPrograms {
             if (jar == null) {
                 return null;
             }
-            List<Diagnostic> obstacles = jar.obstacles();
+            List<Diagnostic> obstacles = jar.report().obstacles();
             findings.addAll(obstacles);
             if (!obstacles.isEmpty()) {
                 return null;

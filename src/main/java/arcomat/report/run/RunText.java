@@ -19,6 +19,19 @@ public interface RunText {
      */
     void end(int steps, Trace rest);
 
+    /** Says nothing. */
+    RunText NOTHING =
+            new RunText() {
+                @Override
+                public void begin(Component component, TraceColumns columns) {}
+
+                @Override
+                public void step(Trace.Step step) {}
+
+                @Override
+                public void end(int steps, Trace rest) {}
+            };
+
     /** Whether a step went wrong of which there is something to be seen. */
     static boolean endsInError(Trace rest) {
         return !rest.shown().isEmpty();

@@ -32,15 +32,15 @@ public final class TextTable {
     }
 
     public String render(Style style) {
-        return head(style) + body();
+        arrange(style);
+        return headings(style) + body();
     }
 
-    private String head(Style style) {
+    private void arrange(Style style) {
         List<List<String>> all = new ArrayList<>(rows.size() + 1);
         all.add(headings);
         all.addAll(rows);
         layout = TableLayout.of(all, style.width(), isNumbered());
-        return headings(style);
     }
 
     private String headings(Style style) {
@@ -62,7 +62,7 @@ public final class TextTable {
      * @param first width of the first column at least
      */
     public String begin(Style style, int first) {
-        head(style);
+        arrange(style);
         layout = layout.withFirst(first);
         String begun = headings(style) + body();
         rows.clear();

@@ -37,19 +37,13 @@ final class Messages {
     void add() {
         int first = rows * ports;
         if (first + ports > counts.length) {
-            counts = longer(counts);
-            starts = longer(starts);
+            counts = Values.longer(counts);
+            starts = Values.longer(starts);
         }
         for (int i = first; i < first + ports; i++) {
             counts[i] = 0;
         }
         rows++;
-    }
-
-    private static int[] longer(int[] array) {
-        int[] longer = new int[2 * array.length];
-        System.arraycopy(array, 0, longer, 0, array.length);
-        return longer;
     }
 
     /** A further row, with what a row elsewhere has. */

@@ -103,19 +103,13 @@ final class Runs {
             String[] texts = new String[2 * size];
             System.arraycopy(causes, 0, texts, 0, size);
             causes = texts;
-            origins = longer(origins);
-            states = longer(states);
+            origins = Values.longer(origins);
+            states = Values.longer(states);
         }
         causes[size] = cause;
         origins[size] = origin;
         states[size] = state;
         size++;
-    }
-
-    private static int[] longer(int[] array) {
-        int[] longer = new int[2 * array.length];
-        System.arraycopy(array, 0, longer, 0, array.length);
-        return longer;
     }
 
     /** A variable of the last run. */

@@ -60,9 +60,7 @@ final class SentMessages extends Border {
     private void note(int port) {
         int count = messages.size();
         if (count == senders.length) {
-            int[] more = new int[2 * count];
-            System.arraycopy(senders, 0, more, 0, count);
-            senders = more;
+            senders = Values.longer(senders);
         }
         senders[count] = port;
     }

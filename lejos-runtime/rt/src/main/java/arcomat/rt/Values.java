@@ -76,6 +76,13 @@ final class Values {
         }
     }
 
+    /** Twice as long, with the same beginning. */
+    static int[] longer(int[] array) {
+        int[] longer = new int[2 * array.length];
+        System.arraycopy(array, 0, longer, 0, array.length);
+        return longer;
+    }
+
     /** Copies some values to an earlier place. */
     void move(int from, int to, int count) {
         for (int i = 0; i < count; i++) {
