@@ -35,7 +35,7 @@ class CompositionInclusionTest {
     @Tag("slow")
     @Test
     void agreesOnHundredsOfCompositions() {
-        agree(42, 200);
+        agree(42, 100);
     }
 
     private static void agree(long seed, int count) {

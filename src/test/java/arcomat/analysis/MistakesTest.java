@@ -34,7 +34,7 @@ class MistakesTest {
     @Tag("slow")
     @Test
     void mistakesAreToldInHundreds() {
-        told(8, 150, 97);
+        told(8, 60, 97);
     }
 
     /**

@@ -38,7 +38,7 @@ class RandomEventsTest {
     @Tag("slow")
     @Test
     void alsoForFurtherOnes() {
-        compare(1_000, 1_300);
+        compare(1_000, 1_120);
     }
 
     private void compare(int from, int to) {

@@ -45,7 +45,7 @@ class DamagedModelsTest {
     @Tag("slow")
     @Property(
             seed = "3",
-            tries = 1000,
+            tries = 400,
             shrinking = ShrinkingMode.OFF,
             edgeCases = EdgeCasesMode.NONE)
     void damagedOftener(@ForAll long seed) {
@@ -55,7 +55,7 @@ class DamagedModelsTest {
     @Tag("slow")
     @Property(
             seed = "4",
-            tries = 700,
+            tries = 300,
             shrinking = ShrinkingMode.OFF,
             edgeCases = EdgeCasesMode.NONE)
     void variedOftener(@ForAll long seed) {
