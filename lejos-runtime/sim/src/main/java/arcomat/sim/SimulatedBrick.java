@@ -1,5 +1,6 @@
 package arcomat.sim;
 
+import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.Hardware;
 import arcomat.sim.device.Key;
 import arcomat.sim.device.Limits;
@@ -73,6 +74,14 @@ public final class SimulatedBrick {
     public void play(Script script) {
         ScriptPlayer player = new ScriptPlayer(this, script.steps());
         hardware.time().start(player, player.due());
+    }
+
+    /**
+     * Puts a device into a socket: whatever classes of leJOS the program talks to it with, this is
+     * what answers on the bus.
+     */
+    public void plug(SensorName socket, I2CDevice device) {
+        hardware.socket(socket.ordinal()).bus().plug(device);
     }
 
     public void expose(SensorName socket, Stimulus stimulus) {

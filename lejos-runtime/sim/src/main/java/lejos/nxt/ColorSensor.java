@@ -1,10 +1,18 @@
 package lejos.nxt;
 
+import arcomat.sim.device.ColorEye;
+
 import lejos.robotics.ColorDetector;
 import lejos.robotics.LampLightDetector;
 
-/** The colour sensor. The simulated one knows names of colours, not their parts. */
+/**
+ * The colour sensor. Of a surface with a colour it sees the parts that its lamp lights; of one that
+ * is exposed as a percentage, its brightness.
+ */
 public class ColorSensor implements LampLightDetector, ColorDetector, SensorConstants {
+    /** Names of colours by the sensor's own numbers. */
+    protected static int[] colorMap = Colors.byNumber();
+
     protected SensorPort port;
     protected int type;
 
@@ -18,29 +26,37 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
 
     public ColorSensor(SensorPort port, int color) {
         this.port = port;
+        port.enableColorSensor();
         setFloodlight(color);
     }
 
     protected void setType(int type) {
         this.type = type;
-        port.setTypeAndMode(type, MODE_RAW);
+        port.setType(type);
     }
 
     /** The number of the colour as lejos.robotics.Color counts; -1 for none. */
     public int getColorID() {
-        return port.socket().observed(port.socket().color());
+        return port.socket().observed(port.socket().eye().color());
     }
 
     public Color getColor() {
         int color = getColorID();
-        boolean white = color == Color.WHITE;
-        int full = 255;
+        return color(color, ColorEye.FULL_PART, color);
+    }
+
+    /** Like {@link #getColor()}, as the converter sees it, and without a name. */
+    public Color getRawColor() {
+        return color(getColorID(), ColorEye.FULL_LEVEL, Color.NONE);
+    }
+
+    private static Color color(int seen, int full, int name) {
         return new Color(
-                white || color == Color.RED || color == Color.YELLOW ? full : 0,
-                white || color == Color.GREEN || color == Color.YELLOW ? full : 0,
-                white || color == Color.BLUE ? full : 0,
+                ColorEye.part(seen, ColorEye.RED) * full / ColorEye.FULL_PART,
+                ColorEye.part(seen, ColorEye.GREEN) * full / ColorEye.FULL_PART,
+                ColorEye.part(seen, ColorEye.BLUE) * full / ColorEye.FULL_PART,
                 0,
-                color);
+                name);
     }
 
     public boolean setFloodlight(int color) {
@@ -73,26 +89,36 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         return floodlight != Color.NONE;
     }
 
+    /**
+     * As on the brick, percent by the light of one lamp, but up to 255 where all three are used;
+     * and calibrated ends change nothing.
+     */
     public int getLightValue() {
-        int raw = port.socket().rawLevel();
-        int value = hundred == zero ? 0 : 100 * (raw - zero) / (hundred - zero);
-        return port.socket().observed(value);
+        int full = type == TYPE_COLORFULL ? ColorEye.FULL_PART : 100;
+        return port.socket().observed(scaled(port.raw(), full));
+    }
+
+    private int scaled(int level, int full) {
+        if (level >= 0) {
+            return level * full / ColorEye.FULL_LEVEL;
+        }
+        return type == TYPE_COLORFULL ? 0 : level;
     }
 
     public int getNormalizedLightValue() {
-        return port.socket().observed(MAX_AD_RAW - port.socket().rawLevel());
+        return getRawLightValue();
     }
 
     public int getRawLightValue() {
-        return getNormalizedLightValue();
+        return port.socket().observed(scaled(port.raw(), ColorEye.FULL_LEVEL));
     }
 
     public void calibrateLow() {
-        zero = port.socket().rawLevel();
+        zero = port.raw();
     }
 
     public void calibrateHigh() {
-        hundred = port.socket().rawLevel();
+        hundred = port.raw();
     }
 
     public void setLow(int low) {

@@ -1,6 +1,6 @@
 package lejos.nxt;
 
-/** A socket for a sensor that is asked over a bus of two wires. Only its wiring is simulated. */
+/** A socket for a sensor that is asked over a bus of two wires. */
 public interface I2CPort extends BasicSensorPort {
     int ALWAYS_ACTIVE = 2;
     int ERR_ABORT = -6;
@@ -18,4 +18,16 @@ public interface I2CPort extends BasicSensorPort {
     void i2cEnable(int mode);
 
     void i2cDisable();
+
+    int i2cStatus();
+
+    /** Sends bytes and reads some back: their number, or what went wrong. */
+    int i2cTransaction(
+            int deviceAddress,
+            byte[] writeBuf,
+            int writeOffset,
+            int writeLen,
+            byte[] readBuf,
+            int readOffset,
+            int readLen);
 }

@@ -7,7 +7,11 @@ import arcomat.sim.device.MotorOrder;
 import lejos.robotics.RegulatedMotor;
 import lejos.robotics.RegulatedMotorListener;
 
-/** A motor with its speed and position regulated. */
+/**
+ * A motor with its speed and position regulated. Its listener hears of a rotation when the motor
+ * starts from rest and when it comes to rest; as on the brick, an order to a motor that moves is no
+ * new rotation. Nothing blocks a simulated motor, so it never stalls.
+ */
 public class NXTRegulatedMotor implements RegulatedMotor {
     protected static final int NO_LIMIT = 0x7fffffff;
 
@@ -15,12 +19,20 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     private static final float SPEED_PER_VOLT = 100;
     private static final float MILLI = 1000;
 
+    /** Milliseconds between two looks of the regulator. */
+    private static final int PERIOD = 4;
+
     protected TachoMotorPort tachoPort;
     protected float speed = 360;
     protected int acceleration = 6000;
     protected int limitAngle;
+    protected int stallLimit = 50;
+    protected int stallTime = 1000;
     protected boolean stalled;
     protected RegulatedMotorListener listener;
+
+    private boolean isWatched;
+    private boolean isRotating;
 
     /**
      * @throws IllegalArgumentException if the port is not one of the brick's own; those of
@@ -46,9 +58,11 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     }
 
     private void turn(int direction) {
+        MotorDevice device = device();
+        boolean wasMoving = device.isMoving();
         limitAngle = direction * NO_LIMIT;
-        device().turn(direction * speed, acceleration);
-        started();
+        device.turn(direction * speed, acceleration);
+        started(wasMoving, device);
     }
 
     public void stop() {
@@ -89,9 +103,11 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     }
 
     public void rotateTo(int limitAngle, boolean immediateReturn) {
+        MotorDevice device = device();
+        boolean wasMoving = device.isMoving();
         this.limitAngle = limitAngle;
-        device().turnTo(limitAngle, speed, acceleration);
-        started();
+        device.turnTo(limitAngle, speed, acceleration);
+        started(wasMoving, device);
         ended(immediateReturn);
     }
 
@@ -138,8 +154,13 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         return device().tachoCount();
     }
 
+    /** As on the brick, the motor stops first. */
     public void resetTachoCount() {
-        device().resetTachoCount();
+        MotorDevice device = device();
+        if (device.isMoving()) {
+            stop(false);
+        }
+        device.resetTachoCount();
     }
 
     public int getRotationSpeed() {
@@ -150,18 +171,33 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         return device().isMoving();
     }
 
-    /** Nothing blocks a simulated motor. */
     public boolean isStalled() {
         return stalled;
     }
 
-    /** Accepted and without effect, as nothing blocks a simulated motor. */
     public void setStallThreshold(int error, int time) {
-        BRICK.called();
+        stallLimit = error;
+        stallTime = time / PERIOD;
     }
 
+    /** Stops and holds, whatever the power. */
+    public void lock(int power) {
+        stop(false);
+    }
+
+    /** Lets the shaft go and waits until it rests. */
+    public boolean suspendRegulation() {
+        flt(false);
+        return true;
+    }
+
+    /** As on the brick, there is one listener at most: the last one. */
     public void addListener(RegulatedMotorListener listener) {
         this.listener = listener;
+        if (!isWatched) {
+            isWatched = true;
+            ListenerThread.OF_MOTORS.watch(this::stopped, this::hasStopped, PERIOD);
+        }
     }
 
     public RegulatedMotorListener removeListener() {
@@ -170,20 +206,36 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         return removed;
     }
 
-    private void started() {
+    private void started(boolean wasMoving, MotorDevice device) {
+        if (wasMoving || !device.isMoving()) {
+            return;
+        }
+        isRotating = true;
         if (listener != null) {
-            listener.rotationStarted(this, getTachoCount(), false, BRICK.milliseconds());
+            listener.rotationStarted(this, device.tachoCount(), false, BRICK.milliseconds());
         }
     }
 
-    /** The listener hears of an end only from a call that waits for it. */
     private void ended(boolean immediateReturn) {
         if (immediateReturn) {
             return;
         }
         waitComplete();
+        if (isRotating) {
+            stopped();
+        }
+    }
+
+    private boolean hasStopped() {
+        return isRotating && !isMoving();
+    }
+
+    /** Told by whoever sees it first: a call that waits for it, or the regulator. */
+    private int stopped() {
+        isRotating = false;
         if (listener != null) {
             listener.rotationStopped(this, getTachoCount(), false, BRICK.milliseconds());
         }
+        return 0;
     }
 }

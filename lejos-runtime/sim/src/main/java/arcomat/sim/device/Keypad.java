@@ -3,16 +3,10 @@ package arcomat.sim.device;
 import arcomat.sim.time.Timetable;
 import arcomat.sim.time.VirtualTime;
 
-/**
- * The buttons, and what happened to them since a program last asked. As on the brick, a press is
- * seen only when it has lasted for a while.
- */
+/** The buttons. As on the brick, a press is seen only when it has lasted for a while. */
 public final class Keypad {
     /** Pressed together, these two end any program. */
     private static final int ABORT = Key.ENTER.bit() | Key.ESCAPE.bit();
-
-    /** Where the bits of releases begin among events. */
-    private static final int RELEASES = 8;
 
     private static final Key[] KEYS = Key.values();
 
@@ -23,7 +17,6 @@ public final class Keypad {
     private final Timetable settling = new Settling();
     private int touched;
     private int down;
-    private int events;
 
     Keypad(VirtualTime time, long delay, Runnable abort) {
         this.time = time;
@@ -49,15 +42,11 @@ public final class Keypad {
 
     public void release(Key key) {
         touched &= ~key.bit();
-        if ((down & key.bit()) != 0) {
-            down &= ~key.bit();
-            events |= key.bit() << RELEASES;
-        }
+        down &= ~key.bit();
     }
 
     private void see(Key key) {
         down |= key.bit();
-        events |= key.bit();
         if ((down & ABORT) == ABORT) {
             abort.run();
         }
@@ -90,12 +79,5 @@ public final class Keypad {
     /** The bits of the buttons that are down. */
     public int down() {
         return down;
-    }
-
-    /** Takes events of some buttons: bits of presses, and of releases eight places higher. */
-    public int take(int mask) {
-        int taken = events & mask;
-        events &= ~mask;
-        return taken;
     }
 }

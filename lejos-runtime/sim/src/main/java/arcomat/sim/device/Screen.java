@@ -4,12 +4,23 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
-/** The screen as text: 8 rows of 16 characters. What does not fit is cut off. */
+/**
+ * The screen as text: 8 rows of 16 characters. What does not fit is cut off. Points are kept beside
+ * the text: letters have none, and nobody is told of them.
+ */
 public final class Screen {
     public static final int COLUMNS = 16;
     public static final int ROWS = 8;
 
+    /** Points of the whole screen; one byte is a column of eight, the highest bit lowest. */
+    public static final int WIDTH = 100;
+
+    public static final int HEIGHT = 64;
+
+    private static final int CELL_WIDTH = 6;
+
     private final Hardware hardware;
+    private final byte[] points = new byte[WIDTH * HEIGHT / Byte.SIZE];
     private final char[] cells = new char[COLUMNS * ROWS];
 
     Screen(Hardware hardware) {
@@ -44,11 +55,14 @@ public final class Screen {
                 changed |= set(column, row, ' ');
             }
         }
+        Arrays.fill(points, (byte) 0);
         report(changed);
     }
 
     /** Moves every row up; the lowest becomes empty. */
     public void scroll() {
+        System.arraycopy(points, WIDTH, points, 0, points.length - WIDTH);
+        Arrays.fill(points, points.length - WIDTH, points.length, (byte) 0);
         System.arraycopy(cells, COLUMNS, cells, 0, cells.length - COLUMNS);
         Arrays.fill(cells, cells.length - COLUMNS, cells.length, ' ');
         report(true);
@@ -63,10 +77,17 @@ public final class Screen {
         return List.copyOf(rows);
     }
 
+    /** The points; who writes here draws. */
+    public byte[] points() {
+        return points;
+    }
+
     private boolean set(int column, int row, char character) {
         if (column < 0 || column >= COLUMNS || row < 0 || row >= ROWS || !isDrawn(character)) {
             return false;
         }
+        int from = row * WIDTH + column * CELL_WIDTH;
+        Arrays.fill(points, from, from + CELL_WIDTH, (byte) 0);
         int cell = row * COLUMNS + column;
         boolean changed = cells[cell] != character;
         cells[cell] = character;

@@ -1,14 +1,13 @@
 package arcomat.sim.device;
 
+import arcomat.sim.bus.Surroundings;
+
 /** One of the four sockets for sensors, with whatever the sensor in it is exposed to. */
-public final class SensorSocket {
+public final class SensorSocket implements Surroundings {
     private static final int RAW_LIMIT = 1023;
 
     /** What a pressed touch sensor lets through. */
     private static final int RAW_PRESSED = 183;
-
-    /** The answer of an ultrasonic sensor that sees nothing, or is not there. */
-    private static final int NO_ECHO = 255;
 
     private static final int NO_COLOR = -1;
 
@@ -17,34 +16,71 @@ public final class SensorSocket {
 
     private final Hardware hardware;
     private final int number;
+    private final I2CBus bus;
+    private final ColorEye eye = new ColorEye(this);
     private Stimulus stimulus = Stimulus.NONE;
     private boolean isTold;
 
     SensorSocket(Hardware hardware, int number) {
         this.hardware = hardware;
         this.number = number;
+        this.bus = new I2CBus(this, hardware.time());
+    }
+
+    /** What a colour sensor sees here. */
+    public ColorEye eye() {
+        return eye;
+    }
+
+    /** Where a device listens that is asked by two wires. */
+    public I2CBus bus() {
+        return bus;
     }
 
     public void expose(Stimulus newStimulus) {
         stimulus = newStimulus;
         isTold = false;
+        bus.connect(!is(Stimulus.Kind.NONE));
     }
 
     public Stimulus stimulus() {
         return stimulus;
     }
 
-    /** Centimetres, 0 to 255. */
-    public int distance() {
-        boolean fits = is(Stimulus.Kind.VALUE) && isWithin(0, NO_ECHO);
-        check(fits, "an ultrasonic sensor");
-        return is(Stimulus.Kind.VALUE)
-                ? Math.min(Math.max(stimulus.number(), 0), NO_ECHO)
-                : NO_ECHO;
+    @Override
+    public long microseconds() {
+        return hardware.time().now();
+    }
+
+    @Override
+    public boolean isExposed() {
+        return !is(Stimulus.Kind.NONE);
+    }
+
+    @Override
+    public int value() {
+        return stimulus.number();
+    }
+
+    @Override
+    public int value(int least, int most, String sensor) {
+        boolean isNumber = is(Stimulus.Kind.VALUE) || !isExposed();
+        check(isNumber && isWithin(least, most), sensor);
+        return isNumber ? Math.min(Math.max(value(), least), most) : most;
+    }
+
+    @Override
+    public void show(int value) {
+        observed(value);
+    }
+
+    /** A device is asked by two wires, and nobody has said what it is. */
+    void checkKnown(boolean known) {
+        check(known, "an I2C device that no --device describes");
     }
 
     /** A colour's number as lejos.robotics.Color counts. */
-    public int color() {
+    int color() {
         boolean known = is(Stimulus.Kind.COLOR) || is(Stimulus.Kind.VALUE);
         check(known && isWithin(NO_COLOR, LAST_COLOR), "a colour sensor");
         return known ? stimulus.number() : NO_COLOR;

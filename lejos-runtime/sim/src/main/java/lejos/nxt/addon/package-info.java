@@ -1,0 +1,2 @@
+/** Sensors of other makers; signatures as on the real brick. */
+package lejos.nxt.addon;

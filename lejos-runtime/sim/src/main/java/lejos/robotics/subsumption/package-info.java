@@ -1,0 +1,2 @@
+/** Behaviours that take control from each other; signatures as on the real brick. */
+package lejos.robotics.subsumption;
