@@ -18,8 +18,8 @@ public class Spy extends Thread {
 //      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0916: robot.Spy.look uses Runtime.addShutdownHook(Thread), which the simulated brick does not have: 'run-brick' and 'world' cannot run this program
         Class.forName("arcomat.sim.Laboratory");
 //      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0916: robot.Spy.look uses Class.forName(String), which the simulated brick does not have: 'run-brick' and 'world' cannot run this program
-        new lejos.nxt.addon.CompassHTSensor(lejos.nxt.SensorPort.S1).getDegrees();
-//      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0916: robot.Spy.look uses lejos.nxt.addon.CompassHTSensor, which the simulated brick does not have: 'run-brick' and 'world' cannot run this program
+        new lejos.nxt.addon.EOPD(lejos.nxt.SensorPort.S1).readRawValue();
+//      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0916: robot.Spy.look uses lejos.nxt.addon.EOPD, which the simulated brick does not have: 'run-brick' and 'world' cannot run this program
         setName(System.getProperty("user.home"));
 //      ~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~ error ARC0916: robot.Spy.look uses System.getProperty(String), which the simulated brick does not have: 'run-brick' and 'world' cannot run this program
         new File("again");

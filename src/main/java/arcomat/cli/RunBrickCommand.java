@@ -10,6 +10,7 @@ import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
+import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.sim.trace.Recorder.Misfit;
@@ -18,7 +19,9 @@ import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
+import java.util.EnumMap;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -31,6 +34,7 @@ import java.util.OptionalInt;
             "  arcomat run-brick --jar build/brick/Fetcher.jar --script meets-another.script",
             "  arcomat run-brick --jar build/brick/Fetcher.jar --seconds 60 --trace csv > run.csv",
             "  arcomat run-brick --jar build/brick/Fetcher.jar --report build/run",
+            "  arcomat run-brick --jar build/brick/Rover.jar --device S2=simulation/Gyro.java",
             "",
             "A script has one line per event: milliseconds since switching on, what, and how.",
             "  0     S1 255              a sensor's value in its own unit",
@@ -62,6 +66,14 @@ final class RunBrickCommand extends Command {
             paramLabel = "FILE",
             description = "What happens to the brick; without it, nothing.")
     private String script;
+
+    @Option(
+            names = "--device",
+            paramLabel = "SOCKET=DEVICE",
+            description =
+                    "What is plugged into a socket and asked over I2C: a Java file that describes"
+                            + " it, or ultrasonic, compass, thermometer. May be repeated.")
+    private Map<SensorName, String> devices = new EnumMap<>(SensorName.class);
 
     @Option(
             names = "--seconds",
@@ -101,7 +113,8 @@ final class RunBrickCommand extends Command {
         report.prepare(pipeline);
         OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);
         BrickRunRequest request =
-                new BrickRunRequest(jar, Optional.ofNullable(script), limit, timeout.patience());
+                new BrickRunRequest(
+                        jar, Optional.ofNullable(script), devices, limit, timeout.patience());
         try {
             return report(pipeline.runBrick(request), pipeline);
         } catch (OutOfPatience e) {

@@ -1,8 +1,10 @@
 package arcomat.pipeline.brick;
 
 import arcomat.sim.Laboratory;
+import arcomat.sim.device.SensorName;
 
 import java.time.Duration;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -11,13 +13,22 @@ import java.util.OptionalInt;
  *
  * @param jar path of its jar
  * @param script path of a script that says what happens to the brick
+ * @param devices what is plugged into sockets: kinds of devices, or paths of Java files
  * @param seconds of virtual time at most; empty for as long as the script says
  * @param patience of the PC's time at most
  */
 public record BrickRunRequest(
-        String jar, Optional<String> script, OptionalInt seconds, Duration patience) {
-    /** A request with the usual patience. */
+        String jar,
+        Optional<String> script,
+        Map<SensorName, String> devices,
+        OptionalInt seconds,
+        Duration patience) {
+    public BrickRunRequest {
+        devices = Map.copyOf(devices);
+    }
+
+    /** A request without devices, and with the usual patience. */
     public BrickRunRequest(String jar, Optional<String> script, OptionalInt seconds) {
-        this(jar, script, seconds, Laboratory.PATIENCE);
+        this(jar, script, Map.of(), seconds, Laboratory.PATIENCE);
     }
 }

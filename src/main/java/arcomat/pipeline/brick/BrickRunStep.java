@@ -54,19 +54,24 @@ public final class BrickRunStep {
             }
             script = parsed.script().get();
         }
+        PluggedDevices plugged = PluggedDevices.of(request.devices(), names);
+        if (!plugged.findings().isEmpty()) {
+            return new BrickRunResult(plugged.findings(), Optional.empty());
+        }
         progress.step("running " + request.jar() + " on a simulated brick");
         long end = end(request, script);
         return new BrickRunResult(
-                List.of(), Optional.of(run(jar, script, end, request.patience())));
+                List.of(), Optional.of(run(jar, script, plugged, end, request.patience())));
     }
 
     private static BrickRunResult.Run run(
-            JarReader jar, Script script, long end, Duration patience) {
+            JarReader jar, Script script, PluggedDevices plugged, long end, Duration patience) {
         try (Laboratory laboratory = new Laboratory()) {
             laboratory.limit(patience);
             SimulatedBrick brick = laboratory.place(jar.main(), jar.program());
             Recorder recorder = new Recorder();
             brick.observe(recorder);
+            plugged.devices().forEach(brick::plug);
             brick.play(script);
             laboratory.runToEnd(end);
             return new BrickRunResult.Run(

@@ -17,7 +17,7 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Compiles Java 6 source to class files, all in memory. Eclipse's compiler, since the JDK's own has
+ * Compiles Java source to class files, all in memory: Java 6, where nothing else is said. Eclipse's compiler, since the JDK's own has
  * forgotten Java 6 and needs not be there at run time.
  */
 public final class MemoryCompiler {
@@ -34,6 +34,20 @@ public final class MemoryCompiler {
      */
     public static Compilation compile(
             Map<String, String> sources, Map<String, String> onDemand, ClassFiles available) {
+        return compile(sources, onDemand, available, CompilerOptions.VERSION_1_6);
+    }
+
+    /** As above, by the rules of the Java that this program runs on at least. */
+    public static Compilation compileForThisJava(
+            Map<String, String> sources, ClassFiles available) {
+        return compile(sources, Map.of(), available, CompilerOptions.VERSION_17);
+    }
+
+    private static Compilation compile(
+            Map<String, String> sources,
+            Map<String, String> onDemand,
+            ClassFiles available,
+            String version) {
         MemoryCompiler memory = new MemoryCompiler();
         ICompilationUnit[] units =
                 sources.entrySet().stream()
@@ -44,7 +58,7 @@ public final class MemoryCompiler {
                     new Compiler(
                             types,
                             DefaultErrorHandlingPolicies.proceedWithAllProblems(),
-                            options(),
+                            options(version),
                             memory::accept,
                             new DefaultProblemFactory(Locale.ENGLISH));
             compiler.compile(units);
@@ -56,12 +70,12 @@ public final class MemoryCompiler {
         return new CompilationUnit(source.getValue().toCharArray(), source.getKey(), "UTF-8");
     }
 
-    private static CompilerOptions options() {
+    private static CompilerOptions options(String version) {
         return new CompilerOptions(
                 Map.of(
-                        CompilerOptions.OPTION_Source, CompilerOptions.VERSION_1_6,
-                        CompilerOptions.OPTION_Compliance, CompilerOptions.VERSION_1_6,
-                        CompilerOptions.OPTION_TargetPlatform, CompilerOptions.VERSION_1_6,
+                        CompilerOptions.OPTION_Source, version,
+                        CompilerOptions.OPTION_Compliance, version,
+                        CompilerOptions.OPTION_TargetPlatform, version,
                         CompilerOptions.OPTION_LineNumberAttribute, CompilerOptions.GENERATE));
     }
 

@@ -37,6 +37,8 @@ class MemberTableTest {
     private static final Pattern MAIN_PACKAGE = Pattern.compile("lejos/nxt/[^/]+");
     private static final Pattern MEMBER =
             Pattern.compile("(?:field|method) (\\S+) .*?(\\S+) \\S+");
+    private static final String IMPLEMENTS = "implements ";
+    private static final int OWNER = IMPLEMENTS.length();
     private static final int SEEN = Opcodes.ACC_PUBLIC | Opcodes.ACC_PROTECTED;
 
     @TestFactory
@@ -79,6 +81,27 @@ class MemberTableTest {
                             }
                         });
         assertThat(lacking.stream().sorted()).containsExactlyElementsOf(listed());
+    }
+
+    /** A simulated class is also whatever it is on the brick, as far as that is simulated. */
+    @Test
+    void interfacesAreThoseOfTheBrick() throws IOException, URISyntaxException {
+        Map<String, List<String>> simulated = new HashMap<>();
+        for (Path file : classFiles()) {
+            Lines lines = new Lines();
+            new ClassReader(Files.readAllBytes(file)).accept(lines, ClassReader.SKIP_CODE);
+            simulated.put(lines.name, lines.lines);
+        }
+        Map<String, Set<String>> table = table();
+        List<String> lost = new ArrayList<>();
+        simulated.forEach(
+                (type, lines) ->
+                        table.getOrDefault(type, Set.of()).stream()
+                                .filter(line -> line.startsWith(IMPLEMENTS))
+                                .filter(line -> simulated.containsKey(line.substring(OWNER)))
+                                .filter(line -> !lines.contains(line))
+                                .forEach(line -> lost.add(type + " " + line)));
+        assertThat(lost).isEmpty();
     }
 
     private static List<String> lacking(String type, Set<String> members, Set<String> simulated) {
@@ -154,7 +177,7 @@ class MemberTableTest {
     }
 
     private static List<String> interfaces(String[] names) {
-        return Arrays.stream(names).map(name -> "implements " + name).toList();
+        return Arrays.stream(names).map(name -> IMPLEMENTS + name).toList();
     }
 
     private static final class Lines extends ClassVisitor {
