@@ -17,7 +17,11 @@ public class Points {
     }
 
     private static String row(int y) {
-        return LCD.getPixel(1, y) + "" + LCD.getPixel(2, y) + LCD.getPixel(3, y)
-                + LCD.getPixel(4, y) + " ";
+        return LCD.getPixel(1, y)
+                + ""
+                + LCD.getPixel(2, y)
+                + LCD.getPixel(3, y)
+                + LCD.getPixel(4, y)
+                + " ";
     }
 }

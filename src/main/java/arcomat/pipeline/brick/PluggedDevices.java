@@ -70,8 +70,7 @@ record PluggedDevices(Map<SensorName, I2CDevice> devices, List<Diagnostic> findi
             String path, PathNames names, List<Diagnostic> findings) throws WrongUse {
         SourceFile file = FileReader.required("device", path, names);
         Compilation compilation =
-                MemoryCompiler.compileForThisJava(
-                        Map.of(path, file.text()), new DeviceClasses());
+                MemoryCompiler.compileForThisJava(Map.of(path, file.text()), new DeviceClasses());
         if (!compilation.problems().isEmpty()) {
             compilation.problems().forEach(problem -> findings.add(finding(problem, file)));
             return Optional.empty();

@@ -17,8 +17,8 @@ import java.util.Locale;
 import java.util.Map;
 
 /**
- * Compiles Java source to class files, all in memory: Java 6, where nothing else is said. Eclipse's compiler, since the JDK's own has
- * forgotten Java 6 and needs not be there at run time.
+ * Compiles Java source to class files, all in memory: Java 6, where nothing else is said. Eclipse's
+ * compiler, since the JDK's own has forgotten Java 6 and needs not be there at run time.
  */
 public final class MemoryCompiler {
     private final Map<String, byte[]> classes = new HashMap<>();

@@ -33,9 +33,9 @@ final class Raster {
     /**
      * Combines a point with another one.
      *
-     * @param operation four masks, one byte each: what is there is and-ed with the bit masked by the
-     *     first and flipped by the second, and flipped by the bit masked by the third and flipped
-     *     by the fourth
+     * @param operation four masks, one byte each: what is there is and-ed with the bit masked by
+     *     the first and flipped by the second, and flipped by the bit masked by the third and
+     *     flipped by the fourth
      */
     void combine(int x, int y, int bit, int operation) {
         int and = bit & operation >> 24 ^ operation >> 16;

@@ -53,7 +53,8 @@ class DeviceTest {
                         "}",
                         "Own own = new Own();",
                         "byte[] bytes = {3, 4, 5};",
-                        "int sent = own.sendData(0x50, bytes, 1, 2) + own.sendData(0x50, (byte) 1);",
+                        "int sent = own.sendData(0x50, bytes, 1, 2) + own.sendData(0x50, (byte)"
+                            + " 1);",
                         "Delay.msDelay(100);",
                         "int got = own.getData(0x60, bytes, 3);",
                         "LCD.drawString(sent + \" \" + got, 0, 0);",
@@ -115,7 +116,8 @@ class DeviceTest {
                         "port.i2cWaitIOComplete();",
                         "int length = port.i2cComplete(bytes, 1, 1);",
                         "LCD.drawString(begun + \" \" + early + \" \" + busy, 0, 0);",
-                        "LCD.drawString(length + \" \" + bytes[1] + \" \" + port.i2cStatus(), 0, 1);",
+                        "LCD.drawString(length + \" \" + bytes[1] + \" \" + port.i2cStatus(), 0,"
+                            + " 1);",
                         "LCD.drawInt((int) System.currentTimeMillis(), 0, 2);",
                         "port.i2cDisable();",
                         "LCD.drawInt(port.i2cStatus(), 0, 3);");
@@ -124,7 +126,8 @@ class DeviceTest {
             brick.plug(SensorName.S1, new Sonar());
             brick.expose(SensorName.S1, Stimulus.value(21));
             laboratory.runToEnd(1000);
-            assertThat(brick.screen().subList(0, 4)).containsExactly("0 -2 -2", "1 21 0", "5", "-1");
+            assertThat(brick.screen().subList(0, 4))
+                    .containsExactly("0 -2 -2", "1 21 0", "5", "-1");
         }
     }
 

@@ -35,8 +35,7 @@ class MemberTableTest {
     private static final Path TABLE = Path.of("../api/lejos-nxj-0.9.1.tsv");
     private static final Path LACKING = Path.of("src/test/resources/lacking.txt");
     private static final Pattern MAIN_PACKAGE = Pattern.compile("lejos/nxt/[^/]+");
-    private static final Pattern MEMBER =
-            Pattern.compile("(?:field|method) (\\S+) .*?(\\S+) \\S+");
+    private static final Pattern MEMBER = Pattern.compile("(?:field|method) (\\S+) .*?(\\S+) \\S+");
     private static final String IMPLEMENTS = "implements ";
     private static final int OWNER = IMPLEMENTS.length();
     private static final int SEEN = Opcodes.ACC_PUBLIC | Opcodes.ACC_PROTECTED;
@@ -106,7 +105,10 @@ class MemberTableTest {
 
     private static List<String> lacking(String type, Set<String> members, Set<String> simulated) {
         List<String> own =
-                members.stream().filter(MemberTableTest::isMember).map(MemberTableTest::key).toList();
+                members.stream()
+                        .filter(MemberTableTest::isMember)
+                        .map(MemberTableTest::key)
+                        .toList();
         List<String> missing =
                 own.stream().filter(member -> !simulated.contains(type + " " + member)).toList();
         String name = type.substring(type.lastIndexOf('/') + 1);

@@ -68,10 +68,7 @@ public final class Sonar implements I2CDevice {
 
     private void listen(boolean now, Surroundings around) {
         if (now) {
-            heard =
-                    around.isExposed()
-                            ? around.value(0, NO_ECHO, "an ultrasonic sensor")
-                            : NO_ECHO;
+            heard = around.isExposed() ? around.value(0, NO_ECHO, "an ultrasonic sensor") : NO_ECHO;
         }
     }
 }

@@ -1,6 +1,8 @@
 package arcomat.sim.device;
 
-/** What a colour sensor sees: a surface of a colour, or one of which only the brightness is known. */
+/**
+ * What a colour sensor sees: a surface of a colour, or one of which only the brightness is known.
+ */
 public final class ColorEye {
     /** The lamp; red, green and blue are also the parts of a colour. */
     public static final int RED = 0;
@@ -21,8 +23,8 @@ public final class ColorEye {
 
     /** As lejos.robotics.Color counts them, from red to cyan. */
     private static final int[] COLORS = {
-        0xff0000, 0x00ff00, 0x0000ff, 0xffff00, 0xff00ff, 0xffc800, 0xffffff,
-        0x000000, 0xffafaf, 0x808080, 0xc0c0c0, 0x404040, 0x00ffff
+        0xff0000, 0x00ff00, 0x0000ff, 0xffff00, 0xff00ff, 0xffc800, 0xffffff, 0x000000, 0xffafaf,
+        0x808080, 0xc0c0c0, 0x404040, 0x00ffff
     };
 
     private final SensorSocket socket;
