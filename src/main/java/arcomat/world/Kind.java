@@ -11,6 +11,7 @@ import java.util.Optional;
  * @param radius of the body, in mm
  * @param mass in grams; a heavy robot takes longer to take up the speed of its wheels
  * @param wheels absent from a robot that stands
+ * @param described sensors that answer as a file of the team says
  */
 public record Kind(
         String name,
@@ -18,12 +19,14 @@ public record Kind(
         double radius,
         double mass,
         Optional<Wheels> wheels,
-        List<Device> devices) {
+        List<Device> devices,
+        List<Described> described) {
     /** How far a holder may be from where a cup drops or coffee runs, in mm. */
     private static final double TOLERANCE = 60;
 
     public Kind {
         devices = List.copyOf(devices);
+        described = List.copyOf(described);
     }
 
     /**
@@ -42,6 +45,15 @@ public record Kind(
             COMPONENT
         }
     }
+
+    /**
+     * A sensor that a program asks over two wires.
+     *
+     * @param socket 1 to 4; the sensor that the kind has there says what is around it
+     * @param device a file that describes it, relative to the world's file, or a kind of sensors
+     * @param place where the world says so
+     */
+    public record Described(int socket, String device, Span place) {}
 
     /** What a robot of this kind fills at a place. */
     Disc body(Pose pose) {

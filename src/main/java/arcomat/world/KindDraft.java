@@ -2,6 +2,7 @@ package arcomat.world;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
+import arcomat.world.Kind.Described;
 import arcomat.world.Kind.Program;
 
 import java.util.ArrayList;
@@ -29,7 +30,8 @@ final class KindDraft {
                     "feeler",
                     "lamp",
                     "slide",
-                    "finger");
+                    "finger",
+                    "device");
 
     private static final List<String> SOCKETS = List.of("S1", "S2", "S3", "S4");
     private static final List<String> MOTORS = List.of("A", "B", "C");
@@ -37,6 +39,7 @@ final class KindDraft {
 
     private final Span name;
     private final List<Device> devices = new ArrayList<>();
+    private final List<Described> described = new ArrayList<>();
     private final Map<String, Span> used = new LinkedHashMap<>();
     private Program program;
     private double radius = 80;
@@ -62,7 +65,8 @@ final class KindDraft {
                                         radius,
                                         mass,
                                         Optional.ofNullable(wheels),
-                                        devices));
+                                        devices,
+                                        described));
     }
 
     /** Reads a line that begins with one of {@link #PARTS}. */
@@ -82,20 +86,37 @@ final class KindDraft {
                 once(part);
                 wheels = wheels(words);
             }
+            case "device" -> described.add(described(words));
             case "slide", "finger" -> devices.add(arm(part, words));
             default -> devices.add(sensor(part.text(), socket(words), words));
         }
         words.end();
     }
 
+    /** The socket may have a sensor, too: it says what is around the device. */
+    private Described described(Words words) throws Unreadable {
+        Span socket = words.choice("a socket", SOCKETS);
+        once(socket, "device in ");
+        Span device = words.next("the path of a Java file");
+        return new Described(SOCKETS.indexOf(socket.text()) + 1, device.text(), device);
+    }
+
     private void once(Span word) throws Unreadable {
-        Span before = used.putIfAbsent(word.text(), word);
+        once(word, "");
+    }
+
+    /**
+     * @param use what the word is used for, where it may also be used for something else
+     */
+    private void once(Span word, String use) throws Unreadable {
+        Span before = used.putIfAbsent(use + word.text(), word);
         if (before != null) {
             throw new Unreadable(
                     Diagnostic.error(
                                     TWICE,
                                     word,
-                                    "kind '%s' has '%s' twice".formatted(name.text(), word.text()))
+                                    "kind '%s' has '%s' twice"
+                                            .formatted(name.text(), use + word.text()))
                             .withRelated(before, "the first one"));
         }
     }

@@ -71,7 +71,7 @@ public final class BrickRunStep {
             SimulatedBrick brick = laboratory.place(jar.main(), jar.program());
             Recorder recorder = new Recorder();
             brick.observe(recorder);
-            plugged.devices().forEach(brick::plug);
+            plugged.plugInto(brick);
             brick.play(script);
             laboratory.runToEnd(end);
             return new BrickRunResult.Run(

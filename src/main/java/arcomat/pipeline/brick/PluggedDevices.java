@@ -5,6 +5,7 @@ import arcomat.pipeline.compile.MemoryCompiler;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.sim.SimulatedBrick;
 import arcomat.sim.bus.Compass;
 import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.bus.Sonar;
@@ -14,31 +15,48 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
+import java.lang.reflect.Constructor;
 import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Supplier;
 
 /**
  * The devices in the sockets of a simulated brick, as a user names them: a kind that is known, or a
  * Java file that describes one.
  *
- * @param devices empty if there are findings
+ * @param devices makes new ones for each run; empty if there are findings
  * @param findings about files
  */
-record PluggedDevices(Map<SensorName, I2CDevice> devices, List<Diagnostic> findings) {
-    private static final String NO_DEVICE = "ARC0809";
+public record PluggedDevices(
+        Map<SensorName, Supplier<I2CDevice>> devices, List<Diagnostic> findings) {
+    /** There is no such device. */
+    public static final String NO_DEVICE = "ARC0809";
+
     private static final String JAVA = ".java";
     private static final String KINDS = "ultrasonic, compass, thermometer";
 
+    public PluggedDevices {
+        devices = Map.copyOf(devices);
+        findings = List.copyOf(findings);
+    }
+
+    /** Puts new devices into the sockets of a brick. */
+    public void plugInto(SimulatedBrick brick) {
+        devices.forEach((socket, device) -> brick.plug(socket, device.get()));
+    }
+
     /**
+     * Finds the kinds, and compiles the files.
+     *
      * @param named kinds, or paths of files, by their sockets
      * @throws WrongUse where there is neither such a kind nor such a file
      */
-    static PluggedDevices of(Map<SensorName, String> named, PathNames names) throws WrongUse {
-        Map<SensorName, I2CDevice> devices = new EnumMap<>(SensorName.class);
+    public static PluggedDevices of(Map<SensorName, String> named, PathNames names) throws WrongUse {
+        Map<SensorName, Supplier<I2CDevice>> devices = new EnumMap<>(SensorName.class);
         List<Diagnostic> findings = new ArrayList<>();
         for (Map.Entry<SensorName, String> each : new TreeMap<>(named).entrySet()) {
             if (!findings.isEmpty()) {
@@ -54,19 +72,19 @@ record PluggedDevices(Map<SensorName, I2CDevice> devices, List<Diagnostic> findi
         return new PluggedDevices(findings.isEmpty() ? devices : Map.of(), findings);
     }
 
-    private static I2CDevice kind(SensorName socket, String name) throws WrongUse {
+    private static Supplier<I2CDevice> kind(SensorName socket, String name) throws WrongUse {
         return switch (name) {
-            case "ultrasonic" -> new Sonar();
-            case "compass" -> new Compass();
-            case "thermometer" -> new Thermometer();
+            case "ultrasonic" -> Sonar::new;
+            case "compass" -> Compass::new;
+            case "thermometer" -> Thermometer::new;
             default ->
                     throw new WrongUse(
-                            "--device %s=%s names neither a Java file nor one of %s"
-                                    .formatted(socket, name, KINDS));
+                            "device '%s' in %s is neither a Java file nor one of %s"
+                                    .formatted(name, socket, KINDS));
         };
     }
 
-    private static Optional<I2CDevice> described(
+    private static Optional<Supplier<I2CDevice>> described(
             String path, PathNames names, List<Diagnostic> findings) throws WrongUse {
         SourceFile file = FileReader.required("device", path, names);
         Compilation compilation =
@@ -76,7 +94,9 @@ record PluggedDevices(Map<SensorName, I2CDevice> devices, List<Diagnostic> findi
             return Optional.empty();
         }
         try {
-            return Optional.of(made(className(path, compilation), compilation));
+            Constructor<?> constructor = constructor(className(path, compilation), compilation);
+            made(constructor);
+            return Optional.of(() -> made(constructor));
         } catch (ReflectiveOperationException | LinkageError | ClassCastException e) {
             findings.add(
                     Diagnostic.error(
@@ -84,15 +104,22 @@ record PluggedDevices(Map<SensorName, I2CDevice> devices, List<Diagnostic> findi
                             file.span(0, 0),
                             "this is no device: the class that the file is named after has to"
                                     + " implement arcomat.sim.bus.I2CDevice, and to be public, with"
-                                    + " a public constructor without parameters that succeeds"));
+                                    + " a public constructor without parameters"));
             return Optional.empty();
         }
     }
 
-    private static I2CDevice made(String name, Compilation compilation)
+    private static Constructor<?> constructor(String name, Compilation compilation)
             throws ReflectiveOperationException {
-        Class<?> type = new Loader(compilation.classes()).loadClass(name);
-        return (I2CDevice) type.getConstructor().newInstance();
+        return new Loader(compilation.classes()).loadClass(name).getConstructor();
+    }
+
+    private static I2CDevice made(Constructor<?> constructor) {
+        try {
+            return (I2CDevice) constructor.newInstance();
+        } catch (ReflectiveOperationException e) {
+            throw new LinkageError(constructor.getName(), e);
+        }
     }
 
     /** The class that the file is named after, in whichever package. */

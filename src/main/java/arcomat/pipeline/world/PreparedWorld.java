@@ -1,7 +1,6 @@
 package arcomat.pipeline.world;
 
 import arcomat.sim.Laboratory;
-import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
 import arcomat.world.World;
@@ -15,14 +14,14 @@ public final class PreparedWorld {
     private final List<Diagnostic> findings;
     private final int files;
     private final World world;
-    private final Map<String, Program> programs;
+    private final Map<String, Equipment> equipment;
 
     PreparedWorld(
-            List<Diagnostic> findings, int files, World world, Map<String, Program> programs) {
+            List<Diagnostic> findings, int files, World world, Map<String, Equipment> equipment) {
         this.findings = List.copyOf(findings);
         this.files = files;
         this.world = world;
-        this.programs = programs;
+        this.equipment = equipment;
     }
 
     /** About the world, and about the models of its robots. */
@@ -56,6 +55,6 @@ public final class PreparedWorld {
         if (!canRun()) {
             throw new IllegalStateException("a world with errors");
         }
-        return WorldRun.run(world, seed, programs, patience);
+        return WorldRun.run(world, seed, equipment, patience);
     }
 }

@@ -7,6 +7,7 @@ import arcomat.generate.Request;
 import arcomat.generate.Target;
 import arcomat.model.Model;
 import arcomat.pipeline.brick.JarReader;
+import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.generate.Implementations;
@@ -15,6 +16,8 @@ import arcomat.pipeline.generate.Targets;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.sim.bus.I2CDevice;
+import arcomat.sim.device.SensorName;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.world.Kind;
@@ -23,13 +26,15 @@ import arcomat.world.World;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 
-/** Brings the programs of a world's robots: reads jars, or makes them of models. */
+/** Brings the programs of a world's robots: reads jars, or makes them of models; and devices. */
 final class WorldPrograms {
     private static final String NO_PROGRAM = "ARC1125";
     private static final String TARGET = "lejos";
@@ -51,11 +56,11 @@ final class WorldPrograms {
     /**
      * What came of it.
      *
-     * @param programs by the names of robots; those that cannot be had are missing
+     * @param equipment by the names of robots; what cannot be had is missing
      * @param findings about the world and about models
      * @param files how many models were read
      */
-    record Result(Map<String, Program> programs, List<Diagnostic> findings, int files) {}
+    record Result(Map<String, Equipment> equipment, List<Diagnostic> findings, int files) {}
 
     /**
      * @param file of the world, as the user wrote it; its paths start there
@@ -67,13 +72,19 @@ final class WorldPrograms {
     }
 
     private Result load(World world) throws WrongUse {
-        Map<String, Program> byRobot = new LinkedHashMap<>();
+        Map<String, Equipment> byRobot = new LinkedHashMap<>();
+        Map<String, PluggedDevices> devices = new HashMap<>();
         for (Robot robot : world.robots()) {
             Kind.Program wanted = robot.kind().program();
             if (!programs.containsKey(wanted)) {
                 programs.put(wanted, program(wanted));
             }
-            byRobot.put(robot.name(), programs.get(wanted));
+            if (!devices.containsKey(robot.kind().name())) {
+                devices.put(robot.kind().name(), devices(robot.kind()));
+            }
+            byRobot.put(
+                    robot.name(),
+                    new Equipment(programs.get(wanted), devices.get(robot.kind().name())));
         }
         int files = 0;
         for (CheckedModels models : checked.values()) {
@@ -110,6 +121,24 @@ final class WorldPrograms {
             findings.add(Diagnostic.error(NO_PROGRAM, wanted.place(), e.getMessage()));
             return null;
         }
+    }
+
+    private PluggedDevices devices(Kind kind) {
+        Map<SensorName, Supplier<I2CDevice>> devices = new EnumMap<>(SensorName.class);
+        for (Kind.Described each : kind.described()) {
+            boolean isFile = each.device().endsWith(".java");
+            String device = isFile ? beside(each.device()) : each.device();
+            SensorName socket = SensorName.values()[each.socket() - 1];
+            try {
+                PluggedDevices plugged = PluggedDevices.of(Map.of(socket, device), names);
+                devices.putAll(plugged.devices());
+                findings.addAll(plugged.findings());
+            } catch (WrongUse e) {
+                findings.add(
+                        Diagnostic.error(PluggedDevices.NO_DEVICE, each.place(), e.getMessage()));
+            }
+        }
+        return new PluggedDevices(devices, List.of());
     }
 
     private String beside(String written) {

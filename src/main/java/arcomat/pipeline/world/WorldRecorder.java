@@ -5,6 +5,7 @@ import arcomat.sim.device.MotorOrder;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.Screen;
 import arcomat.world.Happening;
+import arcomat.world.Kind;
 import arcomat.world.Physics;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
@@ -48,7 +49,9 @@ final class WorldRecorder {
         return new Sending() {
             @Override
             public void sensorRead(long time, int socket, int value) {
-                if (robot.kind().sensors().stream().noneMatch(s -> s.socket() == socket + 1)) {
+                Kind kind = robot.kind();
+                if (kind.sensors().stream().noneMatch(s -> s.socket() == socket + 1)
+                        && kind.described().stream().noneMatch(d -> d.socket() == socket + 1)) {
                     blind.add(new Recording.Blind(robot.name(), socket + 1));
                 }
             }

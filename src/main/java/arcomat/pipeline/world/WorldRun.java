@@ -5,7 +5,6 @@ import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
-import arcomat.sim.load.Program;
 import arcomat.world.Device;
 import arcomat.world.Physics;
 import arcomat.world.Recording;
@@ -59,31 +58,32 @@ final class WorldRun {
     }
 
     /** Runs a world as long as usual. */
-    static Recording run(World world, long seed, Map<String, Program> programs) {
-        return run(world, seed, programs, Laboratory.PATIENCE);
+    static Recording run(World world, long seed, Map<String, Equipment> equipment) {
+        return run(world, seed, equipment, Laboratory.PATIENCE);
     }
 
     /**
      * Runs a world to its goal, or to its end.
      *
-     * @param programs by the names of robots
+     * @param equipment by the names of robots
      * @param patience how long it may take by the PC's clock
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    static Recording run(World world, long seed, Map<String, Program> programs, Duration patience) {
+    static Recording run(World world, long seed, Map<String, Equipment> equipment, Duration patience) {
         try (Laboratory laboratory = new Laboratory()) {
             laboratory.limit(patience);
-            return new WorldRun(world, seed, laboratory).run(programs);
+            return new WorldRun(world, seed, laboratory).run(equipment);
         }
     }
 
-    private Recording run(Map<String, Program> programs) {
+    private Recording run(Map<String, Equipment> equipment) {
         scene = physics.start();
         laboratory.surround(Physics.STEP, this::step);
         for (int i = 0; i < bricks.length; i++) {
             laboratory.runUntil(physics.switchedOn(i));
             String name = world.robots().get(i).name();
-            bricks[i] = laboratory.place(name, programs.get(name));
+            bricks[i] = laboratory.place(name, equipment.get(name).program());
+            equipment.get(name).devices().plugInto(bricks[i]);
             bricks[i].observe(recorder.of(world.robots().get(i)));
             expose(i);
         }

@@ -42,7 +42,7 @@ public final class WorldStep {
         WorldPrograms.Result programs = WorldPrograms.of(world, written, names, progress);
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
         findings.addAll(programs.findings());
-        return new PreparedWorld(findings, 1 + programs.files(), world, programs.programs());
+        return new PreparedWorld(findings, 1 + programs.files(), world, programs.equipment());
     }
 
     /**

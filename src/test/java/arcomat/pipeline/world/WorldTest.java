@@ -7,7 +7,6 @@ import arcomat.pipeline.generate.GenerationRequest;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.sim.load.Program;
 import arcomat.source.SourceFile;
 import arcomat.world.Cup;
 import arcomat.world.Happening.What;
@@ -46,9 +45,9 @@ class WorldTest {
     private static final double REAL_TIME = 200;
 
     private static World meeting;
-    private static Map<String, Program> fetchers;
+    private static Map<String, Equipment> fetchers;
     private static World service;
-    private static Map<String, Program> servants;
+    private static Map<String, Equipment> servants;
 
     @BeforeAll
     static void bringPrograms() throws IOException, WrongUse {
@@ -63,11 +62,11 @@ class WorldTest {
         return WorldParser.parse(new SourceFile(FOLDER + name, text)).world().orElseThrow();
     }
 
-    private static Map<String, Program> programs(World world, String name) throws WrongUse {
+    private static Map<String, Equipment> programs(World world, String name) throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
         WorldPrograms.Result result = WorldPrograms.of(world, FOLDER + name, names, Progress.NONE);
         assertThat(result.findings()).isEmpty();
-        return result.programs();
+        return result.equipment();
     }
 
     @Test
