@@ -4,6 +4,7 @@ import arcomat.world.Scene.DrinkerState;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.stream.IntStream;
 
@@ -14,7 +15,7 @@ import java.util.stream.IntStream;
  * @param frames the world every {@value #PERIOD} milliseconds
  * @param events what people would tell of, in the order of time
  * @param failures why programs stopped, by robot
- * @param blind sockets that programs have read, and in which their robots have no sensor
+ * @param blind sockets that programs have read, and in which their robots have no such sensor
  */
 public record Recording(
         World world,
@@ -36,8 +37,13 @@ public record Recording(
         blind = List.copyOf(blind);
     }
 
-    /** A robot, and a socket of its brick, from 1. */
-    public record Blind(String robot, int socket) {}
+    /**
+     * A socket that a program has read.
+     *
+     * @param socket from 1
+     * @param sensor what the program takes it for; empty where the robot has no sensor at all
+     */
+    public record Blind(String robot, int socket, Optional<String> sensor) {}
 
     /**
      * The world at a moment.

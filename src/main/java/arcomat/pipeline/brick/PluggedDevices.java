@@ -55,7 +55,8 @@ public record PluggedDevices(
      * @param named kinds, or paths of files, by their sockets
      * @throws WrongUse where there is neither such a kind nor such a file
      */
-    public static PluggedDevices of(Map<SensorName, String> named, PathNames names) throws WrongUse {
+    public static PluggedDevices of(Map<SensorName, String> named, PathNames names)
+            throws WrongUse {
         Map<SensorName, Supplier<I2CDevice>> devices = new EnumMap<>(SensorName.class);
         List<Diagnostic> findings = new ArrayList<>();
         for (Map.Entry<SensorName, String> each : new TreeMap<>(named).entrySet()) {

@@ -4,6 +4,7 @@ import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.MotorOrder;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.Screen;
+import arcomat.sim.device.Stimulus;
 import arcomat.world.Happening;
 import arcomat.world.Kind;
 import arcomat.world.Physics;
@@ -22,6 +23,7 @@ import java.util.HexFormat;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 
@@ -44,7 +46,7 @@ final class WorldRecorder {
         Arrays.fill(displays, "");
     }
 
-    /** Hears what a robot sends, and sees which sockets it reads that are empty. */
+    /** Hears what a robot sends, and sees where it takes its sensors for what they are not. */
     Observer of(Robot robot) {
         return new Sending() {
             @Override
@@ -52,8 +54,13 @@ final class WorldRecorder {
                 Kind kind = robot.kind();
                 if (kind.sensors().stream().noneMatch(s -> s.socket() == socket + 1)
                         && kind.described().stream().noneMatch(d -> d.socket() == socket + 1)) {
-                    blind.add(new Recording.Blind(robot.name(), socket + 1));
+                    blind.add(new Recording.Blind(robot.name(), socket + 1, Optional.empty()));
                 }
+            }
+
+            @Override
+            public void misfit(long time, int socket, String sensor, Stimulus stimulus) {
+                blind.add(new Recording.Blind(robot.name(), socket + 1, Optional.of(sensor)));
             }
 
             @Override

@@ -69,7 +69,8 @@ final class WorldRun {
      * @param patience how long it may take by the PC's clock
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    static Recording run(World world, long seed, Map<String, Equipment> equipment, Duration patience) {
+    static Recording run(
+            World world, long seed, Map<String, Equipment> equipment, Duration patience) {
         try (Laboratory laboratory = new Laboratory()) {
             laboratory.limit(patience);
             return new WorldRun(world, seed, laboratory).run(equipment);

@@ -69,7 +69,11 @@ public final class WorldText {
                                         .append(Printable.escape(reason)));
         for (Recording.Blind each : recording.blind()) {
             text.append("\nthe program of ").append(each.robot()).append(" reads S");
-            text.append(each.socket()).append(", where the robot has no sensor");
+            text.append(each.socket());
+            text.append(
+                    each.sensor()
+                            .map(as -> " as " + as + ", and the robot has another sensor there")
+                            .orElse(", where the robot has no sensor"));
         }
         recording
                 .stillSince()

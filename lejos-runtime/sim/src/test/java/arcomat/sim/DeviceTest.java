@@ -54,7 +54,7 @@ class DeviceTest {
                         "Own own = new Own();",
                         "byte[] bytes = {3, 4, 5};",
                         "int sent = own.sendData(0x50, bytes, 1, 2) + own.sendData(0x50, (byte)"
-                            + " 1);",
+                                + " 1);",
                         "Delay.msDelay(100);",
                         "int got = own.getData(0x60, bytes, 3);",
                         "LCD.drawString(sent + \" \" + got, 0, 0);",
@@ -117,7 +117,7 @@ class DeviceTest {
                         "int length = port.i2cComplete(bytes, 1, 1);",
                         "LCD.drawString(begun + \" \" + early + \" \" + busy, 0, 0);",
                         "LCD.drawString(length + \" \" + bytes[1] + \" \" + port.i2cStatus(), 0,"
-                            + " 1);",
+                                + " 1);",
                         "LCD.drawInt((int) System.currentTimeMillis(), 0, 2);",
                         "port.i2cDisable();",
                         "LCD.drawInt(port.i2cStatus(), 0, 3);");
@@ -144,7 +144,7 @@ class DeviceTest {
         }
         assertThat(recorder.misfits())
                 .extracting(Recorder.Misfit::sensor)
-                .containsExactly("an I2C device that no --device describes");
+                .containsExactly("an I2C device that nobody describes");
     }
 
     @Test

@@ -76,7 +76,7 @@ public final class SensorSocket implements Surroundings {
 
     /** A device is asked by two wires, and nobody has said what it is. */
     void checkKnown(boolean known) {
-        check(known, "an I2C device that no --device describes");
+        check(known, "an I2C device that nobody describes");
     }
 
     /** A colour's number as lejos.robotics.Color counts. */
