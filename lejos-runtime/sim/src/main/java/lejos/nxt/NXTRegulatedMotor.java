@@ -10,7 +10,8 @@ import lejos.robotics.RegulatedMotorListener;
 /**
  * A motor with its speed and position regulated. Its listener hears of a rotation when the motor
  * starts from rest and when it comes to rest; as on the brick, an order to a motor that moves is no
- * new rotation, but here not even one that turns it round. Nothing blocks a simulated motor, so it never stalls.
+ * new rotation, but here not even one that turns it round. Nothing blocks a simulated motor, so it
+ * never stalls.
  */
 public class NXTRegulatedMotor implements RegulatedMotor {
     protected static final int NO_LIMIT = 0x7fffffff;
