@@ -17,6 +17,7 @@ public record Change(Relation relation, List<Witness> witnesses, String reason) 
     public static final Change UNCHANGED = plain(Relation.UNCHANGED);
     public static final Change NEW = plain(Relation.NEW);
     public static final Change GONE = plain(Relation.GONE);
+    public static final Change UNREAD = plain(Relation.UNREAD);
 
     public Change {
         witnesses = List.copyOf(witnesses);
@@ -36,7 +37,9 @@ public record Change(Relation relation, List<Witness> witnesses, String reason) 
         INCOMPARABLE,
         NEW,
         GONE,
-        UNKNOWN;
+        UNKNOWN,
+        /** Nobody can tell before a file that could not be read is mended. */
+        UNREAD;
 
         /** Whether what was promised is not kept. */
         public boolean breaks() {
@@ -45,7 +48,7 @@ public record Change(Relation relation, List<Witness> witnesses, String reason) 
 
         /** Whether what was promised is not kept, or not known to be. */
         public boolean isDoubtful() {
-            return breaks() || this == UNKNOWN;
+            return breaks() || this == UNKNOWN || this == UNREAD;
         }
     }
 

@@ -60,7 +60,11 @@ abstract class Command implements Callable<Integer> {
 
     /** Tells what a command went on without; what it found out is for the standard output. */
     final void tellAside(CheckResult check) {
-        Aside aside = check.aside();
+        tellAside(check.aside());
+    }
+
+    /** The same of files from several places. */
+    final void tellAside(Aside aside) {
         if (!aside.isEmpty()) {
             console.err().print(FindingsText.render(aside.findings(), console.style()));
             console.err()

@@ -73,6 +73,7 @@ final class ContradictionsCommand extends AnalysisCommand {
                         new ContradictionsRequest(
                                 component, all, Optional.ofNullable(out), limits()),
                         paths);
+        tellAside(result.check());
         if (result.found().isEmpty()) {
             return refuse(result.check());
         }

@@ -47,6 +47,7 @@ final class EvolutionCommand extends AnalysisCommand {
             throw new WrongUse("--versions names at least two components, the oldest first");
         }
         EvolutionResult result = pipeline.evolution(versions, paths, limits());
+        tellAside(result.check());
         if (result.evolution().isEmpty()) {
             return refuse(result.check());
         }

@@ -2,6 +2,7 @@ package arcomat.cli;
 
 import arcomat.analysis.Gate;
 import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.gate.GateRequest;
 import arcomat.pipeline.gate.GateResult;
@@ -67,25 +68,32 @@ final class GateCommand extends LimitedCommand {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         GateResult result = pipeline.gate(new GateRequest(base, paths, limits()));
+        tellAside(result.aside());
         if (result.gate().isEmpty()) {
             reports.write((format, style) -> refusal(result, format, style), pipeline, console);
             return ExitStatus.WRONG_USE;
         }
         reports.write((format, style) -> text(result, format, style), pipeline, console);
-        return status(result.gate().get().answer());
+        return result.aside().isEmpty()
+                ? status(result.gate().get().answer())
+                : ExitStatus.WRONG_USE;
     }
 
     private String text(GateResult result, ReportFormat format, Style style) {
         Gate gate = result.gate().orElseThrow();
         List<Diagnostic> findings = result.findings();
+        Aside aside = result.aside();
         return switch (format) {
             case text -> GateText.render(gate, findings, style);
-            case json -> GateJson.render(gate, findings);
+            case json -> GateJson.render(gate, findings, aside.findings(), aside.files());
             case sarif -> MachineFormats.of(console).sarif(reported(result), false);
             case github ->
                     MachineFormats.of(console)
                             .github(reported(result), GateText.summary(gate, style));
-            case junit -> JunitXml.render("arcomat gate", GateCases.of(gate));
+            case junit ->
+                    JunitXml.render(
+                            "arcomat gate",
+                            CheckRendering.withCasesAside(GateCases.of(gate), aside));
         };
     }
 
@@ -97,7 +105,7 @@ final class GateCommand extends LimitedCommand {
         for (Suppressed each : result.meant()) {
             all.add(new Reported(each.finding(), Standing.SUPPRESSED, each.reason(), List.of()));
         }
-        return all;
+        return CheckRendering.withAside(all, result.aside());
     }
 
     /** What keeps the sides from being compared: for people, which side it is. */

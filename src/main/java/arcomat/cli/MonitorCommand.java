@@ -54,6 +54,7 @@ final class MonitorCommand extends AnalysisCommand {
     int run(Pipeline pipeline) throws WrongUse {
         limits();
         MonitorResult result = pipeline.monitor(new MonitorRequest(component, out), paths);
+        tellAside(result.check());
         if (result.files().isEmpty()) {
             return refuse(result.check());
         }

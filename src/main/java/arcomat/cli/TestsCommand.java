@@ -55,6 +55,7 @@ final class TestsCommand extends AnalysisCommand {
         TransitionTestsResult result =
                 pipeline.transitionTests(
                         new TransitionTestsRequest(component, out, limits()), paths);
+        tellAside(result.check());
         if (result.found().isEmpty()) {
             return refuse(result.check());
         }

@@ -75,6 +75,7 @@ final class WorldCommand extends Command {
             pipeline.requireReportFolder(report);
         }
         PreparedWorld prepared = pipeline.prepareWorld(world);
+        tellAside(prepared.aside());
         print(FindingsText.render(prepared.findings(), console.style()));
         if (!prepared.canRun()) {
             printLine(FindingsText.summary(prepared.findings(), prepared.files(), console.style()));

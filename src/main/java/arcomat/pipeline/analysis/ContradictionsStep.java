@@ -35,7 +35,8 @@ public final class ContradictionsStep {
             ContradictionsRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
+                CheckedModels.checkToExamine(
+                        paths, Asked.components(List.of(request.component())), names, progress);
         if (checked.hasErrors()) {
             return new ContradictionsResult(
                     checked.result(),

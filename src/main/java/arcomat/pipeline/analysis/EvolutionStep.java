@@ -26,7 +26,7 @@ public final class EvolutionStep {
             Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
+                CheckedModels.checkToExamine(paths, Asked.components(versions), names, progress);
         if (checked.hasErrors()) {
             return new EvolutionResult(checked.result(), Optional.empty());
         }

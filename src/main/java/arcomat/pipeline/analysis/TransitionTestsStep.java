@@ -32,7 +32,8 @@ public final class TransitionTestsStep {
             TransitionTestsRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
+                CheckedModels.checkToExamine(
+                        paths, Asked.components(List.of(request.component())), names, progress);
         if (checked.hasErrors()) {
             return new TransitionTestsResult(checked.result(), Optional.empty(), "", "");
         }

@@ -9,6 +9,7 @@ import arcomat.pipeline.file.FileFindings;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
@@ -20,6 +21,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 
 /**
  * The files behind a set of paths, read, parsed and checked: every finding of every file in one
@@ -46,20 +48,13 @@ public record CheckedModels(
     }
 
     /**
-     * Checks models that are about to run: no error is excused by being meant.
+     * Checks models that are about to run: no error is excused by being meant. Files with errors in
+     * their syntax are left out where the rest is what is asked.
      *
+     * @param asked what is wanted of them
      * @param executable components that code is made of; requirements beside them need not be
      *     executable
      */
-    public static CheckedModels checkToRun(
-            List<String> paths,
-            Function<Workspace, Collection<ComponentSymbol>> executable,
-            PathNames names,
-            Progress progress) {
-        return checkToRun(paths, Asked.EVERYTHING, executable, names, progress);
-    }
-
-    /** As above; files with errors in their syntax are left out where the rest is what is asked. */
     public static CheckedModels checkToRun(
             List<String> paths,
             Asked asked,
@@ -87,25 +82,25 @@ public record CheckedModels(
         }
         Set<String> whole = WholeFiles.in(loaded);
         LoadedModels rest = loaded.only(whole);
-        Set<String> others = new TreeSet<>();
-        loaded.sources().forEach(file -> others.add(file.path()));
-        others.removeAll(whole);
-        Predicate<Diagnostic> isAside = each -> others.contains(each.span().file().path());
+        List<SourceFile> others =
+                loaded.sources().stream().filter(file -> !whole.contains(file.path())).toList();
+        Set<String> paths = others.stream().map(SourceFile::path).collect(Collectors.toSet());
+        Predicate<Diagnostic> isAside = each -> paths.contains(each.span().file().path());
         return Optional.of(
                 new CheckedModels(
                         rest,
                         Workspace.of(rest.units(), Set.of()),
                         findings.stream().filter(isAside.negate()).toList(),
                         suppressed.stream().filter(each -> !isAside.test(each.finding())).toList(),
-                        new Aside(
-                                findings.stream().filter(isAside).toList(), List.copyOf(others))));
+                        Aside.of(others, findings.stream().filter(isAside).toList())));
     }
 
-    /** As {@link #checkToRun}, but stream tests are not looked at. */
+    /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
     public static CheckedModels checkWithoutTests(
             List<String> paths, PathNames names, Progress progress) {
         LoadedModels loaded = ModelLoader.load(paths, names, progress).withoutTests();
-        return checkToRun(loaded, models -> List.of(), progress);
+        CheckedModels all = checkToRun(loaded, models -> List.of(), progress);
+        return all.withoutBroken().orElse(all);
     }
 
     private static CheckedModels checkToRun(

@@ -53,13 +53,13 @@ public record LoadedModels(
                 needed);
     }
 
-    /** The same but for the trees of files that are not whole. */
+    /** The same but for the trees of files that need others; what could be read is still there. */
     LoadedModels only(Set<String> whole) {
         return new LoadedModels(
                 named,
                 sources,
                 units.stream().filter(unit -> whole.contains(unit.file().path())).toList(),
-                List.of(),
+                recovered,
                 Set.of(),
                 findings,
                 needed);

@@ -13,8 +13,6 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.regex.MatchResult;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
@@ -22,14 +20,12 @@ import java.util.stream.Collectors;
  * of what that one defines is a word of its text: nothing can be referred to without it.
  */
 final class WholeFiles {
-    private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
-
     private WholeFiles() {}
 
     /** The paths of the files that are whole, with all that they need. */
     static Set<String> in(LoadedModels loaded) {
         Map<Unit, Set<String>> open = new HashMap<>();
-        loaded.units().forEach(unit -> open.put(unit, words(unit)));
+        loaded.units().forEach(unit -> open.put(unit, Mentions.in(unit.file().text())));
         Deque<String> missing = new ArrayDeque<>();
         loaded.broken().forEach(path -> missing.add(simpleName(path)));
         loaded.recovered().forEach(each -> name(each.unit()).ifPresent(missing::add));
@@ -48,13 +44,6 @@ final class WholeFiles {
                 .collect(Collectors.toCollection(HashSet::new));
     }
 
-    private static Set<String> words(Unit unit) {
-        return WORD.matcher(unit.file().text())
-                .results()
-                .map(MatchResult::group)
-                .collect(Collectors.toSet());
-    }
-
     /** Of what others can refer to; that is never a test. */
     private static Optional<String> name(Unit unit) {
         if (unit.definition() instanceof Component component) {
@@ -68,7 +57,8 @@ final class WholeFiles {
                 : Optional.empty();
     }
 
-    private static String simpleName(String path) {
+    /** What a file defines, if it keeps to the rules. */
+    static String simpleName(String path) {
         String file = path.substring(path.lastIndexOf('/') + 1);
         int dot = file.lastIndexOf('.');
         return dot < 0 ? file : file.substring(0, dot);

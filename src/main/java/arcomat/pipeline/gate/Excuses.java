@@ -17,7 +17,7 @@ import java.util.Set;
  */
 final class Excuses {
     private static final String BREAKS = "breaks";
-    private static final String REPLACES = "replaces";
+    static final String REPLACES = "replaces";
 
     private final List<Replacement> replacements = new ArrayList<>();
     private final Set<Span> used = new HashSet<>();

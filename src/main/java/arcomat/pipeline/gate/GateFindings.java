@@ -28,17 +28,26 @@ final class GateFindings {
         this.excuses = excuses;
     }
 
-    static GateFindings of(Gate gate, GateSide fresh, Excuses excuses) {
+    /** What files that are left out make of it is not told: they have findings of their own. */
+    static GateFindings of(Gate gate, GateSide base, GateSide fresh, Excuses excuses) {
         GateFindings all = new GateFindings(fresh, excuses);
         gate.entries().stream()
                 .filter(entry -> entry.change().relation().isDoubtful())
+                .filter(entry -> entry.change().relation() != Change.Relation.UNREAD)
                 .forEach(all::add);
-        fresh.components().entrySet().stream()
-                .filter(each -> fresh.isNamedByUser(each.getValue()))
-                .forEach(all::unneeded);
+        if (base.isWhole() && fresh.isWhole()) {
+            all.unneeded();
+        }
         all.findings.sort(Diagnostic.ORDER);
         all.meant.sort(Comparator.comparing(Suppressed::finding, Diagnostic.ORDER));
         return all;
+    }
+
+    /** Reasons that nothing asked for. */
+    private void unneeded() {
+        fresh.components().entrySet().stream()
+                .filter(each -> fresh.isNamedByUser(each.getValue()))
+                .forEach(this::unneeded);
     }
 
     /** What nobody gives a reason for. */

@@ -1,6 +1,7 @@
 package arcomat.pipeline.gate;
 
 import arcomat.analysis.Gate;
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
@@ -13,7 +14,7 @@ import java.util.Optional;
  *
  * @param base what checking the old models found
  * @param check what checking the new models found
- * @param gate empty where either of them has errors
+ * @param gate empty where either of them has errors, beside files that are left out
  * @param findings about components: promises that are not kept, reasons that nothing needs; ordered
  * @param meant promises that are not kept for a reason; ordered
  */
@@ -26,5 +27,10 @@ public record GateResult(
     public GateResult {
         findings = List.copyOf(findings);
         meant = List.copyOf(meant);
+    }
+
+    /** What the sides are compared without. */
+    public Aside aside() {
+        return base.aside().and(check.aside());
     }
 }

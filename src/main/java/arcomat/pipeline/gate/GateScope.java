@@ -3,6 +3,7 @@ package arcomat.pipeline.gate;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.step.PathNames;
+import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;
@@ -16,20 +17,30 @@ import java.util.Set;
  */
 final class GateScope {
     private final CheckedModels base;
+    private final CheckedModels fresh;
     private final PathNames names;
     private final List<Path> paths;
     private final Set<Path> roots;
 
     GateScope(CheckedModels base, CheckedModels fresh, List<String> paths, PathNames names) {
         this.base = base;
+        this.fresh = fresh;
         this.names = names;
         this.paths = paths.stream().map(path -> PathNames.real(names.resolve(path))).toList();
         this.roots = fresh.loaded().roots(names);
+        for (Recovered broken : fresh.loaded().recovered()) {
+            Path file = names.resolve(broken.unit().file().path());
+            ModelRoot.of(broken.unit(), file).ifPresent(roots::add);
+        }
     }
 
     boolean contains(GateSide.Declared old) {
         Optional<Path> place = place(old.span().file().path());
-        return roots.isEmpty() || place.isEmpty() || roots.stream().anyMatch(r -> holds(r, place));
+        if (roots.isEmpty()) {
+            // Where the new models are is not known if none of them can be read.
+            return fresh.aside().isEmpty();
+        }
+        return place.isEmpty() || roots.stream().anyMatch(root -> holds(root, place));
     }
 
     private boolean holds(Path root, Optional<Path> place) {

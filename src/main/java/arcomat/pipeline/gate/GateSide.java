@@ -75,6 +75,22 @@ record GateSide(CheckedModels checked, Model model, SortedMap<String, Declared> 
         return arguments < 0 ? name : name.substring(0, arguments);
     }
 
+    /** Whether no file is left out. */
+    boolean isWhole() {
+        return checked.aside().isEmpty();
+    }
+
+    /** Whether a component may stand in a file that is left out, or a reason why it is gone. */
+    boolean mayTellOf(String name) {
+        return checked.aside().words().contains(name.substring(name.lastIndexOf('.') + 1))
+                || mayGiveReasons();
+    }
+
+    /** Whether a file that is left out may say why something is gone. */
+    boolean mayGiveReasons() {
+        return checked.aside().words().contains(Excuses.REPLACES);
+    }
+
     boolean isNamedByUser(Declared component) {
         return checked.loaded().isNamedByUser(component.span().file().path());
     }

@@ -56,7 +56,7 @@ public final class GateStep {
         GateSide fresh = GateSide.of(now, progress);
         GateStep step = new GateStep(request, base, fresh, progress);
         Gate gate = step.compare(scope);
-        GateFindings found = GateFindings.of(gate, fresh, step.excuses);
+        GateFindings found = GateFindings.of(gate, base, fresh, step.excuses);
         return new GateResult(
                 old.result(), now.result(), Optional.of(gate), found.findings(), found.meant());
     }
@@ -96,17 +96,27 @@ public final class GateStep {
             Optional<GateSide.Declared> after = Optional.ofNullable(fresh.components().get(name));
             if (after.isEmpty()) {
                 if (base.isNamedByUser(before.get()) && scope.contains(before.get())) {
-                    add(name, Change.GONE, before, after, excuses.gone(name));
+                    gone(name, before);
                 }
             } else if (fresh.isNamedByUser(after.get())) {
                 if (before.isEmpty()) {
-                    add(name, Change.NEW, before, after, Optional.empty());
+                    Change change = base.mayTellOf(name) ? Change.UNREAD : Change.NEW;
+                    add(name, change, before, after, Optional.empty());
                 } else {
                     compare(name, before.get(), after.get());
                 }
             }
         }
         return new Gate(GateCauses.of(entries, fresh.model(), changed));
+    }
+
+    /** A file that is left out may have it, or a reason why it is gone, perhaps an old one. */
+    private void gone(String name, Optional<GateSide.Declared> before) {
+        if (fresh.mayTellOf(name) || base.mayGiveReasons()) {
+            add(name, Change.UNREAD, before, Optional.empty(), Optional.empty());
+        } else {
+            add(name, Change.GONE, before, Optional.empty(), excuses.gone(name));
+        }
     }
 
     private void add(
@@ -162,7 +172,14 @@ public final class GateStep {
         }
         progress.step("comparing " + now.qualifiedName());
         Set<List<Value>> given = old.parameters().isEmpty() ? Set.of() : given(old);
-        return Succession.of(old, " (base)", now, given, () -> request.limits().each().budget());
+        Change change =
+                Succession.of(old, " (base)", now, given, () -> request.limits().each().budget());
+        return mayBeGivenMore(old) && !change.relation().breaks() ? Change.UNREAD : change;
+    }
+
+    /** A file that is left out may have an instance, with arguments that nobody has seen. */
+    private boolean mayBeGivenMore(Component component) {
+        return !component.parameters().isEmpty() && !(base.isWhole() && fresh.isWhole());
     }
 
     /** What its instances give it, in the old models and in the new ones. */

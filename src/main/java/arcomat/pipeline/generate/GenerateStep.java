@@ -38,7 +38,7 @@ public final class GenerateStep {
         CheckedModels checked =
                 CheckedModels.checkToRun(
                         paths,
-                        Asked.components(request.main().stream().toList()),
+                        asked(request),
                         models -> wantedOf(request, models),
                         names,
                         progress);
@@ -78,6 +78,16 @@ public final class GenerateStep {
                 List.copyOf(output.keySet()),
                 built.robots(),
                 watches.stream().map(RobotWatch::of).toList());
+    }
+
+    /** What runs, and what it watches itself for; everything where nothing says what runs. */
+    private static Asked asked(GenerationRequest request) {
+        if (request.main().isEmpty()) {
+            return Asked.EVERYTHING;
+        }
+        List<String> named = new ArrayList<>(WatchedParts.requirements(request.monitors()));
+        named.add(request.main().get());
+        return Asked.components(named);
     }
 
     private static void requireWatching(GenerationRequest request, Target target) throws WrongUse {

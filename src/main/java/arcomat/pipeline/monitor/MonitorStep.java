@@ -30,7 +30,8 @@ public final class MonitorStep {
             MonitorRequest request, List<String> paths, PathNames names, Progress progress)
             throws WrongUse {
         CheckedModels checked =
-                CheckedModels.checkToExamine(paths, Asked.EVERYTHING, names, progress);
+                CheckedModels.checkToExamine(
+                        paths, Asked.components(List.of(request.component())), names, progress);
         if (checked.hasErrors()) {
             return new MonitorResult(checked.result(), "", List.of(), List.of());
         }

@@ -15,6 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -49,15 +50,25 @@ public final class WatchedParts {
         return all;
     }
 
-    private List<SelfWatch> find(String written, List<Component> programs) throws WrongUse {
+    /** What is to be watched for, without the parts. */
+    public static List<String> requirements(List<String> monitors) {
+        return monitors.stream().map(written -> apart(written).group(2)).toList();
+    }
+
+    private static MatchResult apart(String written) {
         Matcher matcher = WRITTEN.matcher(written);
         matcher.matches();
-        Promise promise = Watches.promise(matcher.group(2), checked, model);
+        return matcher.toMatchResult();
+    }
+
+    private List<SelfWatch> find(String written, List<Component> programs) throws WrongUse {
+        MatchResult apart = apart(written);
+        Promise promise = Watches.promise(apart.group(2), checked, model);
         requireSlices(promise.component());
         List<SelfWatch> found = new ArrayList<>();
         for (Component program : programs) {
             Map<String, Component> places =
-                    places(program, Optional.ofNullable(matcher.group(1)), promise.component());
+                    places(program, Optional.ofNullable(apart.group(1)), promise.component());
             for (Map.Entry<String, Component> place : places.entrySet()) {
                 requirePorts(promise.component(), place.getValue());
                 for (Automaton automaton : promise.automata()) {
@@ -73,7 +84,7 @@ public final class WatchedParts {
             }
         }
         if (found.isEmpty()) {
-            throw new WrongUse(nothing(promise.component(), matcher.group(1), programs));
+            throw new WrongUse(nothing(promise.component(), apart.group(1), programs));
         }
         return found;
     }

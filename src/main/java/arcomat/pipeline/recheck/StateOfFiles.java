@@ -2,6 +2,7 @@ package arcomat.pipeline.recheck;
 
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoadedModels;
+import arcomat.pipeline.check.Mentions;
 import arcomat.report.finding.CheckState;
 import arcomat.report.finding.CheckState.File;
 import arcomat.source.Diagnostic;

@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.pipeline.check.Aside;
 import arcomat.sim.Laboratory;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
@@ -12,13 +13,19 @@ import java.util.Map;
 /** A world whose robots have their programs: it can run, as often as wanted. */
 public final class PreparedWorld {
     private final List<Diagnostic> findings;
+    private final Aside aside;
     private final int files;
     private final World world;
     private final Map<String, Equipment> equipment;
 
     PreparedWorld(
-            List<Diagnostic> findings, int files, World world, Map<String, Equipment> equipment) {
+            List<Diagnostic> findings,
+            Aside aside,
+            int files,
+            World world,
+            Map<String, Equipment> equipment) {
         this.findings = List.copyOf(findings);
+        this.aside = aside;
         this.files = files;
         this.world = world;
         this.equipment = equipment;
@@ -27,6 +34,11 @@ public final class PreparedWorld {
     /** About the world, and about the models of its robots. */
     public List<Diagnostic> findings() {
         return findings;
+    }
+
+    /** Models that its programs are made without. */
+    public Aside aside() {
+        return aside;
     }
 
     /** How many files were read. */

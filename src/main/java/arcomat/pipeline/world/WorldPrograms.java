@@ -8,6 +8,8 @@ import arcomat.generate.Target;
 import arcomat.model.Model;
 import arcomat.pipeline.brick.JarReader;
 import arcomat.pipeline.brick.PluggedDevices;
+import arcomat.pipeline.check.Aside;
+import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.generate.Implementations;
@@ -39,6 +41,7 @@ final class WorldPrograms {
     private static final String NO_PROGRAM = "ARC1125";
     private static final String TARGET = "lejos";
 
+    private final World world;
     private final Path folder;
     private final PathNames names;
     private final Progress progress;
@@ -47,7 +50,8 @@ final class WorldPrograms {
     private final Map<Kind.Program, Program> programs = new HashMap<>();
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
 
-    private WorldPrograms(Path folder, PathNames names, Progress progress) {
+    private WorldPrograms(World world, Path folder, PathNames names, Progress progress) {
+        this.world = world;
         this.folder = folder;
         this.names = names;
         this.progress = progress;
@@ -59,8 +63,10 @@ final class WorldPrograms {
      * @param equipment by the names of robots; what cannot be had is missing
      * @param findings about the world and about models
      * @param files how many models were read
+     * @param aside models that the programs are made without
      */
-    record Result(Map<String, Equipment> equipment, List<Diagnostic> findings, int files) {}
+    record Result(
+            Map<String, Equipment> equipment, List<Diagnostic> findings, int files, Aside aside) {}
 
     /**
      * @param file of the world, as the user wrote it; its paths start there
@@ -68,10 +74,10 @@ final class WorldPrograms {
     static Result of(World world, String file, PathNames names, Progress progress) throws WrongUse {
         Path parent = Path.of(file).getParent();
         Path folder = parent == null ? Path.of("") : parent;
-        return new WorldPrograms(folder, names, progress).load(world);
+        return new WorldPrograms(world, folder, names, progress).load();
     }
 
-    private Result load(World world) throws WrongUse {
+    private Result load() throws WrongUse {
         Map<String, Equipment> byRobot = new LinkedHashMap<>();
         Map<String, PluggedDevices> devices = new HashMap<>();
         for (Robot robot : world.robots()) {
@@ -87,10 +93,12 @@ final class WorldPrograms {
                     new Equipment(programs.get(wanted), devices.get(robot.kind().name())));
         }
         int files = 0;
+        Aside aside = Aside.NOTHING;
         for (CheckedModels models : checked.values()) {
             files += models.result().files();
+            aside = aside.and(models.aside());
         }
-        return new Result(byRobot, List.copyOf(findings), files);
+        return new Result(byRobot, List.copyOf(findings), files, aside);
     }
 
     /** Null if there is a finding about it. */
@@ -150,8 +158,8 @@ final class WorldPrograms {
         CheckedModels models = checked.get(root);
         if (models == null) {
             models =
-                    CheckedModels.checkToRun(
-                            List.of(root), workspace -> List.of(), names, progress);
+                    CheckedModels.checkToExamine(
+                            List.of(root), Asked.components(madeOf(root)), names, progress);
             checked.put(root, models);
             findings.addAll(models.findings());
             if (!models.hasErrors()) {
@@ -162,6 +170,17 @@ final class WorldPrograms {
             return null;
         }
         return generated(MainComponent.find(component, models, lowered.get(root)), models);
+    }
+
+    /** The components of a model root that programs are made of. */
+    private List<String> madeOf(String root) {
+        return world.robots().stream()
+                .map(robot -> robot.kind().program())
+                .filter(program -> program.form() == Kind.Program.Form.COMPONENT)
+                .filter(program -> beside(program.folder()).equals(root))
+                .map(Kind.Program::name)
+                .distinct()
+                .toList();
     }
 
     private JarReader generated(MainComponent main, CheckedModels models) throws WrongUse {

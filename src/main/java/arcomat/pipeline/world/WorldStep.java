@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.file.FileReader;
@@ -36,13 +37,14 @@ public final class WorldStep {
             throws WrongUse {
         ParsedWorld parsed = WorldParser.parse(FileReader.required("world", written, names));
         if (parsed.world().isEmpty()) {
-            return new PreparedWorld(parsed.findings(), 1, null, Map.of());
+            return new PreparedWorld(parsed.findings(), Aside.NOTHING, 1, null, Map.of());
         }
         World world = parsed.world().get();
         WorldPrograms.Result programs = WorldPrograms.of(world, written, names, progress);
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
         findings.addAll(programs.findings());
-        return new PreparedWorld(findings, 1 + programs.files(), world, programs.equipment());
+        return new PreparedWorld(
+                findings, programs.aside(), 1 + programs.files(), world, programs.equipment());
     }
 
     /**

@@ -2,6 +2,7 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.Change;
 import arcomat.analysis.Gate;
+import arcomat.analysis.Verdict.Answer;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;
 import arcomat.source.Diagnostic;
@@ -10,6 +11,7 @@ import arcomat.source.Span;
 import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -17,17 +19,34 @@ import java.util.Optional;
 public final class GateJson {
     private GateJson() {}
 
-    public static String render(Gate gate, List<Diagnostic> findings) {
+    /**
+     * The same as text.
+     *
+     * @param unread findings about files that are left out
+     * @param leftOut their paths
+     */
+    public static String render(
+            Gate gate, List<Diagnostic> findings, List<Diagnostic> unread, List<String> leftOut) {
+        Answer answer = leftOut.isEmpty() ? gate.answer() : gate.answer().and(Answer.UNKNOWN);
+        List<Diagnostic> all = new ArrayList<>(unread);
+        all.addAll(findings);
         return Json.text(
                 json -> {
                     json.writeStartObject();
-                    json.writeStringField("verdict", VerdictText.word(gate.answer()));
+                    json.writeStringField("verdict", VerdictText.word(answer));
                     json.writeArrayFieldStart("components");
                     for (Gate.Entry entry : gate.entries()) {
                         write(json, entry);
                     }
                     json.writeEndArray();
-                    FindingsJson.write(json, "findings", findings);
+                    FindingsJson.write(json, "findings", all);
+                    if (!leftOut.isEmpty()) {
+                        json.writeArrayFieldStart("leftOut");
+                        for (String path : leftOut) {
+                            json.writeString(path);
+                        }
+                        json.writeEndArray();
+                    }
                     json.writeEndObject();
                 });
     }

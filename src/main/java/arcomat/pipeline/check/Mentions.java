@@ -1,13 +1,13 @@
-package arcomat.pipeline.recheck;
+package arcomat.pipeline.check;
 
 import java.util.LinkedHashSet;
 import java.util.Set;
 
 /** Every name in a text, in comments and literals, too, in the order of the text. */
-final class Mentions {
+public final class Mentions {
     private Mentions() {}
 
-    static Set<String> in(String text) {
+    public static Set<String> in(String text) {
         Set<String> names = new LinkedHashSet<>();
         int at = 0;
         while (at < text.length()) {
