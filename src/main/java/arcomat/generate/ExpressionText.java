@@ -22,6 +22,7 @@ import java.util.Map;
  * table; which forms there are is a matter of the model.
  */
 final class ExpressionText {
+    private static final int LONGEST_ROW = 200;
     private static final Type BOOLEAN = new Type.BooleanType();
 
     private final Names names;
@@ -287,7 +288,16 @@ final class ExpressionText {
         return joined("or", or.operands().stream().map(this::text).toList(), false);
     }
 
+    /** Of very many in groups, and groups of groups: compilers have no room for deep nesting. */
     private Text joined(String operator, List<Text> operands, boolean ifNone) {
+        if (operands.size() > LONGEST_ROW) {
+            List<Text> groups = new ArrayList<>();
+            for (int i = 0; i < operands.size(); i += LONGEST_ROW) {
+                int end = Math.min(i + LONGEST_ROW, operands.size());
+                groups.add(joined(operator, operands.subList(i, end), ifNone));
+            }
+            return joined(operator, groups, ifNone);
+        }
         return operands.stream()
                 .reduce((a, b) -> language.express(operator, BOOLEAN, Map.of(), List.of(a, b)))
                 .orElseGet(() -> of(new Value.BooleanValue(ifNone), BOOLEAN));

@@ -10,7 +10,9 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.Rewriting;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 
@@ -59,16 +61,32 @@ final class Formulas {
     private Formula binary(Expression.Binary binary) {
         BinaryOperator operator = binary.operator();
         if (operator == BinaryOperator.AND) {
-            return simplification.and(List.of(of(binary.left()), of(binary.right())));
+            return simplification.and(row(binary, operator));
         }
         if (operator == BinaryOperator.OR) {
-            return simplification.or(List.of(of(binary.left()), of(binary.right())));
+            return simplification.or(row(binary, operator));
         }
         boolean equality = operator == BinaryOperator.EQUAL || operator == BinaryOperator.NOT_EQUAL;
         if (equality && binary.left() instanceof Expression.PortRead read) {
             return is(read, operator == BinaryOperator.EQUAL, binary.right());
         }
         return new Formula.Test(text.of(binary), bounds(binary));
+    }
+
+    /** The operands of a row of {@code &&} or {@code ||}, all at once: it may be long. */
+    private List<Formula> row(Expression row, BinaryOperator operator) {
+        List<Formula> operands = new ArrayList<>();
+        Deque<Expression> open = new ArrayDeque<>(List.of(row));
+        while (!open.isEmpty()) {
+            Expression next = open.pop();
+            if (next instanceof Expression.Binary binary && binary.operator() == operator) {
+                open.push(binary.right());
+                open.push(binary.left());
+            } else {
+                operands.add(of(next));
+            }
+        }
+        return operands;
     }
 
     private Formula is(Expression.PortRead read, boolean equal, Expression value) {

@@ -5,6 +5,7 @@ import arcomat.model.Type;
 
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -22,7 +23,7 @@ final class Simplification {
 
     /** Conjunction; operands may rely on those before them. */
     Formula and(List<Formula> operands) {
-        List<Formula> kept = new ArrayList<>();
+        Set<Formula> kept = new LinkedHashSet<>();
         Set<String> present = new HashSet<>();
         for (Formula operand : flat(operands, true)) {
             Formula reduced = under(operand, present);
@@ -30,31 +31,31 @@ final class Simplification {
                 return Formula.FALSE;
             }
             for (Formula conjunct : reduced.conjuncts()) {
-                if (!kept.contains(conjunct)) {
-                    kept.add(conjunct);
+                if (kept.add(conjunct)) {
                     addPresent(conjunct, present);
                 }
             }
         }
-        kept.removeIf(f -> isImplied(f, kept));
-        return kept.isEmpty()
+        List<Formula> needed = new ArrayList<>(kept);
+        needed.removeIf(f -> isImplied(f, needed));
+        return needed.isEmpty()
                 ? Formula.TRUE
-                : kept.size() == 1 ? kept.get(0) : new Formula.And(List.copyOf(kept));
+                : needed.size() == 1 ? needed.get(0) : new Formula.And(List.copyOf(needed));
     }
 
     Formula or(List<Formula> operands) {
-        List<Formula> kept = new ArrayList<>();
+        Set<Formula> kept = new LinkedHashSet<>();
         for (Formula operand : flat(operands, false)) {
             if (operand.equals(Formula.TRUE)) {
                 return Formula.TRUE;
             }
-            if (!operand.equals(Formula.FALSE) && !kept.contains(operand)) {
+            if (!operand.equals(Formula.FALSE)) {
                 kept.add(operand);
             }
         }
         return kept.isEmpty()
                 ? Formula.FALSE
-                : kept.size() == 1 ? kept.get(0) : new Formula.Or(List.copyOf(kept));
+                : kept.size() == 1 ? kept.iterator().next() : new Formula.Or(List.copyOf(kept));
     }
 
     Formula not(Formula f) {
