@@ -1,5 +1,7 @@
 package arcomat.generate;
 
+import arcomat.source.Span;
+
 import java.util.List;
 import java.util.Map;
 
@@ -47,6 +49,7 @@ public record Layout(
      * @param border event-driven: field for who sees what is sent
      * @param taken field with the index of the transition last taken, -1 for a completion
      * @param parts fields that lead to a node, by its path: {@code section1.cells[3]}
+     * @param span the component in the model
      */
     public record Place(
             String className,
@@ -60,5 +63,6 @@ public record Layout(
             String taken,
             String queued,
             String border,
-            Map<String, String> parts) {}
+            Map<String, String> parts,
+            Span span) {}
 }

@@ -48,7 +48,8 @@ final class Layouts {
                 automaton ? members.taken() : "",
                 members.local("queued", ""),
                 members.local("border", ""),
-                parts(context, program));
+                parts(context, program),
+                component.span());
     }
 
     private static Map<String, String> parts(FileContext context, Program program) {

@@ -2,6 +2,7 @@ package arcomat.pipeline.compile;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What came of compiling Java.
@@ -23,8 +24,10 @@ public record Compilation(
      * @param path of the source file
      * @param start offset of the first character, or -1
      * @param end offset behind the last one
+     * @param limit what there is too much of; empty where something else is wrong
      */
-    public record Problem(String path, int line, int start, int end, String message) {
+    public record Problem(
+            String path, int line, int start, int end, String message, Optional<JavaLimit> limit) {
         @Override
         public String toString() {
             return path + ":" + line + ": " + message;

@@ -10,12 +10,14 @@ import arcomat.generate.Target;
 import arcomat.model.Component;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Composition;
+import arcomat.source.Diagnostic;
 
 import java.lang.reflect.Array;
 import java.lang.reflect.InvocationTargetException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /** A component as compiled code, loaded and ready to be instantiated. Compiled once, run often. */
 public record CompiledModel(
@@ -25,6 +27,7 @@ public record CompiledModel(
      * Generates Java for a component and all its parts, compiles and loads it.
      *
      * @param component passes the checks of the executable profile
+     * @throws TooLargeToCompile where no Java virtual machine can hold the code
      */
     public static CompiledModel of(Component component, Choosing choosing) {
         Target target = Target.shipped("jvm").orElseThrow();
@@ -37,6 +40,12 @@ public record CompiledModel(
             sources.put(file.path(), file.text());
         }
         Compilation compilation = MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+        for (Compilation.Problem problem : compilation.problems()) {
+            Optional<Diagnostic> tooLarge = OversizedCode.finding(problem, generation.layout());
+            if (tooLarge.isPresent()) {
+                throw new TooLargeToCompile(tooLarge.get().message());
+            }
+        }
         if (!compilation.problems().isEmpty()) {
             throw new IllegalStateException(compilation.problems().toString());
         }

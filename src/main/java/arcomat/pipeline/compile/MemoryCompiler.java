@@ -95,7 +95,8 @@ public final class MemoryCompiler {
                             problem.getSourceLineNumber(),
                             problem.getSourceStart(),
                             problem.getSourceEnd() + 1,
-                            problem.getMessage()));
+                            problem.getMessage(),
+                            JavaLimit.of(problem.getID())));
         }
     }
 }

@@ -11,6 +11,7 @@ import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
+import arcomat.pipeline.compile.OversizedCode;
 import arcomat.pipeline.file.OutputFolder;
 import arcomat.pipeline.monitor.WatchedParts;
 import arcomat.pipeline.step.PathNames;
@@ -56,6 +57,10 @@ public final class GenerateStep {
         Generation generation = Generator.generate(wanted, target);
         List<Diagnostic> findings = new ArrayList<>(checked.findings());
         findings.addAll(generation.findings());
+        if (!target.isForBrick()) {
+            progress.step("looking at the size of code");
+            findings.addAll(OversizedCode.in(generation));
+        }
         CheckResult result = checked.result().with(findings);
         if (result.hasErrors()) {
             return refused(result);

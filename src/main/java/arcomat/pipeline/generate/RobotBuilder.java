@@ -11,6 +11,7 @@ import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.pipeline.compile.Compilation;
 import arcomat.pipeline.compile.MemoryCompiler;
+import arcomat.pipeline.compile.OversizedCode;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
@@ -69,7 +70,7 @@ public final class RobotBuilder {
                 MemoryCompiler.compile(sources, implementations.texts(), new BrickClasses(table));
         if (!compilation.problems().isEmpty()) {
             List<Diagnostic> findings = new ArrayList<>();
-            compilation.problems().forEach(problem -> findings.add(finding(problem)));
+            compilation.problems().stream().map(this::finding).distinct().forEach(findings::add);
             return new Result(List.of(), Map.of(), findings);
         }
         return pack(compilation);
@@ -136,6 +137,10 @@ public final class RobotBuilder {
     }
 
     private Diagnostic finding(Compilation.Problem problem) {
+        return OversizedCode.finding(problem, generation.layout()).orElseGet(() -> wrong(problem));
+    }
+
+    private Diagnostic wrong(Compilation.Problem problem) {
         SourceFile file =
                 source(problem.path()).orElseGet(() -> new SourceFile(problem.path(), ""));
         int length = file.text().length();

@@ -10,6 +10,7 @@ import arcomat.model.Component;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.compile.OversizedCode;
 import arcomat.pipeline.file.OutputFolder;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
@@ -40,9 +41,11 @@ public final class MonitorStep {
         progress.step("generating");
         Generation generation =
                 Monitors.generate(watched, promise.automata(), Target.shipped("jvm").orElseThrow());
-        if (!generation.findings().isEmpty()) {
+        List<Diagnostic> problems = new ArrayList<>(generation.findings());
+        problems.addAll(OversizedCode.in(generation));
+        if (!problems.isEmpty()) {
             List<Diagnostic> findings = new ArrayList<>(checked.findings());
-            findings.addAll(generation.findings());
+            findings.addAll(problems);
             CheckResult result = checked.result().with(findings);
             return new MonitorResult(result, "", List.of(), List.of());
         }

@@ -11,6 +11,7 @@ import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.compile.CompiledExecution;
 import arcomat.pipeline.compile.CompiledModel;
+import arcomat.pipeline.compile.TooLargeToCompile;
 import arcomat.pipeline.monitor.Watches;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
@@ -199,8 +200,12 @@ public final class SimulateStep {
                             throw new WrongUse(
                                     "compiled code cannot ask; use --engine interpreter");
                 };
-        CompiledModel model = CompiledModel.of(main.component(), choosing);
-        return new CompiledExecution(model, main.arguments(), request.seed());
+        try {
+            CompiledModel model = CompiledModel.of(main.component(), choosing);
+            return new CompiledExecution(model, main.arguments(), request.seed());
+        } catch (TooLargeToCompile e) {
+            throw new WrongUse(e.getMessage() + ", or use --engine interpreter");
+        }
     }
 
     /** Tells the dialogue of every step, so that it can make sense of questions. */

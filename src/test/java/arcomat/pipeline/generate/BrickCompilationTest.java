@@ -11,6 +11,7 @@ import org.junit.jupiter.api.Test;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 
 /** Java for the brick, compiled in memory against what the brick has. */
 class BrickCompilationTest {
@@ -85,7 +86,8 @@ class BrickCompilationTest {
                                 2,
                                 text.indexOf("format"),
                                 text.indexOf("format") + "format".length(),
-                                "The method format(String, int) is undefined for the type String"));
+                                "The method format(String, int) is undefined for the type String",
+                                Optional.empty()));
     }
 
     @Test
