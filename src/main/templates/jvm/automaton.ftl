@@ -236,4 +236,11 @@ ${indent}${a.state} = ${initial.target};
 </#list>
 </#list>
 </#list>
+<#list a.conditions as some>
+
+    /** Whether that part of a long condition holds. */
+    private boolean ${some.method}() {
+        return ${some.condition};
+    }
+</#list>
 </#macro>

@@ -45,6 +45,7 @@ final class AtomicViews {
                 automaton.states().size() > 1,
                 sections,
                 states.sectionSize(),
+                states.conditions(),
                 completion(sections),
                 context.members().state(),
                 context.members().taken(),

@@ -23,6 +23,7 @@ import java.util.Map;
  */
 final class ExpressionText {
     private static final int LONGEST_ROW = 200;
+    private static final String CALL = "call";
     private static final Type BOOLEAN = new Type.BooleanType();
 
     private final Names names;
@@ -262,6 +263,16 @@ final class ExpressionText {
                 && known.ranged()
                 && range.low() <= known.low()
                 && known.high() <= range.high();
+    }
+
+    /** Whether a part of a condition may be a method of its own. */
+    boolean calls() {
+        return language.entry("expression." + CALL).isPresent();
+    }
+
+    /** A call of a method that says whether something holds. */
+    Text call(String method) {
+        return language.express(CALL, BOOLEAN, Map.of("name", method), List.of());
     }
 
     /** A condition in the target's language. */

@@ -13,7 +13,7 @@ import java.util.List;
  * at most eight bytes. HotSpot never compiles a method of 8,000 bytes or more.
  */
 final class MethodSize {
-    private static final int MOST = 6000;
+    static final int MOST = 6000;
     private static final int PER_WORD = 8;
     private static final int PER_TRANSITION = 24;
     private static final int PER_STATE = 12;
@@ -22,6 +22,15 @@ final class MethodSize {
 
     static boolean fits(List<TransitionView> transitions) {
         return transitions.stream().mapToInt(MethodSize::of).sum() <= MOST;
+    }
+
+    /** Whether an expression leaves room for others in a method. */
+    static boolean fits(String text) {
+        return of(text) <= MOST;
+    }
+
+    static int of(String text) {
+        return words(text) * PER_WORD;
     }
 
     /** How many states share a method; 0 where all of them do. */

@@ -4,9 +4,12 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
 
@@ -36,11 +39,10 @@ final class Simplification {
                 }
             }
         }
-        List<Formula> needed = new ArrayList<>(kept);
-        needed.removeIf(f -> isImplied(f, needed));
+        List<Formula> needed = needed(kept);
         return needed.isEmpty()
                 ? Formula.TRUE
-                : needed.size() == 1 ? needed.get(0) : new Formula.And(List.copyOf(needed));
+                : needed.size() == 1 ? needed.get(0) : new Formula.And(needed);
     }
 
     Formula or(List<Formula> operands) {
@@ -156,20 +158,37 @@ final class Simplification {
         }
     }
 
-    /** Whether a conjunct says no more than another one does. */
-    private static boolean isImplied(Formula f, List<Formula> conjuncts) {
+    /** Those of the conjuncts that say more than others do. */
+    private static List<Formula> needed(Collection<Formula> conjuncts) {
+        Map<String, Integer> presences = new HashMap<>();
+        List<Formula> strong = new ArrayList<>();
+        for (Formula each : conjuncts) {
+            Set<String> present = new HashSet<>();
+            addPresent(each, present);
+            present.forEach(port -> presences.merge(port, 1, Integer::sum));
+            if (!(each instanceof Formula.Is is) || is.equal()) {
+                strong.add(each);
+            }
+        }
+        return conjuncts.stream().filter(each -> !isImplied(each, presences, strong)).toList();
+    }
+
+    /**
+     * Whether a conjunct says no more than another one does.
+     *
+     * @param presences how many conjuncts say that a port carries a message
+     * @param strong conjuncts that are not only about another message than one
+     */
+    private static boolean isImplied(
+            Formula f, Map<String, Integer> presences, List<Formula> strong) {
         if (f instanceof Formula.Carries carries
                 && carries.something()
                 && carries.port().type() instanceof Type.EnumType) {
-            Set<String> byOthers = new HashSet<>();
-            conjuncts.stream().filter(c -> !c.equals(f)).forEach(c -> addPresent(c, byOthers));
-            return byOthers.contains(carries.port().name());
+            return presences.get(carries.port().name()) > 1;
         }
         return f instanceof Formula.Is is
                 && !is.equal()
-                && conjuncts.stream()
-                        .filter(c -> !c.equals(f))
-                        .anyMatch(c -> Exclusion.contradict(c, equalTo(is)));
+                && strong.stream().anyMatch(each -> Exclusion.contradict(each, equalTo(is)));
     }
 
     private static Formula equalTo(Formula.Is different) {

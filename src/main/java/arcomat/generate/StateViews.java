@@ -1,6 +1,7 @@
 package arcomat.generate;
 
 import arcomat.generate.view.ChunkView;
+import arcomat.generate.view.ConditionView;
 import arcomat.generate.view.SectionView;
 import arcomat.generate.view.StateView;
 import arcomat.generate.view.TransitionView;
@@ -26,6 +27,7 @@ final class StateViews {
     private final Choosing choosing;
     private final Guards guards;
     private final Formulas formulas;
+    private final Conditions conditions;
     private final Simplification simplification;
     private final List<List<Integer>> bySource = new ArrayList<>();
     private int sectionSize;
@@ -37,6 +39,7 @@ final class StateViews {
         this.choosing = choosing;
         this.guards = new Guards(context.component().profile());
         this.formulas = new Formulas(context.expressions());
+        this.conditions = new Conditions(context);
         this.simplification = new Simplification(context.expressions()::mayBeAbsent);
         automaton.states().forEach(state -> bySource.add(new ArrayList<>()));
         for (int i = 0; i < automaton.transitions().size(); i++) {
@@ -63,6 +66,11 @@ final class StateViews {
     /** Number of states per section, 0 where one section holds all. */
     int sectionSize() {
         return sectionSize;
+    }
+
+    /** Methods for parts of conditions, once the sections are known. */
+    List<ConditionView> conditions() {
+        return conditions.methods();
     }
 
     List<SectionView> sections() {
@@ -184,7 +192,7 @@ final class StateViews {
         return new TransitionView(
                 index,
                 Places.quote(transition.span()),
-                always ? "" : context.expressions().text(condition).text(),
+                always ? "" : conditions.text(index, condition),
                 effect.locals(),
                 effect.messages(),
                 effect.assignments(),

@@ -12,6 +12,7 @@ import java.util.List;
  * @param initials alternatives
  * @param switches whether there is more than one state
  * @param sectionSize number of states per section, where there is more than one section
+ * @param conditions methods that conditions of transitions call
  * @param state field with the code of the state
  * @param taken field with the index of the transition last taken
  * @param checks whether an operation may go wrong
@@ -27,6 +28,7 @@ public record AtomicView(
         boolean switches,
         List<SectionView> sections,
         int sectionSize,
+        List<ConditionView> conditions,
         CompletionView completion,
         String state,
         String taken,

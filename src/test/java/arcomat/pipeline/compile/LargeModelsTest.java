@@ -171,8 +171,39 @@ class LargeModelsTest {
         new Agreement(row, List.of()).holds(3, 20);
     }
 
+    /** Four times what one method can hold; the second guard is the negation of a row. */
+    @Test
+    void aGuardThatIsTooLongForAMethodAgreesWithTheInterpreter() {
+        String model =
+                """
+                ==== Row.arc
+                component Row {
+                  timing instant;
+                  port in Integer a, in Integer b, out Integer c;
+                  <<completion = "ignore">> automaton {
+                    state s, t;
+                    initial s;
+                    s [(%s) && b != 3 || a == 5] / {c = 1};
+                    s -> t [!(%s)] / {c = 2};
+                    t -> s [%s] / {c = 3};
+                  }
+                }
+                """;
+        String all = terms(10_000, "a > -%d", " && ");
+        String some = terms(10_000, "b == %d", " || ");
+        String both = terms(5_000, "(a == %1$d && b < %1$d)", " || ");
+        Workspace workspace = Scenario.of(model.formatted(all, some, both)).workspace();
+        assertThat(Checks.run(workspace, Profile.EXECUTABLE)).isEmpty();
+        Component row = Lowering.lower(workspace).components().get(0);
+        assertThat(new Agreement(row, List.of()).holds(3, 20).transitionsTaken()).hasSize(3);
+    }
+
     private static String terms(String term, String operator) {
-        return IntStream.range(0, 2_000)
+        return terms(2_000, term, operator);
+    }
+
+    private static String terms(int count, String term, String operator) {
+        return IntStream.range(0, count)
                 .mapToObj(i -> term.formatted(i))
                 .collect(Collectors.joining(operator));
     }
