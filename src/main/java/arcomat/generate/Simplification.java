@@ -204,14 +204,7 @@ final class Simplification {
      * The formula where earlier ones are known not to hold: what only says so again is dropped, as
      * in the rows of an I/O table.
      */
-    Formula after(List<Formula> earlier, Formula f) {
-        List<Formula> rest = new ArrayList<>(f.conjuncts());
-        for (Formula other : earlier) {
-            List<Formula> excluded = not(other).conjuncts();
-            if (!excluded.isEmpty() && rest.containsAll(excluded)) {
-                rest.removeAll(excluded);
-            }
-        }
-        return and(rest);
+    Formula after(Excluded earlier, Formula f) {
+        return and(earlier.without(f.conjuncts()));
     }
 }

@@ -113,12 +113,14 @@ final class StateViews {
         }
         boolean chooses = choosing == Choosing.RANDOM && anyOverlap(conditions);
         List<TransitionView> transitions = new ArrayList<>();
+        Excluded earlier = new Excluded();
         boolean last = false;
         for (int i = 0; i < conditions.size() && !last; i++) {
             Formula shown =
                     chooses
                             ? conditions.get(i)
-                            : simplification.after(conditions.subList(0, i), conditions.get(i));
+                            : simplification.after(earlier, conditions.get(i));
+            earlier.add(simplification.not(conditions.get(i)).conjuncts());
             last = !chooses && shown.equals(Formula.TRUE);
             transitions.add(transition(bySource.get(state).get(i), shown, last));
         }

@@ -105,7 +105,9 @@ class FormulasLawTest {
             Formula and = simplification.and(List.of(f, g, h));
             Formula or = simplification.or(List.of(f, g, h));
             Formula not = simplification.not(f);
-            Formula after = simplification.after(List.of(g, h), f);
+            Excluded earlier = new Excluded();
+            List.of(g, h).forEach(each -> earlier.add(simplification.not(each).conjuncts()));
+            Formula after = simplification.after(earlier, f);
             boolean excludes = Exclusion.contradict(f, g);
             excluded += excludes ? 1 : 0;
             for (int k = 0; k < SLICES; k++) {
