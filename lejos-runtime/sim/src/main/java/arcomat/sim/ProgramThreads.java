@@ -1,6 +1,7 @@
 package arcomat.sim;
 
 import arcomat.sim.device.Lifetime;
+import arcomat.sim.memory.CallStack;
 import arcomat.sim.time.ProgramEnded;
 import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
@@ -113,6 +114,13 @@ final class ProgramThreads implements Lifetime {
     public boolean isInterrupted(Thread thread) {
         Strand strand = strands.get(thread);
         return strand != null && time.isInterrupted(strand);
+    }
+
+    @Override
+    public Map<Thread, CallStack> calls() {
+        Map<Thread, CallStack> calls = new IdentityHashMap<>();
+        strands.forEach((thread, strand) -> calls.put(thread, strand.calls()));
+        return calls;
     }
 
     @Override

@@ -36,6 +36,9 @@ public final class SimulatedBrick {
 
     private void programOver() {
         hardware.programEnded();
+        if (hardware.limits().counted()) {
+            threads.outcome().error().ifPresent(hardware::programFailed);
+        }
     }
 
     /** As on the brick, main gets no arguments, not even an empty array. */

@@ -1,5 +1,7 @@
 package arcomat.sim.device;
 
+import arcomat.brick.api.BrickCost;
+import arcomat.sim.memory.Heap;
 import arcomat.sim.radio.Radio;
 import arcomat.sim.time.VirtualTime;
 
@@ -8,11 +10,8 @@ import java.util.stream.IntStream;
 
 /** Everything that belongs to one brick. */
 public final class Hardware {
-    /**
-     * Microseconds that a call of a device takes: enough for a loop that only asks to see time
-     * pass.
-     */
-    private static final long CALL = 20;
+    /** Bytes of the heap that leJOS takes for itself, before a program has made an object. */
+    private static final int OF_LEJOS = 3000;
 
     private static final int FULL_BATTERY = 7400;
 
@@ -26,6 +25,10 @@ public final class Hardware {
     private final Keypad keypad;
     private final Speaker speaker;
     private final Limits limits;
+    private final Processor processor;
+    private final Slices slices;
+    private final Heap heap;
+    private final Errors errors = new Errors();
     private Observer observer = Observer.NONE;
     private int batteryMillivolts = FULL_BATTERY;
 
@@ -35,6 +38,9 @@ public final class Hardware {
         this.lifetime = lifetime;
         this.radio = radio;
         this.limits = limits;
+        this.processor = new Processor(time, limits.counted());
+        this.slices = new Slices(this);
+        this.heap = new Heap(BrickCost.HEAP_BYTES - OF_LEJOS, lifetime::calls);
         this.motors = IntStream.range(0, 3).mapToObj(i -> new MotorDevice(this, i)).toList();
         this.sockets = IntStream.range(0, 4).mapToObj(i -> new SensorSocket(this, i)).toList();
         this.screen = new Screen(this);
@@ -101,12 +107,33 @@ public final class Hardware {
         return limits;
     }
 
+    public Processor processor() {
+        return processor;
+    }
+
+    public Slices slices() {
+        return slices;
+    }
+
+    public Heap heap() {
+        return heap;
+    }
+
     /**
      * What the brick does when a program is over, however it ended: it lets all motors go. One that
      * still turned runs out.
      */
     public void programEnded() {
         motors.forEach(MotorDevice::letGo);
+    }
+
+    /** What the brick does when nothing has caught an error: it shows what it knows. */
+    public void programFailed(Throwable error) {
+        errors.show(error, screen);
+    }
+
+    public Errors errors() {
+        return errors;
     }
 
     public Observer observer() {
@@ -127,28 +154,24 @@ public final class Hardware {
 
     /** The program calls a device; every such call takes a little time. */
     public Hardware called() {
-        time.spend(CALL);
+        processor.call();
         return this;
     }
 
     /** Sleeps up to a tick of the brick's clock, which counts milliseconds. */
     public void sleep(long milliseconds) {
+        slices.rest(milliseconds);
         long from = time.now();
         time.waitUntil(tickAfter(milliseconds));
-        slept(from);
+        slices.slept(from);
     }
 
     /** Like {@link #sleep}, but another thread may cut it short. */
     public void sleepInterruptibly(long milliseconds) throws InterruptedException {
+        slices.rest(milliseconds);
         long from = time.now();
         time.waitInterruptibly(tickAfter(milliseconds));
-        slept(from);
-    }
-
-    private void slept(long from) {
-        if (lifetime.isMain()) {
-            observer.slept(from, time.now());
-        }
+        slices.slept(from);
     }
 
     /** The moment of a tick of the brick's clock, so many milliseconds from now. */
@@ -158,6 +181,7 @@ public final class Hardware {
 
     /** What the brick's clock shows. */
     public long milliseconds() {
+        processor.look();
         return time.now() / VirtualTime.MILLISECOND;
     }
 }

@@ -1,5 +1,9 @@
 package arcomat.sim.device;
 
+import arcomat.sim.memory.CallStack;
+
+import java.util.Map;
+
 /** How programs on a brick start threads and how they end. */
 public interface Lifetime {
     /** Starts a thread of the program. */
@@ -23,6 +27,9 @@ public interface Lifetime {
 
     /** Whether a thread has been interrupted and not yet noticed. */
     boolean isInterrupted(Thread thread);
+
+    /** The threads that run, with what they have on their stacks. */
+    Map<Thread, CallStack> calls();
 
     /** Ends the program, as leaving main does. */
     void exit();

@@ -6,11 +6,13 @@ package arcomat.sim.device;
  * @param keyDelay microseconds from a press to the moment at which programs see it; a key that is
  *     released before has not been pressed
  * @param packetsInPieces whether some packets arrive in two parts, as on the air
+ * @param counted whether objects take memory, calls take frames, and computing takes time; and
+ *     whether errors look as they do there
  */
-public record Limits(long keyDelay, boolean packetsInPieces) {
+public record Limits(long keyDelay, boolean packetsInPieces, boolean counted) {
     /** As on the brick. */
-    public static final Limits OF_THE_BRICK = new Limits(50_000, true);
+    public static final Limits OF_THE_BRICK = new Limits(50_000, true, true);
 
     /** An ideal brick, for those who want to see their program alone. */
-    public static final Limits NONE = new Limits(0, false);
+    public static final Limits NONE = new Limits(0, false, false);
 }

@@ -31,6 +31,9 @@ public interface Observer {
     /** The program's first thread has slept: in the usual main loop, between two cycles. */
     void slept(long from, long until);
 
+    /** A round of the main loop took so long that it ended without a wait. */
+    default void late(long from, long until) {}
+
     /** Sees nothing. */
     Observer NONE =
             new Observer() {

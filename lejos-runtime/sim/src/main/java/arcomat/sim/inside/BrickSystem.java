@@ -54,6 +54,15 @@ public final class BrickSystem {
         exit(status);
     }
 
+    /** When objects are looked for that nobody needs is no concern of the program's. */
+    public static void gc() {
+        BRICK.called();
+    }
+
+    public static void gc(Runtime runtime) {
+        gc();
+    }
+
     /** A program jumps back in its code. */
     public static void loop() {
         BRICK.time().spend(ROUND);

@@ -23,7 +23,7 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
         }
         this.hardware = hardware;
         this.program = program;
-        this.rewriter = Rewriter.of(program.classes());
+        this.rewriter = Rewriter.of(program.classes(), hardware.limits().counted());
     }
 
     @Override

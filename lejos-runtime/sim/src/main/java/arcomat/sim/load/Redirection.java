@@ -6,7 +6,6 @@ import org.objectweb.asm.Opcodes;
 
 import java.util.HashSet;
 import java.util.Set;
-import java.util.function.Predicate;
 
 /** Sends calls in one method elsewhere. */
 final class Redirection extends MethodVisitor {
@@ -14,10 +13,11 @@ final class Redirection extends MethodVisitor {
     private static final String SYSTEM = INSIDE + "BrickSystem";
     private static final String THREADS = INSIDE + "BrickThreads";
     private static final String MONITORS = INSIDE + "BrickMonitors";
+    private static final String ERRORS = INSIDE + "BrickErrors";
 
     private static final Set<String> SYSTEM_MEMBERS =
-            Set.of("currentTimeMillis", "nanoTime", "exit", "out", "err", "setOut", "setErr");
-    private static final Set<String> RUNTIME_MEMBERS = Set.of("exit", "halt");
+            Set.of("currentTimeMillis", "nanoTime", "exit", "gc", "out", "err", "setOut", "setErr");
+    private static final Set<String> RUNTIME_MEMBERS = Set.of("exit", "gc", "halt");
     private static final Set<String> THREAD_MEMBERS =
             Set.of(
                     "start()V",
@@ -35,12 +35,35 @@ final class Redirection extends MethodVisitor {
     private static final Set<String> MONITOR_MEMBERS =
             Set.of("wait()V", "wait(J)V", "wait(JI)V", "notify()V", "notifyAll()V");
 
-    private final Predicate<String> isThread;
+    private static final Set<String> ERROR_MEMBERS =
+            Set.of(
+                    "getMessage()Ljava/lang/String;",
+                    "getLocalizedMessage()Ljava/lang/String;",
+                    "toString()Ljava/lang/String;",
+                    "printStackTrace()V",
+                    "printStackTrace(Ljava/io/PrintStream;)V");
+
+    /** Methods that make a text of the object on the stack. */
+    private static final Set<String> SHOWING =
+            Set.of(
+                    "java/lang/StringBuilder.append",
+                    "java/lang/StringBuffer.append",
+                    "java/lang/String.valueOf",
+                    "java/io/PrintStream.print",
+                    "java/io/PrintStream.println");
+
+    private final Superclasses superclasses;
+    private final boolean counted;
     private final Set<Label> passed = new HashSet<>();
 
-    Redirection(MethodVisitor next, Predicate<String> isThread) {
+    /**
+     * @param counted whether the program has the brick's speed, so that loops take time anyway, and
+     *     the brick's errors
+     */
+    Redirection(MethodVisitor next, Superclasses superclasses, boolean counted) {
         super(Opcodes.ASM9, next);
-        this.isThread = isThread;
+        this.superclasses = superclasses;
+        this.counted = counted;
     }
 
     @Override
@@ -50,7 +73,7 @@ final class Redirection extends MethodVisitor {
             callStatic(SYSTEM, name, descriptor);
         } else if (owner.equals("java/lang/Runtime") && RUNTIME_MEMBERS.contains(name)) {
             callStatic(SYSTEM, name, withReceiver(opcode, owner, descriptor));
-        } else if (THREAD_MEMBERS.contains(name + descriptor) && isThread.test(owner)) {
+        } else if (THREAD_MEMBERS.contains(name + descriptor) && superclasses.isThread(owner)) {
             callStatic(THREADS, name, withReceiver(opcode, "java/lang/Thread", descriptor));
         } else if (MONITOR_MEMBERS.contains(name + descriptor)) {
             callStatic(MONITORS, name, withReceiver(opcode, "java/lang/Object", descriptor));
@@ -58,9 +81,22 @@ final class Redirection extends MethodVisitor {
             // A run must be the same every time: what the PC would seed from its clock starts at 0.
             super.visitInsn(Opcodes.LCONST_0);
             super.visitMethodInsn(opcode, owner, name, "(J)V", false);
+        } else if (counted && isOfError(opcode, owner, name + descriptor)) {
+            callStatic(ERRORS, name, withReceiver(opcode, "java/lang/Throwable", descriptor));
         } else {
+            if (counted
+                    && descriptor.startsWith("(Ljava/lang/Object;)")
+                    && SHOWING.contains(owner + "." + name)) {
+                callStatic(ERRORS, "shown", "(Ljava/lang/Object;)Ljava/lang/Object;");
+            }
             super.visitMethodInsn(opcode, owner, name, descriptor, isInterface);
         }
+    }
+
+    private boolean isOfError(int opcode, String owner, String member) {
+        return opcode == Opcodes.INVOKEVIRTUAL
+                && ERROR_MEMBERS.contains(member)
+                && superclasses.isError(owner);
     }
 
     /** A timer of the PC would run by the PC's clock. */
@@ -109,7 +145,7 @@ final class Redirection extends MethodVisitor {
 
     @Override
     public void visitJumpInsn(int opcode, Label label) {
-        if (passed.contains(label)) {
+        if (!counted && passed.contains(label)) {
             callStatic(SYSTEM, "loop", "()V");
         }
         super.visitJumpInsn(opcode, label);

@@ -5,31 +5,45 @@ import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.tree.ClassNode;
 
 import java.util.Map;
-import java.util.function.Predicate;
 
 /**
  * Makes a class of a program run in virtual time: calls of the PC's clock, threads and locks go to
- * {@code arcomat.sim.inside}, and every loop takes time. Nothing else changes: what a jar does on a
- * simulated brick is what it says.
+ * {@code arcomat.sim.inside}, and every loop takes time, if nothing else does. Nothing else changes:
+ * what a jar does on a simulated brick is what it says.
  */
 final class Rewriter {
-    private final Predicate<String> isThread;
+    private final Superclasses superclasses;
+    private final boolean counted;
 
-    private Rewriter(Predicate<String> isThread) {
-        this.isThread = isThread;
+    private Rewriter(Superclasses superclasses, boolean counted) {
+        this.superclasses = superclasses;
+        this.counted = counted;
     }
 
-    /** A rewriter for the classes of a program; it must know which of them are threads. */
-    static Rewriter of(Map<String, byte[]> classes) {
-        return new Rewriter(new ThreadClasses(classes)::contains);
+    /**
+     * A rewriter for the classes of a program; it must know which of them are threads, and which
+     * are errors.
+     *
+     * @param counted whether the program has the brick's memory, its calls and its speed
+     */
+    static Rewriter of(Map<String, byte[]> classes, boolean counted) {
+        return new Rewriter(new Superclasses(classes), counted);
     }
 
     byte[] rewrite(byte[] classFile) {
         ClassReader reader = new ClassReader(classFile);
         ClassWriter writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
-        reader.accept(new Methods(writer), 0);
+        if (counted) {
+            ClassNode type = new ClassNode();
+            reader.accept(type, ClassReader.EXPAND_FRAMES);
+            Metering.meter(type);
+            type.accept(new Methods(writer));
+        } else {
+            reader.accept(new Methods(writer), 0);
+        }
         return writer.toByteArray();
     }
 
@@ -65,7 +79,7 @@ final class Rewriter {
             } else {
                 visitor = super.visitMethod(access, name, descriptor, signature, exceptions);
             }
-            return visitor == null ? null : new Redirection(visitor, isThread);
+            return visitor == null ? null : new Redirection(visitor, superclasses, counted);
         }
     }
 }

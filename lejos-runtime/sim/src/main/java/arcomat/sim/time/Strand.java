@@ -1,5 +1,8 @@
 package arcomat.sim.time;
 
+import arcomat.brick.api.BrickCost;
+import arcomat.sim.memory.CallStack;
+
 import java.util.concurrent.locks.LockSupport;
 
 /**
@@ -16,9 +19,33 @@ public final class Strand extends Actor {
     private boolean interrupted;
     private boolean interruptible;
     private int refusals;
+    private final CallStack calls = new CallStack(BrickCost.FRAMES);
+    private long work;
 
     Strand(Rank rank) {
         super(rank);
+    }
+
+    /** The calls of the program that wait for each other. */
+    public CallStack calls() {
+        return calls;
+    }
+
+    /**
+     * Computes for so many microseconds, which do not pass yet.
+     *
+     * @return what has come together
+     */
+    public long work(long microseconds) {
+        work += microseconds;
+        return work;
+    }
+
+    /** What has come together, which is then forgotten. */
+    public long takeWork() {
+        long taken = work;
+        work = 0;
+        return taken;
     }
 
     void runsOn(Thread carrier) {

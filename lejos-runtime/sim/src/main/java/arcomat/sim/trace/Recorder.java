@@ -29,6 +29,7 @@ public final class Recorder implements Observer {
     private List<Event> events = new ArrayList<>();
     private long start;
     private Event.ScreenChanged drawn;
+    private Lateness lateness = Lateness.NONE;
 
     /**
      * A sensor that was exposed to what it cannot sense.
@@ -53,10 +54,25 @@ public final class Recorder implements Observer {
 
     @Override
     public void slept(long from, long until) {
+        endCycle(until);
+    }
+
+    private void endCycle(long next) {
         flushScreen();
         cycles.add(new Cycle(start, events));
         events = new ArrayList<>();
-        start = until;
+        start = next;
+    }
+
+    @Override
+    public void late(long from, long until) {
+        endCycle(until);
+        lateness = lateness.and(until - from);
+    }
+
+    /** How often the program came late. */
+    public Lateness lateness() {
+        return lateness;
     }
 
     @Override
