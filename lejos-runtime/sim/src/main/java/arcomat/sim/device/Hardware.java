@@ -160,18 +160,18 @@ public final class Hardware {
 
     /** Sleeps up to a tick of the brick's clock, which counts milliseconds. */
     public void sleep(long milliseconds) {
-        slices.rest(milliseconds);
+        processor.rest();
         long from = time.now();
         time.waitUntil(tickAfter(milliseconds));
-        slices.slept(from);
+        slices.slept(from, milliseconds);
     }
 
     /** Like {@link #sleep}, but another thread may cut it short. */
     public void sleepInterruptibly(long milliseconds) throws InterruptedException {
-        slices.rest(milliseconds);
+        processor.rest();
         long from = time.now();
         time.waitInterruptibly(tickAfter(milliseconds));
-        slices.slept(from);
+        slices.slept(from, milliseconds);
     }
 
     /** The moment of a tick of the brick's clock, so many milliseconds from now. */

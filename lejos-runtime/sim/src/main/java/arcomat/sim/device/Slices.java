@@ -17,20 +17,18 @@ public final class Slices {
         this.hardware = hardware;
     }
 
-    /** A thread is about to sleep for so long; for less than nothing, where it comes late. */
-    void rest(long milliseconds) {
-        hardware.processor().rest();
-        if (milliseconds < 0 && hardware.lifetime().isMain()) {
+    /** A thread has slept for so long; for less than nothing, where it comes late. */
+    void slept(long from, long milliseconds) {
+        if (!hardware.lifetime().isMain()) {
+            return;
+        }
+        if (milliseconds < 0) {
             late();
-        }
-    }
-
-    void slept(long from) {
-        if (hardware.lifetime().isMain()) {
-            hardware.observer().slept(from, hardware.time().now());
+        } else {
             begun = hardware.time().now();
-            waited = true;
+            hardware.observer().slept(from, begun);
         }
+        waited = true;
     }
 
     /** The program asks the clock of its slices to wait for the next one. */
