@@ -8,6 +8,7 @@ import arcomat.report.brick.BrickPage;
 import arcomat.report.brick.BrickTraceCsv;
 import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
+import arcomat.report.brick.LatenessText;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.sim.device.SensorName;
@@ -94,6 +95,8 @@ final class RunBrickCommand extends Command {
 
     @Mixin private PatienceOption timeout = new PatienceOption();
 
+    @Mixin private LimitsOption limits = new LimitsOption();
+
     @Mixin private PageOption report = new PageOption();
 
     RunBrickCommand(Console console) {
@@ -114,7 +117,12 @@ final class RunBrickCommand extends Command {
         OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);
         BrickRunRequest request =
                 new BrickRunRequest(
-                        jar, Optional.ofNullable(script), devices, limit, timeout.patience());
+                        jar,
+                        Optional.ofNullable(script),
+                        devices,
+                        limit,
+                        timeout.patience(),
+                        limits.limits());
         try {
             return report(pipeline.runBrick(request), pipeline);
         } catch (OutOfPatience e) {
@@ -130,7 +138,14 @@ final class RunBrickCommand extends Command {
         }
         BrickRunResult.Run run = result.run().get();
         report.write(
-                () -> BrickPage.of(jar, run.trace(), run.ending(), run.failure(), run.screen()),
+                () ->
+                        BrickPage.of(
+                                jar,
+                                run.trace(),
+                                run.ending(),
+                                run.failure(),
+                                run.lateness(),
+                                run.screen()),
                 pipeline);
         return report(run);
     }
@@ -147,6 +162,9 @@ final class RunBrickCommand extends Command {
         }
         for (Misfit misfit : run.misfits()) {
             console.err().println(told(misfit));
+        }
+        if (run.lateness().slices() > 0) {
+            console.err().println(LatenessText.of(run.lateness()));
         }
         if (run.failure().isPresent()) {
             console.err().println("stopped: " + Printable.escape(run.failure().get()));

@@ -59,6 +59,8 @@ final class WorldCommand extends Command {
 
     @Mixin private PatienceOption timeout = new PatienceOption();
 
+    @Mixin private LimitsOption limits = new LimitsOption();
+
     WorldCommand(Console console) {
         super(console);
     }
@@ -89,7 +91,7 @@ final class WorldCommand extends Command {
     }
 
     private int runOnce(PreparedWorld prepared, Pipeline pipeline) throws WrongUse {
-        Recording recording = prepared.run(seed, timeout.patience());
+        Recording recording = prepared.run(seed, timeout.patience(), limits.limits());
         print(WorldText.events(recording, console.style()));
         printLine("");
         printLine(WorldText.summary(recording));
@@ -103,7 +105,7 @@ final class WorldCommand extends Command {
     private int runOften(PreparedWorld prepared) throws WrongUse {
         int good = 0;
         for (long each = seed; each < seed + runs; each++) {
-            Recording recording = prepared.run(each, timeout.patience());
+            Recording recording = prepared.run(each, timeout.patience(), limits.limits());
             good += recording.succeeded() ? 1 : 0;
             printLine("seed " + each + ": " + WorldText.summary(recording));
         }

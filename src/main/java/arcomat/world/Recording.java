@@ -16,6 +16,7 @@ import java.util.stream.IntStream;
  * @param events what people would tell of, in the order of time
  * @param failures why programs stopped, by robot
  * @param blind sockets that programs have read, and in which their robots have no such sensor
+ * @param late robots whose slices took too long
  */
 public record Recording(
         World world,
@@ -23,7 +24,8 @@ public record Recording(
         List<Frame> frames,
         List<Event> events,
         Map<String, String> failures,
-        List<Blind> blind) {
+        List<Blind> blind,
+        List<Late> late) {
     /** From one frame to the next, in milliseconds. */
     public static final int PERIOD = 100;
 
@@ -35,7 +37,16 @@ public record Recording(
         events = List.copyOf(events);
         failures = Map.copyOf(failures);
         blind = List.copyOf(blind);
+        late = List.copyOf(late);
     }
+
+    /**
+     * A robot that came late.
+     *
+     * @param slices how often
+     * @param longest microseconds that the longest of these slices took
+     */
+    public record Late(String robot, int slices, long longest) {}
 
     /**
      * A socket that a program has read.

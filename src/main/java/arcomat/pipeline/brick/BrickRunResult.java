@@ -1,5 +1,6 @@
 package arcomat.pipeline.brick;
 
+import arcomat.sim.trace.Lateness;
 import arcomat.sim.trace.Recorder.Misfit;
 import arcomat.sim.trace.Trace;
 import arcomat.source.Diagnostic;
@@ -25,6 +26,7 @@ public record BrickRunResult(List<Diagnostic> findings, Optional<Run> run) {
      * @param ending how it ended, in words: "the program ended"
      * @param failure what nothing in the program caught
      * @param misfits what the script exposes sensors to, and they cannot sense
+     * @param lateness how often the program came late
      * @param screen what the display shows at the end, without empty rows at its end
      */
     public record Run(
@@ -33,5 +35,6 @@ public record BrickRunResult(List<Diagnostic> findings, Optional<Run> run) {
             String ending,
             Optional<String> failure,
             List<Misfit> misfits,
+            Lateness lateness,
             List<String> screen) {}
 }

@@ -17,7 +17,6 @@ import arcomat.sim.trace.Recorder;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -61,13 +60,17 @@ public final class BrickRunStep {
         progress.step("running " + request.jar() + " on a simulated brick");
         long end = end(request, script);
         return new BrickRunResult(
-                List.of(), Optional.of(run(jar, script, plugged, end, request.patience())));
+                List.of(), Optional.of(run(jar, script, plugged, end, request)));
     }
 
     private static BrickRunResult.Run run(
-            JarReader jar, Script script, PluggedDevices plugged, long end, Duration patience) {
-        try (Laboratory laboratory = new Laboratory()) {
-            laboratory.limit(patience);
+            JarReader jar,
+            Script script,
+            PluggedDevices plugged,
+            long end,
+            BrickRunRequest request) {
+        try (Laboratory laboratory = new Laboratory(request.limits())) {
+            laboratory.limit(request.patience());
             SimulatedBrick brick = laboratory.place(jar.main(), jar.program());
             Recorder recorder = new Recorder();
             brick.observe(recorder);
@@ -80,6 +83,7 @@ public final class BrickRunStep {
                     ending(brick.outcome().kind()),
                     brick.outcome().failure(),
                     recorder.misfits(),
+                    recorder.lateness(),
                     screen(brick));
         }
     }

@@ -2,6 +2,7 @@ package arcomat.pipeline.world;
 
 import arcomat.pipeline.check.Aside;
 import arcomat.sim.Laboratory;
+import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
 import arcomat.world.World;
@@ -51,9 +52,9 @@ public final class PreparedWorld {
         return findings.stream().noneMatch(Diagnostic::isError);
     }
 
-    /** Runs it, as long as usual. */
+    /** Runs it, as long as usual, on bricks as they are. */
     public Recording run(long seed) {
-        return run(seed, Laboratory.PATIENCE);
+        return run(seed, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
     }
 
     /**
@@ -61,12 +62,13 @@ public final class PreparedWorld {
      *
      * @param seed of everything that is drawn
      * @param patience how long it may take by the PC's clock
+     * @param limits those of a brick that programs meet
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    public Recording run(long seed, Duration patience) {
+    public Recording run(long seed, Duration patience, Limits limits) {
         if (!canRun()) {
             throw new IllegalStateException("a world with errors");
         }
-        return WorldRun.run(world, seed, equipment, patience);
+        return WorldRun.run(world, seed, equipment, patience, limits);
     }
 }

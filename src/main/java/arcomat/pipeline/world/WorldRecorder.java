@@ -5,6 +5,7 @@ import arcomat.sim.device.MotorOrder;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.Screen;
 import arcomat.sim.device.Stimulus;
+import arcomat.sim.trace.Lateness;
 import arcomat.world.Happening;
 import arcomat.world.Kind;
 import arcomat.world.Physics;
@@ -37,6 +38,7 @@ final class WorldRecorder {
     private final List<Event> events = new ArrayList<>();
     private final Map<String, String> failures = new TreeMap<>();
     private final Set<Recording.Blind> blind = new LinkedHashSet<>();
+    private final Map<String, Lateness> lateness = new TreeMap<>();
     private final String[] displays;
 
     WorldRecorder(World world, long seed) {
@@ -64,6 +66,14 @@ final class WorldRecorder {
             }
 
             @Override
+            public void late(long from, long until) {
+                lateness.merge(
+                        robot.name(),
+                        Lateness.NONE.and(until - from),
+                        (all, one) -> all.and(one.longest()));
+            }
+
+            @Override
             public void packetSent(long time, byte[] packet, int length) {
                 String bytes = HexFormat.of().formatHex(packet, 0, length);
                 events.add(new Event.Sent((int) (time / MICROSECONDS), robot.name(), bytes));
@@ -76,7 +86,19 @@ final class WorldRecorder {
     }
 
     Recording recording() {
-        return new Recording(world, seed, frames, events, failures, List.copyOf(blind));
+        return new Recording(
+                world, seed, frames, events, failures, List.copyOf(blind), late());
+    }
+
+    private List<Recording.Late> late() {
+        return lateness.entrySet().stream()
+                .map(
+                        each ->
+                                new Recording.Late(
+                                        each.getKey(),
+                                        each.getValue().slices(),
+                                        each.getValue().longest()))
+                .toList();
     }
 
     /**

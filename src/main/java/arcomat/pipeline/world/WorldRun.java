@@ -2,6 +2,7 @@ package arcomat.pipeline.world;
 
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.Limits;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
@@ -57,9 +58,9 @@ final class WorldRun {
         }
     }
 
-    /** Runs a world as long as usual. */
+    /** Runs a world as long as usual, on bricks as they are. */
     static Recording run(World world, long seed, Map<String, Equipment> equipment) {
-        return run(world, seed, equipment, Laboratory.PATIENCE);
+        return run(world, seed, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
     }
 
     /**
@@ -67,11 +68,16 @@ final class WorldRun {
      *
      * @param equipment by the names of robots
      * @param patience how long it may take by the PC's clock
+     * @param limits those of a brick that programs meet
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
     static Recording run(
-            World world, long seed, Map<String, Equipment> equipment, Duration patience) {
-        try (Laboratory laboratory = new Laboratory()) {
+            World world,
+            long seed,
+            Map<String, Equipment> equipment,
+            Duration patience,
+            Limits limits) {
+        try (Laboratory laboratory = new Laboratory(limits)) {
             laboratory.limit(patience);
             return new WorldRun(world, seed, laboratory).run(equipment);
         }

@@ -11,6 +11,7 @@ import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.trace.Lateness;
 import arcomat.sim.trace.Trace;
 
 import java.util.ArrayList;
@@ -27,10 +28,16 @@ public final class BrickPage {
      * @param jar the program
      * @param ending how it ended, in words
      * @param failure what nothing in the program caught
+     * @param lateness how often the program came late
      * @param screen what the display shows at the end
      */
     public static Page of(
-            String jar, Trace trace, String ending, Optional<String> failure, List<String> screen) {
+            String jar,
+            Trace trace,
+            String ending,
+            Optional<String> failure,
+            Lateness lateness,
+            List<String> screen) {
         BrickRows all = BrickRows.of(trace);
         int length = all.rows().size();
         List<Remark> remarks = new ArrayList<>();
@@ -38,6 +45,9 @@ public final class BrickPage {
         if (failure.isPresent()) {
             remarks.add(Remark.of(Tone.BAD, failure.get()).at(length - 1));
             flaws.add(new Flaw(length - 1, "", failure.get()));
+        }
+        if (lateness.slices() > 0) {
+            remarks.add(Remark.of(Tone.OPEN, LatenessText.of(lateness)));
         }
         screen.forEach(row -> remarks.add(Remark.of(Tone.NEUTRAL, "display: " + row)));
         Timeline timeline =

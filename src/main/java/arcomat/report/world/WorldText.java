@@ -1,8 +1,10 @@
 package arcomat.report.world;
 
+import arcomat.report.brick.LatenessText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
+import arcomat.sim.trace.Lateness;
 import arcomat.world.Happening;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
@@ -74,6 +76,10 @@ public final class WorldText {
                     each.sensor()
                             .map(as -> " as " + as + ", and the robot has another sensor there")
                             .orElse(", where the robot has no sensor"));
+        }
+        for (Recording.Late each : recording.late()) {
+            text.append("\nof ").append(each.robot()).append(", ");
+            text.append(LatenessText.of(new Lateness(each.slices(), each.longest())));
         }
         recording
                 .stillSince()

@@ -43,6 +43,7 @@ class WorldPageTest {
                 List.of(new Frame(0, List.of(robot), List.of())),
                 List.of(new Event.Showed(0, "one", NASTY)),
                 Map.of("one", NASTY),
+                List.of(),
                 List.of());
     }
 

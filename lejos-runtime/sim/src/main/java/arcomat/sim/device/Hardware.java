@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 /** Everything that belongs to one brick. */
 public final class Hardware {
     /** Bytes of the heap that leJOS takes for itself, before a program has made an object. */
-    private static final int OF_LEJOS = 3000;
+    private static final int OF_LEJOS = 3500;
 
     private static final int FULL_BATTERY = 7400;
 
