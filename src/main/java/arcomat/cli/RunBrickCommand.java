@@ -156,6 +156,9 @@ final class RunBrickCommand extends Command {
                 print(BrickTraceText.render(run.trace(), console.style()));
                 run.screen().forEach(row -> printLine("| " + Printable.escape(row)));
                 printLine(summary(run));
+                if (run.lateness().slices() > 0) {
+                    printLine(LatenessText.of(run.lateness()));
+                }
             }
             case csv -> print(BrickTraceCsv.render(run.trace()));
             case json -> print(BrickTraceJson.render(run.trace()));
@@ -163,7 +166,7 @@ final class RunBrickCommand extends Command {
         for (Misfit misfit : run.misfits()) {
             console.err().println(told(misfit));
         }
-        if (run.lateness().slices() > 0) {
+        if (run.lateness().slices() > 0 && trace != TraceFormat.table) {
             console.err().println(LatenessText.of(run.lateness()));
         }
         if (run.failure().isPresent()) {

@@ -33,7 +33,7 @@ class PublishedArtifactsTest {
                 + " asm-tree ecj freemarker guava hppc jackson-core jsvg"
                 + " org.eclipse.elk.alg.layered org.eclipse.emf.ecore picocli smtinterpol",
         "arcomat-brick-api, asm",
-        "arcomat-brick-simulation, asm asm-tree",
+        "arcomat-brick-simulation, arcomat-brick-api asm asm-tree",
         "arcomat-gradle-plugin, ''",
         "arcomat-runtime, ''",
         "arcomat.gradle.plugin, arcomat-gradle-plugin"

@@ -15,6 +15,7 @@ public final class Slices {
 
     Slices(Hardware hardware) {
         this.hardware = hardware;
+        this.begun = hardware.time().now();
     }
 
     /** A thread has slept for so long; for less than nothing, where it comes late. */
