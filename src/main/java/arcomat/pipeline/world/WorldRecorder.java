@@ -86,8 +86,7 @@ final class WorldRecorder {
     }
 
     Recording recording() {
-        return new Recording(
-                world, seed, frames, events, failures, List.copyOf(blind), late());
+        return new Recording(world, seed, frames, events, failures, List.copyOf(blind), late());
     }
 
     private List<Recording.Late> late() {

@@ -4,7 +4,9 @@ import arcomat.sim.trace.Lateness;
 
 import java.util.Locale;
 
-/** In words, how often a program came late: {@code 12 slices came late; the longest took 141 ms}. */
+/**
+ * In words, how often a program came late: {@code 12 slices came late; the longest took 141 ms}.
+ */
 public final class LatenessText {
     private static final double MILLISECOND = 1000;
 

@@ -295,6 +295,51 @@ class LimitsTest {
         assertThat(together).isBetween(2 * alone - 10, 2 * alone + 10);
     }
 
+    /** The PC locks its Vector while it asks the program's objects whether they are the same. */
+    @Test
+    void aLockOfThePcKeepsNobody() {
+        Program program =
+                Compiled.source(
+                        "Vectors",
+                        """
+                        public class Vectors {
+                            static final java.util.Vector<Object> VECTOR =
+                                    new java.util.Vector<Object>();
+                            final int number;
+                            Vectors(int number) { this.number = number; }
+                            public boolean equals(Object other) {
+                                int sum = 0;
+                                for (int i = 0; i < 100; i++) { sum += i; }
+                                return sum > 0 && ((Vectors) other).number == number;
+                            }
+                            static class Searcher extends Thread {
+                                public void run() {
+                                    for (int i = 0; i < 50; i++) { VECTOR.contains(new Vectors(20)); }
+                                }
+                            }
+                            public static void main(String[] args) throws Exception {
+                                for (int i = 0; i < 10; i++) { VECTOR.addElement(new Vectors(i)); }
+                                long begin = System.currentTimeMillis();
+                                Thread one = new Searcher();
+                                Thread two = new Searcher();
+                                one.start();
+                                two.start();
+                                one.join();
+                                two.join();
+                                int taken = (int) (System.currentTimeMillis() - begin);
+                                lejos.nxt.LCD.drawInt(taken / 1000, 0, 0);
+                            }
+                        }
+                        """);
+        try (Laboratory laboratory = new Laboratory()) {
+            laboratory.limit(java.time.Duration.ofSeconds(60));
+            SimulatedBrick brick = laboratory.place("brick", program);
+            laboratory.runToEnd(600_000);
+            assertThat(brick.outcome().kind()).isEqualTo(Outcome.Kind.ENDED);
+            assertThat(brick.screen().get(0)).isEqualTo("1");
+        }
+    }
+
     /** What comes before the first look at the clock belongs to switching on. */
     @Test
     void theFirstSliceBeginsAtZero() {
@@ -352,8 +397,7 @@ class LimitsTest {
         assertThat(brick.outcome().failure().orElseThrow()).contains("oops");
         assertThat(brick.screen()).isEqualTo(rows("Exception: 31", "oops"));
         assertThat(brick.motor(MotorName.A).order()).isEqualTo(MotorOrder.FLOAT);
-        SimulatedBrick own =
-                run("class Own extends RuntimeException { } throw new Own();");
+        SimulatedBrick own = run("class Own extends RuntimeException { } throw new Own();");
         assertThat(own.screen()).isEqualTo(rows("Exception: ?"));
         SimulatedBrick ideal = run(Limits.NONE, Compiled.main("throw new Error();"));
         assertThat(ideal.screen()).isEqualTo(rows());
@@ -406,6 +450,7 @@ class LimitsTest {
                         "LCD.drawString(new Own().toString() + new Own(), 0, 3);",
                         "new IllegalStateException(\"c\").printStackTrace();");
         assertThat(brick.outcome().failure()).isEmpty();
-        assertThat(brick.screen()).startsWith("class 31: c", "class 27: a", "class ?: b", "ownown", "a");
+        assertThat(brick.screen())
+                .startsWith("class 31: c", "class 27: a", "class ?: b", "ownown", "a");
     }
 }

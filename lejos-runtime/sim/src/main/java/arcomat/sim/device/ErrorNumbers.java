@@ -1,6 +1,7 @@
 package arcomat.sim.device;
 
 import java.util.Map;
+import java.util.Set;
 
 /**
  * How errors call themselves on the brick: by the numbers of their classes, for names are not in a
@@ -27,6 +28,14 @@ public final class ErrorNumbers {
                     Map.entry(ArrayStoreException.class, 34),
                     Map.entry(NegativeArraySizeException.class, 35));
 
+    /** Those that libraries throw, with messages, and programs. */
+    private static final Set<Class<?>> OF_LIBRARIES =
+            Set.of(
+                    Throwable.class,
+                    Error.class,
+                    IllegalArgumentException.class,
+                    IllegalStateException.class);
+
     private ErrorNumbers() {}
 
     /** The number of an error's class, or {@code ?} where only the linker knows it. */
@@ -35,8 +44,8 @@ public final class ErrorNumbers {
         return number == null ? "?" : number.toString();
     }
 
-    /** Whether the machine itself throws such errors; it gives them no message. */
-    public static boolean isOfMachine(Class<?> type) {
-        return NUMBERS.containsKey(type);
+    /** Whether it is the machine that throws such errors, and gives them no message. */
+    static boolean isOfMachine(Class<?> type) {
+        return NUMBERS.containsKey(type) && !OF_LIBRARIES.contains(type);
     }
 }

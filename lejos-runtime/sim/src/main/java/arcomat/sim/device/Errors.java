@@ -6,7 +6,9 @@ import java.util.WeakHashMap;
 
 /** What the errors of a program say of themselves on the brick. */
 public final class Errors {
-    /** Errors of the machine's classes that the program has made itself: they keep their message. */
+    /**
+     * Errors of the machine's classes that the program has made itself: they keep their message.
+     */
     private final Set<Throwable> made = Collections.newSetFromMap(new WeakHashMap<>());
 
     Errors() {}

@@ -35,6 +35,11 @@ public final class Processor {
         this.counted = counted;
     }
 
+    /** The calling thread computes for so many microseconds, and cannot be interrupted just now. */
+    public void count(long microseconds) {
+        time.running().work(microseconds);
+    }
+
     /** The calling thread computes for so many microseconds. */
     public void work(long microseconds) {
         if (time.running().work(microseconds) >= limit) {
@@ -55,7 +60,7 @@ public final class Processor {
 
     /** The program looks at the clock. */
     void look() {
-        if (!started) {
+        if (!started && time.running() != null) {
             time.running().takeWork();
             begin();
         }

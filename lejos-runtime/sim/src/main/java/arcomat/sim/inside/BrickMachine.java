@@ -18,7 +18,7 @@ public final class BrickMachine {
      * @return the depth of the call
      */
     public static int enter(int variables, int frame, int work) {
-        BRICK.processor().work(work);
+        BRICK.processor().count(work);
         return calls().enter(variables, frame);
     }
 
@@ -37,6 +37,11 @@ public final class BrickMachine {
 
     public static void work(int microseconds) {
         BRICK.processor().work(microseconds);
+    }
+
+    /** As {@link #work}, where others must not have their turn. */
+    public static void count(int microseconds) {
+        BRICK.processor().count(microseconds);
     }
 
     public static void initialized(Class<?> type) {

@@ -9,8 +9,18 @@ import java.util.Set;
 final class ForeignCalls {
     private static final Set<String> GROWING =
             Set.of(
-                    "add", "addAll", "addElement", "addFirst", "addLast", "append", "insert",
-                    "insertElementAt", "offer", "push", "put", "putAll");
+                    "add",
+                    "addAll",
+                    "addElement",
+                    "addFirst",
+                    "addLast",
+                    "append",
+                    "insert",
+                    "insertElementAt",
+                    "offer",
+                    "push",
+                    "put",
+                    "putAll");
 
     private static final Set<String> BOXES =
             Set.of(

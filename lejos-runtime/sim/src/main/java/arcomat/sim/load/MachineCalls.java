@@ -34,6 +34,10 @@ final class MachineCalls {
         return number("work", microseconds);
     }
 
+    static InsnList count(int microseconds) {
+        return number("count", microseconds);
+    }
+
     static InsnList grown(int bytes) {
         return number("grown", bytes);
     }

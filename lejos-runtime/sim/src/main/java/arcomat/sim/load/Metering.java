@@ -33,6 +33,13 @@ final class Metering {
 
     private static final int WORD = 4;
 
+    /**
+     * Methods that Java's own collections call, some of which are locked then, by the PC: a thread
+     * that lets others go on there would never get its turn again.
+     */
+    private static final Set<String> IN_COLLECTIONS =
+            Set.of("compare", "compareTo", "equals", "hashCode", "toString");
+
     private final MethodNode method;
     private final Variables variables;
     private final Creations creations;
@@ -47,16 +54,12 @@ final class Metering {
         this.creations = Creations.of(method);
         this.depth = method.maxLocals;
         for (TryCatchBlockNode block : method.tryCatchBlocks) {
-            handlers.add(firstOf(block.handler));
+            AbstractInsnNode first = block.handler;
+            while (first != null && first.getOpcode() < 0) {
+                first = first.getNext();
+            }
+            handlers.add(first);
         }
-    }
-
-    private static AbstractInsnNode firstOf(AbstractInsnNode label) {
-        AbstractInsnNode first = label;
-        while (first.getOpcode() < 0) {
-            first = first.getNext();
-        }
-        return first;
     }
 
     /** Meters all methods of a class. */
@@ -101,7 +104,7 @@ final class Metering {
                 put(each, caught());
             }
             if (blocks.costs().containsKey(each)) {
-                put(each, MachineCalls.work(blocks.costs().get(each)));
+                put(each, work(blocks.costs().get(each)));
             }
             if (each instanceof FrameNode frame) {
                 keepDepth(frame);
@@ -110,6 +113,12 @@ final class Metering {
             }
         }
         method.instructions.insert(entry(blocks.first()));
+    }
+
+    private InsnList work(int microseconds) {
+        return IN_COLLECTIONS.contains(method.name)
+                ? MachineCalls.count(microseconds)
+                : MachineCalls.work(microseconds);
     }
 
     /** Before an instruction; but frames name a NEW by its place, so nothing comes before that. */

@@ -11,8 +11,8 @@ import java.util.Map;
 
 /**
  * Makes a class of a program run in virtual time: calls of the PC's clock, threads and locks go to
- * {@code arcomat.sim.inside}, and every loop takes time, if nothing else does. Nothing else changes:
- * what a jar does on a simulated brick is what it says.
+ * {@code arcomat.sim.inside}, and every loop takes time, if nothing else does. Nothing else
+ * changes: what a jar does on a simulated brick is what it says.
  */
 final class Rewriter {
     private final Superclasses superclasses;

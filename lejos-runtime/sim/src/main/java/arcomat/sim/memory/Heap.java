@@ -31,10 +31,7 @@ public final class Heap {
 
     /** An object of the program's own classes is being made; nobody refers to it yet. */
     public void make(Class<?> type) {
-        reserve(
-                ClassLayout.isOfJava(type)
-                        ? ObjectSize.ofFields(0)
-                        : ClassLayout.of(type).bytes());
+        reserve(ClassLayout.isOfJava(type) ? ObjectSize.ofFields(0) : ClassLayout.of(type).bytes());
     }
 
     public void makeArray(int length, Class<?> component) {

@@ -93,8 +93,7 @@ final class LiveObjects {
     /** A program's own method must not run now. */
     private static boolean isJavas(Object object, String method) {
         try {
-            return ClassLayout.isOfJava(
-                    object.getClass().getMethod(method).getDeclaringClass());
+            return ClassLayout.isOfJava(object.getClass().getMethod(method).getDeclaringClass());
         } catch (NoSuchMethodException e) {
             return false;
         }
