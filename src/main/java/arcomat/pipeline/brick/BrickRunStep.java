@@ -59,8 +59,7 @@ public final class BrickRunStep {
         }
         progress.step("running " + request.jar() + " on a simulated brick");
         long end = end(request, script);
-        return new BrickRunResult(
-                List.of(), Optional.of(run(jar, script, plugged, end, request)));
+        return new BrickRunResult(List.of(), Optional.of(run(jar, script, plugged, end, request)));
     }
 
     private static BrickRunResult.Run run(

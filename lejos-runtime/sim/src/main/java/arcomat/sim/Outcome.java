@@ -46,14 +46,23 @@ public record Outcome(Kind kind, Optional<Throwable> error) {
             if (isOfProgram(element)) {
                 return "%s at %s.%s (%s:%d)"
                         .formatted(
-                                cause,
+                                text(cause),
                                 element.getClassName(),
                                 element.getMethodName(),
                                 element.getFileName(),
                                 element.getLineNumber());
             }
         }
-        return cause.toString();
+        return text(cause);
+    }
+
+    /** A program's own error may fail to say what it is. */
+    private static String text(Throwable error) {
+        try {
+            return error.toString();
+        } catch (RuntimeException | Error e) {
+            return error.getClass().getName();
+        }
     }
 
     private static boolean isOfProgram(StackTraceElement element) {

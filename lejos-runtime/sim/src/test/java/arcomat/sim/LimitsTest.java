@@ -403,6 +403,19 @@ class LimitsTest {
         assertThat(ideal.screen()).isEqualTo(rows());
     }
 
+    @Test
+    void anErrorThatFailsToSayWhatItIsEndsTheProgramToo() {
+        SimulatedBrick brick =
+                run(
+                        "class Own extends RuntimeException {",
+                        "  public String getMessage() { throw new Error(); } }",
+                        "new Thread() { public void run() { Delay.msDelay(100000); } }.start();",
+                        "throw new Own();");
+        assertThat(brick.outcome().kind()).isEqualTo(Outcome.Kind.FAILED);
+        assertThat(brick.outcome().failure().orElseThrow()).startsWith("Main$1Own at Main.main");
+        assertThat(brick.screen()).isEqualTo(rows("Exception: ?"));
+    }
+
     private static List<String> rows(String... first) {
         List<String> rows = new java.util.ArrayList<>(List.of(first));
         while (rows.size() < 8) {

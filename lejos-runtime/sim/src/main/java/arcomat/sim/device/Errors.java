@@ -26,6 +26,15 @@ public final class Errors {
         return silent ? null : error.getMessage();
     }
 
+    /** A program's own error may fail to say what it is. */
+    private String shownMessage(Throwable error) {
+        try {
+            return message(error);
+        } catch (RuntimeException | Error e) {
+            return null;
+        }
+    }
+
     /** What the brick shows of an error that nothing has caught; ESCAPE would take it away. */
     void show(Throwable error, Screen screen) {
         screen.clear();
@@ -33,7 +42,7 @@ public final class Errors {
         for (Throwable each = error; each != null; each = each.getCause()) {
             String heading = each == error ? "Exception: " : "Caused by: ";
             screen.draw(heading + ErrorNumbers.of(each.getClass()), 0, row++);
-            String message = message(each);
+            String message = shownMessage(each);
             if (message != null) {
                 screen.draw(message, 0, row++);
             }
