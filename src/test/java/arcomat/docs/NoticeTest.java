@@ -7,7 +7,6 @@ import org.junit.jupiter.api.Test;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
@@ -24,7 +23,8 @@ class NoticeTest {
                         .map(NoticeTest::jar)
                         .toList();
         List<String> held =
-                Arrays.stream(System.getProperty("distribution.libraries").split(" "))
+                DistributedJars.all().stream()
+                        .map(jar -> jar.getFileName().toString())
                         .filter(jar -> !jar.startsWith("arcomat-"))
                         .toList();
         assertThat(named).containsExactlyInAnyOrderElementsOf(held);

@@ -9,7 +9,7 @@ import java.util.regex.MatchResult;
  * type, a line of another model, a text that ends early, characters that nobody typed, a file that
  * is gone. The same seed does the same damage.
  */
-final class Damage {
+public final class Damage {
     private static final String NAME = "[A-Za-z_]\\w*";
     private static final String[] NUMBERS = {
         "0",
@@ -168,13 +168,13 @@ final class Damage {
     /**
      * @param donors where lines and names of other models come from
      */
-    Damage(List<ModelSet> donors, long seed) {
+    public Damage(List<ModelSet> donors, long seed) {
         this.donors = donors;
         this.dice = new Dice(seed);
     }
 
     /** The set with a few damages, most of them in one file. */
-    ModelSet apply(ModelSet set) {
+    public ModelSet apply(ModelSet set) {
         String path = dice.path(set);
         ModelSet damaged = set;
         for (int i = dice.below(3); i >= 0; i--) {
@@ -184,6 +184,15 @@ final class Damage {
             if (dice.below(4) == 0 && !damaged.files().isEmpty()) {
                 path = dice.path(damaged);
             }
+        }
+        return damaged;
+    }
+
+    /** The text of one file with a few damages. */
+    public String apply(String text) {
+        String damaged = text;
+        for (int i = dice.below(3); i >= 0; i--) {
+            damaged = damaged(damaged);
         }
         return damaged;
     }

@@ -7,7 +7,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** Draws places in texts and things to put there; the same seed draws the same. */
-final class Dice {
+public final class Dice {
     /** Words that Java, generated code or its runtime use for something else. */
     private static final String[] TAKEN_NAMES = {
         "class",
@@ -80,19 +80,19 @@ final class Dice {
 
     private final Random random;
 
-    Dice(long seed) {
+    public Dice(long seed) {
         random = new Random(seed);
     }
 
-    int below(int bound) {
+    public int below(int bound) {
         return random.nextInt(bound);
     }
 
-    <T> T one(List<T> from) {
+    public <T> T one(List<T> from) {
         return from.get(below(from.size()));
     }
 
-    String one(String... from) {
+    public String one(String... from) {
         return from[below(from.length)];
     }
 

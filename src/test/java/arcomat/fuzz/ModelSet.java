@@ -19,14 +19,14 @@ import java.util.regex.Pattern;
  *
  * @param files by path
  */
-record ModelSet(String name, TreeMap<String, Parsing> files) {
+public record ModelSet(String name, TreeMap<String, Parsing> files) {
     private static final Pattern FENCE =
             Pattern.compile("(?ms)^```(arc|cd|mt|ioautomaton)\n(.*?)^```$");
     private static final Pattern DEFINITION =
             Pattern.compile("(?m)^(?:component|automaton|classdiagram|testsuite) (\\w+)");
 
     /** A file and, once it is asked for, what the parser makes of it. */
-    static final class Parsing {
+    public static final class Parsing {
         private final SourceFile file;
         private Parsed parsed;
 
@@ -34,7 +34,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
             file = new SourceFile(path, text);
         }
 
-        SourceFile file() {
+        public SourceFile file() {
             return file;
         }
 
@@ -47,7 +47,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
     }
 
     /** The files of a folder, with what they need of the library. */
-    static ModelSet folder(String name, Path root) {
+    public static ModelSet folder(String name, Path root) {
         TreeMap<String, Parsing> files = new TreeMap<>();
         for (SourceFile file : ModelFiles.of(root)) {
             files.put(file.path(), new Parsing(file.path(), file.text()));
@@ -56,7 +56,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
     }
 
     /** The examples of a page that are not about older tools: together they are one model. */
-    static ModelSet page(String name, Path page) {
+    public static ModelSet page(String name, Path page) {
         TreeMap<String, Parsing> files = new TreeMap<>();
         Matcher fence = FENCE.matcher(read(page));
         while (fence.find()) {
@@ -70,7 +70,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
     }
 
     /** The same files but for one, which is new or has another text. */
-    ModelSet with(String path, String text) {
+    public ModelSet with(String path, String text) {
         TreeMap<String, Parsing> changed = new TreeMap<>(files);
         changed.put(path, new Parsing(path, text));
         return new ModelSet(name, changed);
@@ -82,7 +82,7 @@ record ModelSet(String name, TreeMap<String, Parsing> files) {
         return new ModelSet(name, changed);
     }
 
-    String text(String path) {
+    public String text(String path) {
         return files.get(path).file().text();
     }
 

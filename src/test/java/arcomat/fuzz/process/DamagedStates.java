@@ -1,0 +1,55 @@
+package arcomat.fuzz.process;
+
+import arcomat.fuzz.Dice;
+
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+
+/** Files that an earlier run has left: states of checks, baselines, and proofs. */
+final class DamagedStates implements Kind {
+    private static final Set<Integer> CHECKED = Set.of(0, 1, 2);
+
+    private static final Set<Integer> DECIDED = Set.of(0, 1, 2, 3);
+
+    private final Seeds seeds;
+
+    DamagedStates(Seeds seeds) {
+        this.seeds = seeds;
+    }
+
+    @Override
+    public String name() {
+        return "states";
+    }
+
+    @Override
+    public Input draw(Dice dice) {
+        SortedMap<String, byte[]> files = seeds.coffee();
+        int pair = dice.below(seeds.pairs().size());
+        String file = dice.one("state", "baseline", pair + ".proof");
+        byte[] good = seeds.made().get(file);
+        ByteDamage damage = new ByteDamage(dice);
+        files.put(file, dice.below(2) == 0 ? damage.apply(good) : damage.applyToText(good));
+        String[] names = seeds.pairs().get(pair).split(" ");
+        return new Input(
+                files,
+                switch (file) {
+                    case "state" ->
+                            List.of(
+                                    Call.of(CHECKED, "check", "--state", file, "m").writing(file),
+                                    Call.of(CHECKED, "check", "m"));
+                    case "baseline" -> List.of(Call.of(CHECKED, "check", "--baseline", file, "m"));
+                    default ->
+                            List.of(
+                                    verify(file, names[0], names[1]),
+                                    // What does not hold has no proof, however damaged.
+                                    verify(file, names[1], names[0]).refused());
+                });
+    }
+
+    /** A certificate; not decided is what it does not prove. */
+    private static Call verify(String file, String left, String right) {
+        return Call.of(DECIDED, "refines", "--verify-certificate", file, left, right, "m");
+    }
+}
