@@ -121,13 +121,14 @@ final class Output {
                 .replace("{name}", name);
     }
 
-    /** Relative, made of plain names only. */
+    /** Relative, made of plain names only; what begins with .arcomat is kept by the tool itself. */
     static boolean isInside(String path) {
         if (path.isEmpty() || path.indexOf('\\') >= 0 || path.indexOf(':') >= 0) {
             return false;
         }
         for (String segment : path.split("/", -1)) {
-            if (segment.isEmpty() || segment.equals(".") || segment.equals("..")) {
+            if (segment.isEmpty() || segment.equals(".") || segment.equals("..")
+                    || segment.startsWith(".arcomat")) {
                 return false;
             }
         }

@@ -25,8 +25,13 @@ class OwnTargetTest {
             Request.library(SampleComponents.undecided(), Choosing.FIRST);
 
     private static Generation generate(String template, String path) {
-        String description =
-                "template.t.ftl = atomic | "
+        Map<String, String> files =
+                Map.of("target.properties", description(path), "t.ftl", template);
+        return Generator.generate(REQUEST, new Target("own", files));
+    }
+
+    private static String description(String path) {
+        return "template.t.ftl = atomic | "
                         + path
                         + "\nflag = has{Port}\n"
                         + "reference.brief = {name}\nexpression.type = {type}\n"
@@ -34,9 +39,6 @@ class OwnTargetTest {
                         + "expression.equal = {0} = {1}\nexpression.not_equal = {0} /= {1}\n"
                         + "expression.present = there is {name}\nexpression.silence = nothing\n"
                         + "expression.literal.string = <{value}>\n";
-        Target target =
-                new Target("own", Map.of("target.properties", description, "t.ftl", template));
-        return Generator.generate(REQUEST, target);
     }
 
     @Test
@@ -60,6 +62,25 @@ class OwnTargetTest {
         assertThat(generate("${1234567} ${0.5}", "{name}.txt").files())
                 .extracting(GeneratedFile::text)
                 .containsExactly("1234567 0.5");
+    }
+
+    /** Damaged descriptions: what is no place, or no level, is text. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "reserved = int char int",
+                "expression.equal = 99999999999 | {0} = {1}",
+                "expression.equal = {0x} = {1}",
+                "expression.equal = {99999999999} = {0:99999999999}"
+            })
+    void oddEntriesAreTakenAsText(String entry) {
+        Map<String, String> files =
+                Map.of(
+                        "target.properties",
+                        description("{name}.txt") + entry + "\n",
+                        "t.ftl",
+                        "${head.name}");
+        assertThat(Generator.generate(REQUEST, new Target("own", files)).findings()).isEmpty();
     }
 
     @Test
@@ -114,6 +135,7 @@ class OwnTargetTest {
     @ValueSource(
             strings = {
                 "../{name}.txt",
+                ".arcomat-generated",
                 "/tmp/{name}.txt",
                 "a/../../{name}",
                 "a//{name}",

@@ -21,7 +21,7 @@ public final class Language {
 
     public Language(Map<String, String> entries) {
         this.entries = Map.copyOf(entries);
-        this.reserved = Set.of(words("reserved"));
+        this.reserved = Set.copyOf(List.of(words("reserved"))); // some may be named twice
         entries.forEach(
                 (key, line) -> {
                     if (key.startsWith("expression.")) {

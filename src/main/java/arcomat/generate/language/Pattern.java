@@ -12,10 +12,10 @@ import java.util.regex.Matcher;
  */
 record Pattern(int level, String form) {
     private static final java.util.regex.Pattern PLACE =
-            java.util.regex.Pattern.compile("\\{(\\w+)(?::(\\d+))?}");
+            java.util.regex.Pattern.compile("\\{([A-Za-z_]\\w*|\\d{1,4})(?::(\\d{1,4}))?}");
     private static final java.util.regex.Pattern LINE =
             java.util.regex.Pattern.compile(
-                    "(\\d+)\\s*\\|\\s+(.*)", java.util.regex.Pattern.DOTALL);
+                    "(\\d{1,4})\\s*\\|\\s+(.*)", java.util.regex.Pattern.DOTALL);
 
     static Pattern parse(String line) {
         Matcher matcher = LINE.matcher(line);

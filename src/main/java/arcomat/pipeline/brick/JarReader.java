@@ -20,10 +20,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.jar.Attributes;
-import java.util.jar.JarEntry;
-import java.util.jar.JarInputStream;
-import java.util.jar.Manifest;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipInputStream;
 
 /**
  * A program's jar as it was read.
@@ -33,6 +31,10 @@ import java.util.jar.Manifest;
  */
 public record JarReader(String shown, byte[] bytes, String main, List<RobotClass> classes) {
     private static final String CLASS = ".class";
+    private static final String MANIFEST = "META-INF/MANIFEST.MF";
+
+    /** Far more than any brick holds, and little for a PC: a small archive may unpack to gigabytes. */
+    private static final int MOST_BYTES = 64 << 20;
 
     /**
      * A jar in a file.
@@ -60,20 +62,30 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
      */
     public static JarReader of(String shown, byte[] bytes) throws IOException, WrongUse {
         List<RobotClass> classes = new ArrayList<>();
-        try (JarInputStream jar = new JarInputStream(new ByteArrayInputStream(bytes))) {
-            String main =
-                    Optional.ofNullable(jar.getManifest())
-                            .map(Manifest::getMainAttributes)
-                            .map(attributes -> attributes.getValue(Attributes.Name.MAIN_CLASS))
-                            .orElseThrow(() -> notAProgram(shown));
-            for (JarEntry entry = jar.getNextJarEntry(); entry != null; ) {
-                if (entry.getName().endsWith(CLASS)) {
-                    classes.add(classOf(entry.getName(), jar.readAllBytes()));
+        Optional<String> main = Optional.empty();
+        int room = MOST_BYTES;
+        try (ZipInputStream jar = new ZipInputStream(new ByteArrayInputStream(bytes))) {
+            for (ZipEntry entry = jar.getNextEntry(); entry != null; entry = jar.getNextEntry()) {
+                byte[] content = jar.readNBytes(room + 1);
+                room -= content.length;
+                if (room < 0) {
+                    throw tooLarge(shown);
                 }
-                entry = jar.getNextJarEntry();
+                if (entry.getName().equals(MANIFEST)) {
+                    main = ManifestText.mainClass(content);
+                } else if (entry.getName().endsWith(CLASS)) {
+                    classes.add(classOf(entry.getName(), content));
+                }
             }
-            return new JarReader(shown, bytes, main, List.copyOf(classes));
         }
+        String program = main.orElseThrow(() -> notAProgram(shown));
+        return new JarReader(shown, bytes, program, List.copyOf(classes));
+    }
+
+    private static WrongUse tooLarge(String shown) {
+        return new WrongUse(
+                "'%s' is no robot's jar: it holds more than %d MB when it is unpacked"
+                        .formatted(shown, MOST_BYTES >> 20));
     }
 
     private static WrongUse notAProgram(String shown) {

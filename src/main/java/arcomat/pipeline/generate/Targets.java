@@ -42,8 +42,20 @@ public final class Targets {
                     "folder '" + written + "' is no target: it has no " + Target.DESCRIPTION);
         }
         Target target = new Target(written, texts(folder, written));
-        Optional<String> base = target.baseName();
+        Optional<String> base = baseName(target, written);
         return base.isPresent() ? target.on(Optional.of(base(base.get(), written))) : target;
+    }
+
+    private static Optional<String> baseName(Target target, String written) throws WrongUse {
+        try {
+            return target.baseName();
+        } catch (IllegalArgumentException noProperties) { // the one thing that these can have wrong
+            throw new WrongUse(
+                    written
+                            + "/"
+                            + Target.DESCRIPTION
+                            + ": a backslash and a u without four hexadecimal digits behind them");
+        }
     }
 
     private static Target base(String name, String written) throws WrongUse {

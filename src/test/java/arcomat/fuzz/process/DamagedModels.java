@@ -36,7 +36,11 @@ final class DamagedModels implements Kind {
     @Override
     public Input draw(Dice dice) {
         SortedMap<String, byte[]> models =
-                dice.below(3) == 0 ? seeds.coffee() : new TreeMap<>(dice.one(seeds.small()));
+                switch (dice.below(4)) {
+                    case 0 -> seeds.coffee();
+                    case 1 -> new TreeMap<>(dice.one(seeds.small()));
+                    default -> new TreeMap<>(dice.one(seeds.sound()));
+                };
         List<String> components = Seeds.components(models);
         String path = dice.one(List.copyOf(models.keySet()));
         models.put(path, damaged(models.get(path), dice));

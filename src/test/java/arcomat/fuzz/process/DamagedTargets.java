@@ -33,7 +33,7 @@ final class DamagedTargets implements Kind {
     @Override
     public Input draw(Dice dice) {
         SortedMap<String, byte[]> files =
-                dice.below(3) == 0 ? seeds.coffee() : new TreeMap<>(dice.one(seeds.small()));
+                dice.below(3) == 0 ? seeds.coffee() : new TreeMap<>(dice.one(seeds.sound()));
         SortedMap<String, byte[]> target = dice.one(targets);
         ByteDamage damage = new ByteDamage(dice);
         files.putAll(target);
@@ -44,6 +44,9 @@ final class DamagedTargets implements Kind {
         }
         if (dice.below(2) == 0) {
             OldOutput.addTo(files);
+            if (dice.below(4) == 0) {
+                OldOutput.damage(files, damage);
+            }
         }
         Call call = Call.of(GENERATED, "generate", "--target", "t", "--out", OldOutput.FOLDER, "m");
         return new Input(files, List.of(call.writing(OldOutput.FOLDER)));

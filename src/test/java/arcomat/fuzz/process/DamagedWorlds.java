@@ -24,7 +24,7 @@ final class DamagedWorlds implements Kind {
             String shorter = text.replaceAll("(?m)^goal .*", "").replace("seconds 900", "seconds 20");
             worlds.add(bytes(shorter));
             worlds.add(
-                    bytes(shorter.replaceAll("component coffee\\.\\w+\\.(\\w+) in \\.\\.", "$1.jar")));
+                    bytes(shorter.replaceAll("component coffee\\.\\w+\\.(\\w+) in \\.\\.", "jar $1.jar")));
         }
     }
 

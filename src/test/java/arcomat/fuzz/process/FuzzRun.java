@@ -88,7 +88,7 @@ final class FuzzRun implements AutoCloseable {
         Tally tally = tallies.get(kind);
         long before = System.nanoTime();
         int number = tally.inputs++;
-        Input input = kind.draw(new Dice(seed * 1_000_003 + kind.name().hashCode() * 31L + number));
+        Input input = input(kind, number);
         List<String> faults = new ArrayList<>();
         List<Outcome> outcomes = run(warm, input, faults, tally);
         SortedMap<String, byte[]> result = sandbox.content();
@@ -105,6 +105,11 @@ final class FuzzRun implements AutoCloseable {
             tally.found++;
             note(kind.name() + "-" + number, input, outcomes, faults);
         }
+    }
+
+    /** The same for the same seed. */
+    Input input(Kind kind, int number) {
+        return kind.draw(new Dice(seed * 1_000_003 + kind.name().hashCode() * 31L + number));
     }
 
     private List<Outcome> run(Tool tool, Input input, List<String> faults, Tally tally)
@@ -127,12 +132,14 @@ final class FuzzRun implements AutoCloseable {
 
     /** Calls in a row that have to say the same. */
     private static void agree(Input input, List<Outcome> outcomes, List<String> faults) {
-        boolean state = !input.calls().get(0).option("--state").isEmpty();
+        boolean pair = outcomes.size() == 2;
+        boolean state = pair && !input.calls().get(0).option("--state").isEmpty();
         if (state && !outcomes.get(0).out().equals(outcomes.get(1).out())) {
             faults.add("a file of state changes what is found");
         }
         boolean format = input.calls().get(0).command().equals("format");
-        if (format
+        if (pair
+                && format
                 && outcomes.get(0).status().equals(Optional.of(0))
                 && !outcomes.get(1).status().equals(Optional.of(0))) {
             faults.add("what was formatted is not canonical");

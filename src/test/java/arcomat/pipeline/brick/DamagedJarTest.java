@@ -1,6 +1,7 @@
 package arcomat.pipeline.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.step.Progress;
@@ -41,6 +42,22 @@ class DamagedJarTest {
             refused += isRefused(damaged) ? 1 : 0;
         }
         assertThat(refused).isBetween(JARS / 5, JARS - 1);
+    }
+
+    /** Some kilobytes that would fill the memory. */
+    @Test
+    void whatUnpacksToFarTooMuchIsRefused() throws IOException {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (JarOutputStream to = new JarOutputStream(bytes)) {
+            to.putNextEntry(new JarEntry("p/Main.class"));
+            for (int megabyte = 0; megabyte < 65; megabyte++) {
+                to.write(new byte[1 << 20]);
+            }
+        }
+        assertThat(bytes.size()).isLessThan(100_000);
+        assertThatThrownBy(() -> JarReader.of("bomb.jar", bytes.toByteArray()))
+                .isInstanceOf(WrongUse.class)
+                .hasMessage("'bomb.jar' is no robot's jar: it holds more than 64 MB when it is unpacked");
     }
 
     private static boolean isRefused(Path jar) {
