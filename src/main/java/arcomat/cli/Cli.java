@@ -75,7 +75,7 @@ public final class Cli {
             return commandLine(args, console).execute(args);
         } catch (OutOfMemoryError full) {
             return memoryIsFull(console);
-        } catch (StackOverflowError e) {
+        } catch (Error e) { // it would end the thread, and the process with exit status 0
             return internalError(e, console);
         }
     }

@@ -19,7 +19,12 @@ record BuildTasks(String scripts) {
     static BuildTasks read() throws IOException {
         StringBuilder scripts = new StringBuilder(BUILT_IN);
         for (String script :
-                List.of("build.gradle", "gradle/mutation.gradle", "benchmarks/build.gradle")) {
+                List.of(
+                        "build.gradle",
+                        "gradle/checksums.gradle",
+                        "gradle/mutation.gradle",
+                        "gradle/sbom.gradle",
+                        "benchmarks/build.gradle")) {
             scripts.append(Files.readString(Path.of(script)));
         }
         Path plugin = Path.of("gradle-plugin/src/main/java/arcomat/gradle");
