@@ -8,8 +8,10 @@ import org.junit.jupiter.api.io.TempDir;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -65,6 +67,21 @@ class InstallationTest {
         assertThat(run(moved, "--version")).isEqualTo(here);
         Files.delete(moved.resolve("lib/arcomat.jsa"));
         assertThat(run(moved, "--version")).isEqualTo(here);
+    }
+
+    @Test
+    void tellsWhoseLibrariesItHolds() throws Exception {
+        for (String file : List.of("LICENSE", "NOTICE", "sbom.cdx.json")) {
+            assertThat(INSTALLATION.resolve(file)).isNotEmptyFile();
+        }
+        String bill = Files.readString(INSTALLATION.resolve("sbom.cdx.json"));
+        for (String jar : Folders.list(INSTALLATION.resolve("lib"))) {
+            Path file = INSTALLATION.resolve("lib").resolve(jar);
+            byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
+            assertThat(bill.contains(HexFormat.of().formatHex(digest)))
+                    .as(jar)
+                    .isEqualTo(jar.endsWith(".jar"));
+        }
     }
 
     @Test

@@ -77,6 +77,7 @@ class SbomTest {
     @Test
     void tellsNothingOfTheBuild() throws IOException {
         assertThat(text())
-                .doesNotContain("timestamp", "serialNumber", Path.of("").toAbsolutePath().toString());
+                .doesNotContain(
+                        "timestamp", "serialNumber", Path.of("").toAbsolutePath().toString());
     }
 }

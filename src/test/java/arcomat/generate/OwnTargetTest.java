@@ -32,13 +32,13 @@ class OwnTargetTest {
 
     private static String description(String path) {
         return "template.t.ftl = atomic | "
-                        + path
-                        + "\nflag = has{Port}\n"
-                        + "reference.brief = {name}\nexpression.type = {type}\n"
-                        + "expression.literal = {code}\nexpression.port = {name}\n"
-                        + "expression.equal = {0} = {1}\nexpression.not_equal = {0} /= {1}\n"
-                        + "expression.present = there is {name}\nexpression.silence = nothing\n"
-                        + "expression.literal.string = <{value}>\n";
+                + path
+                + "\nflag = has{Port}\n"
+                + "reference.brief = {name}\nexpression.type = {type}\n"
+                + "expression.literal = {code}\nexpression.port = {name}\n"
+                + "expression.equal = {0} = {1}\nexpression.not_equal = {0} /= {1}\n"
+                + "expression.present = there is {name}\nexpression.silence = nothing\n"
+                + "expression.literal.string = <{value}>\n";
     }
 
     @Test

@@ -3,6 +3,7 @@ package arcomat.gradle;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.w3c.dom.Document;
@@ -12,7 +13,9 @@ import org.w3c.dom.NodeList;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.MessageDigest;
 import java.time.LocalDateTime;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.jar.JarFile;
 import java.util.stream.IntStream;
@@ -70,6 +73,15 @@ class PublishedArtifactsTest {
         holds(file(name, ".jar"), example + ".class");
         holds(file(name, "-sources.jar"), example + ".java");
         holds(file(name, "-javadoc.jar"), example + ".html");
+    }
+
+    /** What the tool consists of, for programs that know which libraries have faults. */
+    @Test
+    void theToolComesWithItsBillOfMaterials() throws Exception {
+        byte[] tool = Files.readAllBytes(file("arcomat", ".jar"));
+        byte[] digest = MessageDigest.getInstance("SHA-256").digest(tool);
+        assertThat(Files.readString(file("arcomat", "-cyclonedx.json")))
+                .contains("\"CycloneDX\"", HexFormat.of().formatHex(digest));
     }
 
     /** The licence travels with everything, and the time of the build with nothing. */

@@ -33,7 +33,9 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
     private static final String CLASS = ".class";
     private static final String MANIFEST = "META-INF/MANIFEST.MF";
 
-    /** Far more than any brick holds, and little for a PC: a small archive may unpack to gigabytes. */
+    /**
+     * Far more than any brick holds, and little for a PC: a small archive may unpack to gigabytes.
+     */
     private static final int MOST_BYTES = 64 << 20;
 
     /**

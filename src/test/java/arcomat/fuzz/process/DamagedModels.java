@@ -11,7 +11,9 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** Models with a wrong token, a wrong byte, or without their end; asked for all that one can ask. */
+/**
+ * Models with a wrong token, a wrong byte, or without their end; asked for all that one can ask.
+ */
 final class DamagedModels implements Kind {
     private static final Set<Integer> CHECKED = Set.of(0, 1, 2);
     private static final Set<Integer> DECIDED = Set.of(0, 1, 2, 3);

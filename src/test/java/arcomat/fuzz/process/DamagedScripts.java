@@ -24,7 +24,8 @@ final class DamagedScripts implements Kind {
         for (Map.Entry<String, byte[]> script :
                 Seeds.read(Seeds.COFFEE.resolve("scripts"), "", ".*\\.script").entrySet()) {
             String robot = script.getKey().replace(".script", ".jar");
-            String jar = "brick/" + robot.substring(0, 1).toUpperCase(Locale.ROOT) + robot.substring(1);
+            String jar =
+                    "brick/" + robot.substring(0, 1).toUpperCase(Locale.ROOT) + robot.substring(1);
             pairs.add(new Pair(script.getValue(), seeds.made().get(jar)));
         }
     }

@@ -44,10 +44,13 @@ final class DamagedStates implements Kind {
                     // What it says is believed then, but has to be said in order.
                     case "state" ->
                             forged
-                                    ? List.of(Call.of(CHECKED, "check", "--state", file, "m").writing(file))
+                                    ? List.of(
+                                            Call.of(CHECKED, "check", "--state", file, "m")
+                                                    .writing(file))
                                     : List.of(
-                                    Call.of(CHECKED, "check", "--state", file, "m").writing(file),
-                                    Call.of(CHECKED, "check", "m"));
+                                            Call.of(CHECKED, "check", "--state", file, "m")
+                                                    .writing(file),
+                                            Call.of(CHECKED, "check", "m"));
                     case "baseline" -> List.of(Call.of(CHECKED, "check", "--baseline", file, "m"));
                     default ->
                             List.of(

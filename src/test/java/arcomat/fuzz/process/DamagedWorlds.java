@@ -21,10 +21,13 @@ final class DamagedWorlds implements Kind {
         this.seeds = seeds;
         for (byte[] world : Seeds.read(Seeds.COFFEE, "", ".*\\.world").values()) {
             String text = new String(world, StandardCharsets.UTF_8);
-            String shorter = text.replaceAll("(?m)^goal .*", "").replace("seconds 900", "seconds 20");
+            String shorter =
+                    text.replaceAll("(?m)^goal .*", "").replace("seconds 900", "seconds 20");
             worlds.add(bytes(shorter));
             worlds.add(
-                    bytes(shorter.replaceAll("component coffee\\.\\w+\\.(\\w+) in \\.\\.", "jar $1.jar")));
+                    bytes(
+                            shorter.replaceAll(
+                                    "component coffee\\.\\w+\\.(\\w+) in \\.\\.", "jar $1.jar")));
         }
     }
 

@@ -5,8 +5,9 @@ import java.util.Map;
 
 /**
  * Gives the installed tool damaged input for some minutes: {@code ./gradlew fuzz -Pminutes=N
- * -Pseed=S -Pkinds=K}. Each kind gets the same time, and with the same seed the same inputs, as many
- * as there is time for. What the tool does not take as it should is kept below {@code build/fuzz}.
+ * -Pseed=S -Pkinds=K}. Each kind gets the same time, and with the same seed the same inputs, as
+ * many as there is time for. What the tool does not take as it should is kept below {@code
+ * build/fuzz}.
  */
 public final class Fuzz {
     private static final int MOST_FINDINGS = 100;

@@ -146,8 +146,7 @@ final class FuzzRun implements AutoCloseable {
         }
     }
 
-    private static void compare(
-            List<Outcome> outcomes, List<Outcome> again, List<String> faults) {
+    private static void compare(List<Outcome> outcomes, List<Outcome> again, List<String> faults) {
         for (int i = 0; i < outcomes.size(); i++) {
             Outcome one = outcomes.get(i);
             Outcome other = again.get(i);

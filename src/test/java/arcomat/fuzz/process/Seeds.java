@@ -23,13 +23,12 @@ final class Seeds {
     private static final Pattern COMPONENT = Pattern.compile("(?m)^[^/*]*component (\\w+)");
     private static final Set<Integer> FINE = Set.of(0);
     private static final List<String> PAIRS =
-            List.of("coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash",
+            List.of(
+                    "coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash",
                     "coffee.fig6.AvoidCrash coffee.fig5.AvoidCrash",
                     "coffee.fig6.AvoidCrash coffee.fig3.AvoidCrash");
 
-    /**
-     * The models of the case study below {@code m/}, with nothing else of it.
-     */
+    /** The models of the case study below {@code m/}, with nothing else of it. */
     private final SortedMap<String, byte[]> coffee;
 
     private final List<SortedMap<String, byte[]>> small;
@@ -68,7 +67,9 @@ final class Seeds {
         return sound;
     }
 
-    /** What the tool has made: jars below {@code brick/}, {@code state}, {@code 1.certificate} .. */
+    /**
+     * What the tool has made: jars below {@code brick/}, {@code state}, {@code 1.certificate} ..
+     */
     SortedMap<String, byte[]> made() {
         return made;
     }

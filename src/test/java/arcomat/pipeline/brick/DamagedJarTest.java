@@ -57,7 +57,9 @@ class DamagedJarTest {
         assertThat(bytes.size()).isLessThan(100_000);
         assertThatThrownBy(() -> JarReader.of("bomb.jar", bytes.toByteArray()))
                 .isInstanceOf(WrongUse.class)
-                .hasMessage("'bomb.jar' is no robot's jar: it holds more than 64 MB when it is unpacked");
+                .hasMessage(
+                        "'bomb.jar' is no robot's jar: it holds more than 64 MB when it is"
+                            + " unpacked");
     }
 
     private static boolean isRefused(Path jar) {
