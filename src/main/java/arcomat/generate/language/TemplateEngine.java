@@ -10,7 +10,6 @@ import freemarker.template.TemplateExceptionHandler;
 import freemarker.template.TemplateNotFoundException;
 
 import java.io.IOException;
-import java.io.StringWriter;
 import java.time.Duration;
 import java.util.Locale;
 import java.util.Map;
@@ -22,8 +21,8 @@ import java.util.concurrent.TimeoutException;
  * reach the JVM, and print the same text whatever the machine's locale and time zone.
  */
 public final class TemplateEngine {
-    /** For one file: a hundred times what any has needed. */
-    private static final Duration LIMIT = Duration.ofSeconds(60);
+    /** For one file: ten times what one of thousands of parts needs on a busy machine. */
+    private static final Duration LIMIT = Duration.ofSeconds(9);
 
     private final Configuration configuration;
     private final LimitedWork work;
@@ -94,7 +93,7 @@ public final class TemplateEngine {
     private String fill(String template, Record view) throws TemplateFailure {
         try {
             Template parsed = configuration.getTemplate(template);
-            StringWriter text = new StringWriter();
+            LimitedText text = new LimitedText();
             parsed.process(view, text);
             return text.toString().replace("\r\n", "\n");
         } catch (ParseException e) {

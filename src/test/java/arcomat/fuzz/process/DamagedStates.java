@@ -29,7 +29,7 @@ final class DamagedStates implements Kind {
 
     @Override
     public Input draw(Dice dice) {
-        SortedMap<String, byte[]> files = seeds.coffee();
+        SortedMap<String, byte[]> files = seeds.figures();
         int pair = dice.below(seeds.pairs().size());
         String file = dice.one("state", "baseline", pair + ".proof");
         byte[] good = seeds.made().get(file);
@@ -45,13 +45,14 @@ final class DamagedStates implements Kind {
                     case "state" ->
                             forged
                                     ? List.of(
-                                            Call.of(CHECKED, "check", "--state", file, "m")
+                                            Call.of(CHECKED, "check", "--state", file, "m", "b")
                                                     .writing(file))
                                     : List.of(
-                                            Call.of(CHECKED, "check", "--state", file, "m")
+                                            Call.of(CHECKED, "check", "--state", file, "m", "b")
                                                     .writing(file),
-                                            Call.of(CHECKED, "check", "m"));
-                    case "baseline" -> List.of(Call.of(CHECKED, "check", "--baseline", file, "m"));
+                                            Call.of(CHECKED, "check", "m", "b"));
+                    case "baseline" ->
+                            List.of(Call.of(CHECKED, "check", "--baseline", file, "m", "b"));
                     default ->
                             List.of(
                                     verify(file, names[0], names[1]),

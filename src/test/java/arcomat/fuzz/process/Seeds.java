@@ -20,8 +20,12 @@ final class Seeds {
     static final Path COFFEE = Path.of("models/coffee");
     private static final Path DATA = Path.of("src/test/resources");
     private static final Pattern PACKAGE = Pattern.compile("(?m)^package ([\\w.]+);");
+
+    /** A file of data may hold several models, each below a line with its path. */
+    private static final Pattern PART = Pattern.compile("(?ms)^//// (\\S+)\n(.*?)(?=^//// |\\z)");
+
     private static final Pattern COMPONENT = Pattern.compile("(?m)^[^/*]*component (\\w+)");
-    private static final Set<Integer> FINE = Set.of(0);
+    private static final Set<Integer> MADE = Set.of(0, 1);
     private static final List<String> PAIRS =
             List.of(
                     "coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash",
@@ -33,6 +37,7 @@ final class Seeds {
 
     private final List<SortedMap<String, byte[]>> small;
     private final List<SortedMap<String, byte[]>> sound;
+    private final SortedMap<String, byte[]> bad;
     private final SortedMap<String, byte[]> made;
 
     /**
@@ -44,17 +49,29 @@ final class Seeds {
         small = new ArrayList<>(pages());
         sound = new ArrayList<>(small);
         for (Path file : modelsIn(DATA)) {
-            small.add(single(file));
+            small.add(single(file, "m/"));
             if (!file.toString().matches(".*/(check|symbols|syntax)/.*")) {
-                sound.add(single(file));
+                sound.add(single(file, "m/"));
             }
         }
+        bad = single(DATA.resolve("check/PortConnectedToItself.arc"), "b/");
+        bad.putAll(single(DATA.resolve("check/SuppressionUsed.arc"), "b/"));
         made = make(tool, sandbox);
     }
 
     /** All models of the case study, by path. */
     SortedMap<String, byte[]> coffee() {
         return new TreeMap<>(coffee);
+    }
+
+    /**
+     * Those of the figures, which are enough for a proof, and below {@code b/} two with findings.
+     */
+    SortedMap<String, byte[]> figures() {
+        SortedMap<String, byte[]> figures = coffee();
+        figures.keySet().removeIf(path -> !path.matches("m/coffee/(fig\\d|types)/.*"));
+        figures.putAll(bad);
+        return figures;
     }
 
     /** Small sets of models, of the tests and of the pages. */
@@ -129,34 +146,43 @@ final class Seeds {
         }
     }
 
-    /** At the place that its package asks for. */
-    private static SortedMap<String, byte[]> single(Path file) throws IOException {
-        byte[] content = Files.readAllBytes(file);
-        Matcher package_ =
-                PACKAGE.matcher(new String(content, java.nio.charset.StandardCharsets.UTF_8));
-        String folder = package_.find() ? package_.group(1).replace('.', '/') + "/" : "";
-        return new TreeMap<>(Map.of("m/" + folder + file.getFileName(), content));
+    /** The models of one file of data: each at the place that its package asks for. */
+    private static SortedMap<String, byte[]> single(Path file, String root) throws IOException {
+        String text = Files.readString(file);
+        SortedMap<String, byte[]> models = new TreeMap<>();
+        Matcher part = PART.matcher(text);
+        while (part.find()) {
+            models.put(root + part.group(1), bytes(part.group(2)));
+        }
+        if (models.isEmpty()) {
+            Matcher package_ = PACKAGE.matcher(text);
+            String folder = package_.find() ? package_.group(1).replace('.', '/') + "/" : "";
+            models.put(root + folder + file.getFileName(), bytes(text));
+        }
+        return models;
     }
 
     private SortedMap<String, byte[]> make(Tool tool, Sandbox sandbox)
             throws IOException, InterruptedException {
         sandbox.fill(coffee);
         run(tool, sandbox, "generate", "--target", "lejos", "--out", "brick", "m");
-        run(tool, sandbox, "check", "--state", "state", "m");
-        run(tool, sandbox, "check", "--write-baseline", "baseline", "m");
+        SortedMap<String, byte[]> all = sandbox.content();
+        sandbox.fill(figures());
+        run(tool, sandbox, "check", "--state", "state", "m", "b");
+        run(tool, sandbox, "check", "--write-baseline", "baseline", "m", "b");
         for (int i = 0; i < PAIRS.size(); i++) {
             String[] pair = PAIRS.get(i).split(" ");
             run(tool, sandbox, "refines", "--certificate", i + ".proof", pair[0], pair[1], "m");
         }
-        SortedMap<String, byte[]> all = sandbox.content();
+        all.putAll(sandbox.content());
         all.keySet().removeIf(path -> path.startsWith("m/") || path.endsWith(".java"));
         return all;
     }
 
     private static void run(Tool tool, Sandbox sandbox, String... arguments)
             throws IOException, InterruptedException {
-        Outcome outcome = tool.run(sandbox, Call.of(FINE, arguments));
-        if (!outcome.status().equals(java.util.Optional.of(0))) {
+        Outcome outcome = tool.run(sandbox, Call.of(MADE, arguments));
+        if (outcome.status().filter(MADE::contains).isEmpty()) {
             throw new IllegalStateException(String.join(" ", arguments) + "\n" + outcome.said());
         }
     }

@@ -18,6 +18,7 @@ class TemplateEngineTest {
             Map.of(
                     "endless.ftl", "<#list 1.. as x></#list>",
                     "including.ftl", "<#include 'endless.ftl'>",
+                    "growing.ftl", "<#list 1.. as x>${name}</#list>",
                     "good.ftl", "Hello ${name}",
                     "deep.ftl", "<#macro m><@m/></#macro><@m/>");
 
@@ -35,6 +36,16 @@ class TemplateEngineTest {
         while (isAtWork()) {
             Thread.sleep(100); // until the loops have seen that they are to stop
         }
+    }
+
+    /** Before the memory is full. */
+    @Test
+    @Timeout(60)
+    void aTemplateThatWritesWithoutAnEndIsLeft() {
+        TemplateEngine patient = new TemplateEngine(TEMPLATES, Duration.ofSeconds(50));
+        assertThatThrownBy(() -> patient.render("growing.ftl", new View("x".repeat(1 << 20))))
+                .isInstanceOf(TemplateFailure.class)
+                .hasMessageContaining("writes more than 64 million characters");
     }
 
     private static boolean isAtWork() {
