@@ -14,7 +14,7 @@ import java.util.TreeMap;
 /** A few damaged inputs of each kind; {@code ./gradlew fuzz} takes as many as there is time for. */
 @Tag("slow")
 class DamagedInputTest {
-    private static final int INPUTS = 20;
+    private static final int INPUTS = 10;
 
     @TempDir private Path folder;
 
