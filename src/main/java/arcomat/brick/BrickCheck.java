@@ -28,7 +28,7 @@ public final class BrickCheck {
                         .sorted(Diagnostic.ORDER)
                         .distinct()
                         .toList();
-        return new BrickReport(findings, shares(program), LinkedClasses.about(program));
+        return new BrickReport(findings, shares(program), program.needs());
     }
 
     private static List<BrickReport.Share> shares(Program program) {

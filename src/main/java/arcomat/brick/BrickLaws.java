@@ -15,12 +15,14 @@ final class BrickLaws {
                     new KnownDefects(),
                     new LocalLimit(),
                     new MembersOnTheBrick(),
+                    new MemoryLimit(),
                     new MethodLimit(),
                     new NoInterfaceBodies(),
                     new NoInvokeDynamic(),
                     new OwnPackages(),
                     new ParameterLimit(),
                     new ReadableClassFiles(),
+                    new SliceLimit(),
                     new StaticFieldLimit());
 
     private BrickLaws() {}

@@ -1,5 +1,6 @@
 package arcomat.brick;
 
+import arcomat.brick.need.Needs;
 import arcomat.source.Diagnostic;
 import arcomat.source.Severity;
 
@@ -11,10 +12,9 @@ import java.util.stream.Stream;
  *
  * @param findings in the order of {@link Diagnostic#ORDER}; the jar fits if there is no error
  * @param shares the jar's classes by origin, in the order of {@link Origin}; none without a class
- * @param linkedClasses about how many classes the linked program has, leJOS' own, arrays and
- *     primitive types included; the machine has room for {@link #CLASSES}
+ * @param needs of the linked program; the machine has room for {@link #CLASSES}
  */
-public record BrickReport(List<Diagnostic> findings, List<Share> shares, int linkedClasses) {
+public record BrickReport(List<Diagnostic> findings, List<Share> shares, Needs needs) {
     /** What a linked program has room for. */
     public static final int CLASSES = 256;
 
@@ -34,7 +34,7 @@ public record BrickReport(List<Diagnostic> findings, List<Share> shares, int lin
     public BrickReport with(List<Diagnostic> more) {
         List<Diagnostic> all =
                 Stream.concat(findings.stream(), more.stream()).sorted(Diagnostic.ORDER).toList();
-        return new BrickReport(all, shares, linkedClasses);
+        return new BrickReport(all, shares, needs);
     }
 
     /**

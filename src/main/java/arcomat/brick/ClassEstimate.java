@@ -1,13 +1,12 @@
 package arcomat.brick;
 
+import arcomat.brick.need.Needs;
 import arcomat.source.Diagnostic;
 
 import java.util.stream.Stream;
 
-/** ARC0912: a robot that comes near 256 classes may fail in the linker, which alone can count. */
+/** ARC0912: a robot that comes near 256 classes, or whose number is an estimate above that. */
 final class ClassEstimate implements BrickLaw {
-    private static final int NEAR_THE_LIMIT = 230;
-
     @Override
     public String code() {
         return "ARC0912";
@@ -15,15 +14,19 @@ final class ClassEstimate implements BrickLaw {
 
     @Override
     public Stream<Diagnostic> findings(Program program) {
-        int about = LinkedClasses.about(program);
-        return about <= NEAR_THE_LIMIT
+        Needs needs = program.needs();
+        boolean isRefused = needs.isExact() && needs.classes() > BrickReport.CLASSES;
+        return isRefused || needs.classes() <= Limit.NEARLY * BrickReport.CLASSES
                 ? Stream.empty()
                 : Stream.of(
                         Diagnostic.warning(
                                 code(),
                                 program.span(),
-                                "linked, the robot has about %d classes, and the brick has room for %d; "
-                                                .formatted(about, BrickReport.CLASSES)
+                                "linked, the robot has %s%d classes, and the brick has room for %d; "
+                                                .formatted(
+                                                        needs.isExact() ? "" : "about ",
+                                                        needs.classes(),
+                                                        BrickReport.CLASSES)
                                         + "use fewer of leJOS' classes or fewer components"));
     }
 }

@@ -2,6 +2,9 @@ package arcomat.brick;
 
 /** Says that there is more of something than there is room for. */
 final class Limit {
+    /** From here on there is a warning: part of what there is room for. */
+    static final double NEARLY = 0.8;
+
     private Limit() {}
 
     /**

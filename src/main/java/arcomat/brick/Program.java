@@ -1,6 +1,7 @@
 package arcomat.brick;
 
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.need.Needs;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
@@ -23,6 +24,7 @@ final class Program {
     private final List<ClassFile> files;
     private final Map<String, ClassNode> own = new HashMap<>();
     private final List<Reference> references;
+    private final Needs needs;
 
     private Program(RobotJar jar, BrickTable table, List<ClassFile> files) {
         this.jar = jar;
@@ -30,6 +32,7 @@ final class Program {
         this.files = List.copyOf(files);
         files.forEach(file -> file.node().ifPresent(node -> own.put(node.name, node)));
         this.references = inClasses((f, node) -> References.of(f, node).stream()).toList();
+        this.needs = Needs.of(own.values(), table);
     }
 
     static Program read(RobotJar jar, BrickTable table) {
@@ -55,6 +58,11 @@ final class Program {
     /** All places where the robot's classes name types and members. */
     List<Reference> references() {
         return references;
+    }
+
+    /** What it needs of the brick. */
+    Needs needs() {
+        return needs;
     }
 
     /** The place of findings about the program as a whole. */

@@ -3,6 +3,7 @@ package arcomat.cli;
 import arcomat.brick.BrickReport;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.step.WrongUse;
+import arcomat.report.brick.BrickReportJson;
 import arcomat.report.brick.BrickReportText;
 import arcomat.report.finding.FindingsText;
 
@@ -16,6 +17,7 @@ import picocli.CommandLine.Option;
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat check-brick --jar build/brick/Fetcher.jar",
+            "  arcomat check-brick --format json --jar build/brick/Fetcher.jar > brick.json",
             "",
             "'arcomat generate' and 'arcomat link' check every jar, too.",
             "",
@@ -29,6 +31,13 @@ final class CheckBrickCommand extends Command {
             description = "The program, as 'generate --target lejos' makes it.")
     private String jar;
 
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            defaultValue = "text",
+            description = "${COMPLETION-CANDIDATES}; default text.")
+    private OutputFormat format;
+
     CheckBrickCommand(Console console) {
         super(console);
     }
@@ -36,9 +45,17 @@ final class CheckBrickCommand extends Command {
     @Override
     int run(Pipeline pipeline) throws WrongUse {
         BrickReport report = pipeline.checkBrick(jar);
+        if (format == OutputFormat.json) {
+            print(BrickReportJson.render(report));
+        } else {
+            tell(report);
+        }
+        return report.fits() ? ExitStatus.FINE : ExitStatus.FINDINGS;
+    }
+
+    private void tell(BrickReport report) {
         print(FindingsText.render(report.findings(), console.style()));
         print(BrickReportText.render(report, console.style()));
         printLine("'" + jar + "' " + (report.fits() ? "fits" : "does not fit") + " on the brick");
-        return report.fits() ? ExitStatus.FINE : ExitStatus.FINDINGS;
     }
 }

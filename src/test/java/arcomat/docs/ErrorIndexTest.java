@@ -48,6 +48,8 @@ class ErrorIndexTest {
             Map.of(
                     "ARC0007", "error; warning for folders",
                     "ARC0916", "error; warning of `check-brick`",
+                    "ARC0917", "error; warning from 80 %",
+                    "ARC0918", "error; warning from 80 %",
                     "ARC1002", "warning; error where completion is `error`");
 
     private static final Map<String, String> CHAPTERS = new LinkedHashMap<>();

@@ -11,7 +11,7 @@ import java.util.List;
 public final class BrickReportText {
     private BrickReportText() {}
 
-    /** A table by origin and one line about the linked program; findings are shown elsewhere. */
+    /** A table by origin and what the linked program needs; findings are shown elsewhere. */
     public static String render(BrickReport report, Style style) {
         TextTable table = new TextTable(List.of("classes", "methods", "bytes", "origin"));
         int methods = 0;
@@ -20,12 +20,7 @@ public final class BrickReportText {
             methods += share.methods();
         }
         add(table, report.classes(), methods, report.bytes(), "all");
-        return table.render(style)
-                + "linked with leJOS: about "
-                + report.linkedClasses()
-                + " of "
-                + BrickReport.CLASSES
-                + " classes\n";
+        return table.render(style) + NeedsText.render(report.needs());
     }
 
     private static void add(TextTable table, int classes, int methods, int bytes, String name) {

@@ -165,7 +165,6 @@ class LinkTest {
         LinkResult result = link(Optional.of(home), 120);
         assertThat(result.failure()).isEmpty();
         assertThat(result.linked().orElseThrow().classes().orElseThrow())
-                .isCloseTo(
-                        result.report().linkedClasses(), org.assertj.core.data.Offset.offset(25));
+                .isEqualTo(result.report().needs().classes());
     }
 }

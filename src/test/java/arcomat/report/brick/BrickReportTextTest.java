@@ -4,22 +4,34 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.brick.BrickReport;
 import arcomat.brick.Origin;
+import arcomat.brick.need.Need;
+import arcomat.brick.need.Needs;
 import arcomat.report.text.Style;
 
 import org.junit.jupiter.api.Test;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
 
 class BrickReportTextTest {
     @Test
     void sharesAreListedAndSummedUp() {
+        Needs needs =
+                new Needs(
+                        123,
+                        true,
+                        new Need(OptionalLong.of(4321), Optional.empty()),
+                        new Need(OptionalLong.of(9876), Optional.empty()),
+                        OptionalInt.of(50));
         BrickReport report =
                 new BrickReport(
                         List.of(),
                         List.of(
                                 new BrickReport.Share(Origin.GENERATED, 12, 80, 20480),
                                 new BrickReport.Share(Origin.HAND_WRITTEN, 1, 3, 700)),
-                        123);
+                        needs);
 
         assertThat(BrickReportText.render(report, Style.PLAIN))
                 .isEqualTo(
@@ -29,7 +41,57 @@ class BrickReportTextTest {
                              12  80       20480  generated from models
                               1  3        700    written by hand
                              13  83       21180  all
-                        linked with leJOS: about 123 of 256 classes
+                        linked with leJOS: 123 of 256 classes
+                        memory: about 4.3 of 49.0 kB
+                        longest slice: about 9.9 of 50 ms
                         """);
+    }
+
+    @Test
+    void whatIsNotKnownIsSaidToBeSo() {
+        Need unknown = new Need(OptionalLong.empty(), Optional.of("a.B may wait"));
+        Needs needs = new Needs(150, false, unknown, unknown, OptionalInt.empty());
+
+        assertThat(BrickReportText.render(report(needs), Style.PLAIN))
+                .endsWith(
+                        """
+                        linked with leJOS: about 150 of 256 classes
+                        memory: not known: a.B may wait
+                        longest slice: not known: a.B may wait
+                        """);
+    }
+
+    @Test
+    void programsReadThemInJson() {
+        Need unknown = new Need(OptionalLong.empty(), Optional.of("a.B may wait"));
+        Need known = new Need(OptionalLong.of(9876), Optional.empty());
+        Needs needs = new Needs(150, false, unknown, known, OptionalInt.of(50));
+
+        assertThat(BrickReportJson.render(report(needs)))
+                .isEqualTo(
+                        """
+                        {
+                          "fits" : true,
+                          "findings" : [ ],
+                          "jar" : [ ],
+                          "classes" : {
+                            "number" : 150,
+                            "exact" : false,
+                            "limit" : 256
+                          },
+                          "memory" : {
+                            "unknown" : "a.B may wait",
+                            "limit" : 49000
+                          },
+                          "slice" : {
+                            "microseconds" : 9876,
+                            "limit" : 50000
+                          }
+                        }
+                        """);
+    }
+
+    private static BrickReport report(Needs needs) {
+        return new BrickReport(List.of(), List.of(), needs);
     }
 }

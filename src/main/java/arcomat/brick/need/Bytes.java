@@ -1,0 +1,184 @@
+package arcomat.brick.need;
+
+import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.Type;
+import org.objectweb.asm.tree.AbstractInsnNode;
+import org.objectweb.asm.tree.ClassNode;
+import org.objectweb.asm.tree.FieldNode;
+import org.objectweb.asm.tree.IntInsnNode;
+import org.objectweb.asm.tree.LdcInsnNode;
+import org.objectweb.asm.tree.MultiANewArrayInsnNode;
+import org.objectweb.asm.tree.TypeInsnNode;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/**
+ * How much memory the objects take that methods make, in bytes. Each counts once, as if it stayed:
+ * what is thrown away is in memory, too, until it is collected.
+ */
+final class Bytes extends MethodWeights {
+    private static final String THREAD = "java/lang/Thread";
+    private static final String OBJECT = "java/lang/Object";
+    private static final int WORD = 4;
+    private static final int HEADER = 4;
+
+    /** Longer arrays have a second word for their length. */
+    private static final int LONG_ARRAY = 255;
+
+    private static final int REFERENCE = 4;
+    private static final int CHARACTER = 2;
+    private static final int[] ELEMENTS = {1, 2, 4, 8, 1, 2, 4, 8};
+
+    private final boolean isWithTexts;
+    private final Stacks stacks;
+
+    /**
+     * @param isWithTexts whether texts written in the code count, too: the machine makes them anew
+     *     each time
+     */
+    Bytes(Code code, Library library, boolean isWithTexts) {
+        super(code, library);
+        this.isWithTexts = isWithTexts;
+        this.stacks = new Stacks(code);
+    }
+
+    /** The stack of the thread that a method is the first of. */
+    long stack(MethodName first) {
+        return stacks.bytes(first);
+    }
+
+    /** The statics of a class. */
+    static long statics(ClassNode node) {
+        return node.fields.stream()
+                .filter(field -> isStatic(field) && field.value == null)
+                .mapToLong(field -> size(field.desc))
+                .sum();
+    }
+
+    @Override
+    protected long own(AbstractInsnNode instruction) {
+        if (instruction instanceof TypeInsnNode i && i.getOpcode() == Opcodes.NEW) {
+            return object(i.desc);
+        } else if (instruction instanceof TypeInsnNode i && i.getOpcode() == Opcodes.ANEWARRAY) {
+            return array(length(i), REFERENCE);
+        } else if (instruction instanceof IntInsnNode i && i.getOpcode() == Opcodes.NEWARRAY) {
+            return array(length(i), ELEMENTS[Math.floorMod(i.operand - Opcodes.T_BOOLEAN, 8)]);
+        } else if (instruction instanceof MultiANewArrayInsnNode i) {
+            return arrays(i);
+        } else if (instruction instanceof LdcInsnNode i && i.cst instanceof String text) {
+            return !isWithTexts ? 0 : HEADER + REFERENCE + array(text.length(), CHARACTER);
+        }
+        return 0;
+    }
+
+    @Override
+    protected boolean isLookedInto(MethodName method) {
+        return !isValues(method);
+    }
+
+    /** An enum copies its constants for whoever asks; methods of leJOS keep nothing. */
+    @Override
+    protected long ofLibrary(MethodName method) {
+        return isValues(method) ? array(constants(method.owner()), REFERENCE) : 0;
+    }
+
+    private boolean isValues(MethodName method) {
+        return method.name().equals("values")
+                && method.descriptor().equals("()[L" + method.owner() + ";")
+                && code.type(method.owner()).filter(t -> isEnum(t.access)).isPresent();
+    }
+
+    private long constants(String type) {
+        return code.type(type).orElseThrow().fields.stream()
+                .filter(field -> isEnum(field.access))
+                .count();
+    }
+
+    private static boolean isEnum(int access) {
+        return (access & Opcodes.ACC_ENUM) != 0;
+    }
+
+    private long object(String type) {
+        long fields = 0;
+        for (String each : code.withSupertypes(type)) {
+            Optional<ClassNode> own = code.type(each);
+            if (own.isPresent()) {
+                fields += fields(own.get());
+            } else if (!each.equals(OBJECT) && isClass(each)) {
+                // It has its own superclasses counted in.
+                return rounded(fields + library.bytesOfObject(each)) + stackOf(each, type);
+            }
+        }
+        return rounded(HEADER + fields);
+    }
+
+    private boolean isClass(String type) {
+        return code.library(type).map(t -> !t.isInterface()).orElse(false);
+    }
+
+    private static long fields(ClassNode node) {
+        return node.fields.stream()
+                .filter(field -> !isStatic(field))
+                .mapToLong(field -> size(field.desc))
+                .sum();
+    }
+
+    private long stackOf(String superclass, String type) {
+        return superclass.equals(THREAD) && !type.equals(THREAD)
+                ? stack(new MethodName(type, "run", "()V"))
+                : 0;
+    }
+
+    private long arrays(MultiANewArrayInsnNode made) {
+        AbstractInsnNode each = made;
+        long[] lengths = new long[made.dims];
+        for (int i = made.dims - 1; i >= 0; i--) {
+            each = Constants.before(each);
+            lengths[i] = constant(each);
+        }
+        long bytes = 0;
+        long number = 1;
+        for (int i = 0; i < made.dims; i++) {
+            int element = size(made.desc.substring(Math.min(i + 1, made.desc.length() - 1)));
+            bytes = Math.addExact(bytes, Math.multiplyExact(number, array(lengths[i], element)));
+            number = Math.multiplyExact(number, lengths[i]);
+        }
+        return bytes;
+    }
+
+    private static long length(AbstractInsnNode made) {
+        return constant(Constants.before(made));
+    }
+
+    private static long constant(AbstractInsnNode instruction) {
+        OptionalInt length = Constants.pushed(instruction);
+        if (length.isEmpty()) {
+            throw new Unknown("the length of an array is not written as a number");
+        }
+        return Math.max(0, length.getAsInt());
+    }
+
+    private static long array(long length, int element) {
+        long header = HEADER + (length < LONG_ARRAY ? 0 : WORD);
+        return rounded(Math.addExact(header, Math.multiplyExact(length, element)));
+    }
+
+    static long rounded(long bytes) {
+        return (bytes + WORD - 1) / WORD * WORD;
+    }
+
+    private static boolean isStatic(FieldNode field) {
+        return (field.access & Opcodes.ACC_STATIC) != 0;
+    }
+
+    /** Of a value in an object or an array. */
+    private static int size(String descriptor) {
+        return switch (Type.getType(descriptor).getSort()) {
+            case Type.BOOLEAN, Type.BYTE -> 1;
+            case Type.CHAR, Type.SHORT -> 2;
+            case Type.LONG, Type.DOUBLE -> 8;
+            default -> 4;
+        };
+    }
+}

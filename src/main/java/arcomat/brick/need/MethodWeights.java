@@ -1,0 +1,113 @@
+package arcomat.brick.need;
+
+import org.objectweb.asm.Opcodes;
+import org.objectweb.asm.tree.AbstractInsnNode;
+import org.objectweb.asm.tree.MethodInsnNode;
+import org.objectweb.asm.tree.MethodNode;
+
+import java.util.BitSet;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/** What methods weigh along their heaviest ways, with all that they call. */
+abstract class MethodWeights {
+    protected final Code code;
+    protected final Library library;
+    private final Map<MethodName, Long> known = new HashMap<>();
+    private final Map<MethodName, Unknown> unknown = new HashMap<>();
+    private final Set<MethodName> open = new HashSet<>();
+    private final Map<MethodName, Boolean> returning = new HashMap<>();
+
+    MethodWeights(Code code, Library library) {
+        this.code = code;
+        this.library = library;
+    }
+
+    /** An instruction's own weight; a call without what it calls. */
+    protected abstract long own(AbstractInsnNode instruction);
+
+    /** The weight of a method of leJOS. */
+    protected abstract long ofLibrary(MethodName method);
+
+    /** Whether the code of a method of the program is to be weighed. */
+    protected boolean isLookedInto(MethodName method) {
+        return true;
+    }
+
+    /**
+     * @throws Unknown if that cannot be told
+     */
+    final long of(MethodName method) {
+        Unknown before = unknown.get(method);
+        if (before != null) {
+            throw before;
+        }
+        Long weight = known.get(method);
+        if (weight == null) {
+            weight = computed(method);
+            known.put(method, weight);
+        }
+        return weight;
+    }
+
+    private long computed(MethodName method) {
+        if (!open.add(method)) {
+            throw Unknown.of(method, "calls itself");
+        }
+        try {
+            Optional<MethodNode> body = code.method(method).filter(b -> isLookedInto(method));
+            return body.isPresent() ? ofBody(method, body.get()) : ofLibrary(method);
+        } catch (Unknown e) {
+            Unknown named = e.in(method);
+            unknown.put(method, named);
+            throw named;
+        } finally {
+            open.remove(method);
+        }
+    }
+
+    private long ofBody(MethodName method, MethodNode body) {
+        FlowGraph graph = new FlowGraph(body);
+        BitSet useful = graph.useful(i -> isEnd(graph.instruction(i)));
+        return HeaviestPath.of(graph, useful, library.rounds(method), this::of);
+    }
+
+    private boolean isEnd(AbstractInsnNode instruction) {
+        return instruction instanceof MethodInsnNode call
+                && code.targets(call).stream().noneMatch(this::returns)
+                && !code.targets(call).isEmpty();
+    }
+
+    /** Whether a call ever comes back in the ordinary way. */
+    private boolean returns(MethodName method) {
+        Boolean before = returning.get(method);
+        if (before == null) {
+            returning.put(method, true); // while it is looked at; what calls itself comes back
+            before = code.method(method).map(this::hasReturn).orElse(true);
+            returning.put(method, before);
+        }
+        return before;
+    }
+
+    private boolean hasReturn(MethodNode body) {
+        boolean isNative = (body.access & (Opcodes.ACC_NATIVE | Opcodes.ACC_ABSTRACT)) != 0;
+        FlowGraph graph = new FlowGraph(body);
+        return isNative || !graph.useful(i -> isEnd(graph.instruction(i))).isEmpty();
+    }
+
+    /** An instruction's weight; a call's with what it calls. */
+    final long of(AbstractInsnNode instruction) {
+        long own = own(instruction);
+        if (instruction instanceof MethodInsnNode call) {
+            long heaviest = 0;
+            for (MethodName target : code.targets(call)) {
+                heaviest = Math.max(heaviest, of(target));
+            }
+            return own + heaviest;
+        }
+        return own;
+    }
+}
