@@ -2,7 +2,6 @@
 component Bad {
   port in Integer a, out Integer b;
   ocl inv small: a < 10;
-//        ~~~~~ warning ARC0132
   java inv small: { return b < 10; };
 //         ~~~~~ warning ARC0132
 //         ~~~~~ error ARC0216: component 'Bad' has an invariant 'small' already; rename one of them
@@ -10,10 +9,11 @@ component Bad {
 
 //// Good.arc
 component Good {
+  port in Integer a;
   ocl inv small: a < 10;
-//        ~~~~~ warning ARC0132
   component Inner {
+    port in Integer a;
     ocl inv small: a < 10;
-//          ~~~~~ warning ARC0132
   }
+  connect a -> inner.a;
 }

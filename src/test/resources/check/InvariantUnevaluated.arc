@@ -1,22 +1,81 @@
 //// Bad.arc
 component Bad {
   port in Integer level, out Integer shown;
-  ocl inv positive: shown > 0;
-//        ~~~~~~~~ warning ARC0132: invariant 'positive' is not looked at by any command; write it as an automaton of a component that this one refines, and 'arcomat verify' proves it
+  java inv code: { return true; };
+//         ~~~~ warning ARC0132: invariant 'code' is not looked at by any command: it is written in 'java'
+  ocl inv sets: forall x in level: x > 0;
+//        ~~~~ warning ARC0132: invariant 'sets' is not looked at by any command: it is not an expression of models
+  ocl inv typo: shwon > 0;
+//        ~~~~ warning ARC0132: invariant 'typo' is not looked at by any command: 'shwon' is not a port, a variable or a parameter; did you mean 'shown'?
+  ocl inv number: level + shown;
+//        ~~~~~~ warning ARC0132: invariant 'number' is not looked at by any command: it has type Integer, not Boolean
+  inv called: shown.max(level) > 0;
+//    ~~~~~~ warning ARC0132: invariant 'called' is not looked at by any command: models call no methods ('max'); compute the value in a <<platform>> component and send it over a port
+  ocl inv text: level > "a";
+//        ~~~~ warning ARC0132
 }
 
-//// Positive.arc
-component Positive {
-  port in Integer level, out Integer shown;
+//// Several.arc
+component Several {
+  port in Boolean level;
+  inv one: n > 0;
+//    ~~~ warning ARC0132: invariant 'one' is not looked at by any command: several automata have a variable 'n'
+  inv other: m > 0;
 
-  <<omitted = "free">> automaton {
-    state always;
-    initial always;
-    always [level > 0] / {shown = level};
+  automaton first {
+    state a;
+    variable Integer[0..1] n = 0, m = 0;
+    initial a;
+  }
+
+  automaton second {
+    state a;
+    variable Integer[0..1] n = 0;
+    initial a;
   }
 }
 
-//// Good.arc
-component Good refines Positive {
+//// Events.arc
+component Events {
+  timing untimed;
+  port in Integer level;
+  ocl inv positive: level > 0;
+//        ~~~~~~~~ warning ARC0132: invariant 'positive' is not looked at by any command: it is a law about slices, and the component handles events
+}
+
+//// Sensor.arc
+<<platform>> component Sensor {
+  port out Integer level;
+  ocl inv positive: level > 0;
+//        ~~~~~~~~ warning ARC0132: invariant 'positive' is not looked at by any command: a platform component has no behaviour in the model
+}
+
+//// Parts.arc
+component Parts {
+  port in Integer level;
+  ocl inv inside: right.shown == -- || right.shown > 0;
+  ocl inv input: right.level > 0;
+//        ~~~~~ warning ARC0132: invariant 'input' is not looked at by any command: 'right.level' is neither a constant of a known enum nor an attribute of a value; did you mean 'level'?
+  component Right right;
+  connect level -> right.level;
+}
+
+//// Right.arc
+component Right {
   port in Integer level, out Integer shown;
+  ocl inv positive: shown == -- || shown > limit;
+  ocl inv counted: count >= 0 && shown != -- implies level > 0 <=> count > 0;
+  Integer limit = 0;
+
+  automaton {
+    state always;
+    Integer count = 0;
+    initial always;
+    always [level > 0] / {shown = level, count = 1};
+  }
+}
+
+//// Heir.arc
+component Heir extends Right {
+  ocl inv less: shown == -- || shown < 100 + count;
 }

@@ -10,11 +10,11 @@ import java.util.stream.Stream;
 /**
  * The answer to a question about models.
  *
- * @param reason of a failure {@code behaviour}, {@code interface} or {@code delay}; of an unknown
- *     what stood in the way; else empty
+ * @param reason of a failure {@code behaviour}, {@code interface}, {@code delay} or {@code
+ *     invariant}; of an unknown what stood in the way; else empty
  * @param simulation whether a simulation was found; empty where that was not asked or not decided
- * @param trace a shortest run that the right side forbids, the initial outputs first; only of a
- *     failure
+ * @param trace a shortest run that the right side forbids, the initial outputs first; of an
+ *     invariant, slice by slice what can be seen, the last one breaks it; only of a failure
  * @param explanation why it fails, in sentences, each with the place that it is about
  * @param notes what else a reader should know: that it holds because nothing is promised, or fails
  *     only because outputs come late, say
@@ -80,6 +80,18 @@ public record Verdict(
                 "behaviour",
                 Optional.of(false),
                 trace,
+                explanation,
+                List.of(),
+                explored);
+    }
+
+    /** An invariant, by a slice in which it is not true. */
+    static Verdict breaks(List<Moment> slices, List<Sentence> explanation, Explored explored) {
+        return new Verdict(
+                Answer.FAILS,
+                "invariant",
+                Optional.empty(),
+                slices,
                 explanation,
                 List.of(),
                 explored);

@@ -4,6 +4,7 @@ import arcomat.check.Listeners.Listener;
 import arcomat.symbols.AutomatonSymbol;
 import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.InvariantSymbol;
 import arcomat.symbols.ParameterSymbol;
 import arcomat.symbols.PortSymbol;
 import arcomat.symbols.TableSymbol;
@@ -110,6 +111,11 @@ final class ComponentWalk {
                 each.check().check(instance, context, each.findings());
             }
             expressions.all(instance.arguments(), context);
+        }
+        for (InvariantSymbol invariant : component.ownInvariants()) {
+            invariant
+                    .condition()
+                    .ifPresent(condition -> expressions.mentioned(condition, context));
         }
         for (AutomatonSymbol automaton : component.ownAutomata()) {
             behaviours.automaton(automaton, context);

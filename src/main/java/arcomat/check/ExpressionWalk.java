@@ -51,6 +51,11 @@ final class ExpressionWalk {
         }
     }
 
+    /** Takes the names of an expression that no law is about. */
+    void mentioned(Typed expression, Context context) {
+        parts(expression.expression().node(), context);
+    }
+
     private void one(Typed expression, Context context) {
         for (Listener<Check.OnExpression> each : listeners.onExpression) {
             each.check().check(expression, context, each.findings());

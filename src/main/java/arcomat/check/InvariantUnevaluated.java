@@ -1,27 +1,29 @@
 package arcomat.check;
 
 import arcomat.symbols.ComponentSymbol;
-import arcomat.tree.Element;
+import arcomat.symbols.InvariantSymbol;
 
-/**
- * ARC0132: what a model promises is written as an automaton. Invariants are kept and not looked at.
- */
+/** ARC0132: an invariant is an expression about what can be seen in a slice: it is proved. */
 final class InvariantUnevaluated implements Check.OnComponent {
 
     @Override
     public Law law() {
-        return Law.warning("ARC0132");
+        return Law.warning("ARC0132").needing(Law.Needs.ALL);
     }
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
-        for (Element.Invariant invariant : component.node().elements(Element.Invariant.class)) {
-            findings.report(
-                    invariant.name(),
-                    "invariant '"
-                            + invariant.name()
-                            + "' is not looked at by any command; write it as an automaton of a"
-                            + " component that this one refines, and 'arcomat verify' proves it");
+        for (InvariantSymbol invariant : component.ownInvariants()) {
+            invariant
+                    .obstacle()
+                    .ifPresent(
+                            reason ->
+                                    findings.report(
+                                            invariant.node().name(),
+                                            "invariant '"
+                                                    + invariant.name()
+                                                    + "' is not looked at by any command: "
+                                                    + reason));
         }
     }
 }

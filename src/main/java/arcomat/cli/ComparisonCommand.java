@@ -72,11 +72,7 @@ abstract class ComparisonCommand extends AnalysisCommand {
         print(
                 isJson()
                         ? VerdictJson.render(answered.verdict())
-                        : VerdictText.render(
-                                answered.left(),
-                                answered.right(),
-                                answered.verdict(),
-                                console.style()));
+                        : VerdictText.render(answered, console.style()));
     }
 
     /** Where to write a proof. */

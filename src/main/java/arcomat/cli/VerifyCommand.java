@@ -26,7 +26,7 @@ import java.util.List;
 /** {@code arcomat verify}: whether models keep all promises that they say they keep. */
 @CommandLine.Command(
         name = "verify",
-        description = "Proves all that models say they keep: refines clauses, requirements.",
+        description = "Proves all that models say they keep: refines, requirements, invariants.",
         footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat verify models/coffee",
@@ -83,14 +83,12 @@ final class VerifyCommand extends LimitedCommand {
     private static String text(List<Answered> answers, Style style) {
         StringBuilder out = new StringBuilder();
         for (Answered each : answers) {
-            out.append(ObligationsText.line(each.left(), each.right(), each.verdict(), style));
+            out.append(ObligationsText.line(each, style));
         }
         for (Answered each : answers) {
             if (each.verdict().answer() == Answer.FAILS) {
                 out.append('\n')
-                        .append(
-                                VerdictText.render(
-                                        each.left(), each.right(), each.verdict(), style));
+                        .append(VerdictText.render(each, style));
             }
         }
         return out.toString();

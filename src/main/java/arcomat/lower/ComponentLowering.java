@@ -92,6 +92,10 @@ final class ComponentLowering {
         environments.put(instantiation, inside);
         List<Automaton> automata = automata(symbol, inside);
         boolean decomposed = symbol.isDecomposed();
+        Component.Body body =
+                decomposed
+                        ? new CompositionLowering(this, instantiation, inside).lower()
+                        : new Component.Atomic(automata);
         return new Component(
                 symbol.unit().packageText(),
                 instantiation.name(),
@@ -104,11 +108,10 @@ final class ComponentLowering {
                 parameters,
                 constants,
                 ports,
-                decomposed
-                        ? new CompositionLowering(this, instantiation, inside).lower()
-                        : new Component.Atomic(automata),
+                body,
                 decomposed ? automata : List.of(),
                 refines(symbol),
+                InvariantLowering.lower(symbol, body, inside),
                 symbol.node().span());
     }
 

@@ -15,6 +15,7 @@ import java.util.Optional;
  * @param cycle length of a slice in milliseconds, where this component is a main component
  * @param requirements automata on a decomposed component: they constrain it, they do not run
  * @param refines qualified names of the components whose promises this one keeps
+ * @param invariants those that have a meaning here
  */
 public record Component(
         String packageName,
@@ -31,6 +32,7 @@ public record Component(
         Body body,
         List<Automaton> requirements,
         List<String> refines,
+        List<Invariant> invariants,
         Span span) {
     public Component {
         parameters = List.copyOf(parameters);
@@ -38,6 +40,43 @@ public record Component(
         ports = List.copyOf(ports);
         requirements = List.copyOf(requirements);
         refines = List.copyOf(refines);
+        invariants = List.copyOf(invariants);
+    }
+
+    /** A component without invariants. */
+    public Component(
+            String packageName,
+            String name,
+            Layer layer,
+            boolean platform,
+            boolean deploy,
+            Profile profile,
+            int queueCapacity,
+            int cycle,
+            List<Parameter> parameters,
+            List<Variable> constants,
+            List<Port> ports,
+            Body body,
+            List<Automaton> requirements,
+            List<String> refines,
+            Span span) {
+        this(
+                packageName,
+                name,
+                layer,
+                platform,
+                deploy,
+                profile,
+                queueCapacity,
+                cycle,
+                parameters,
+                constants,
+                ports,
+                body,
+                requirements,
+                refines,
+                List.of(),
+                span);
     }
 
     /** What a component is made of. */
@@ -46,12 +85,28 @@ public record Component(
     /**
      * Behaviour of its own. Without automata nothing is said about it; several are a conjunction,
      * each has to be satisfied.
+     *
+     * @param shown variables that an analysis makes visible
      */
-    public record Atomic(List<Automaton> automata) implements Body {
+    public record Atomic(List<Automaton> automata, List<Shown> shown) implements Body {
         public Atomic {
             automata = List.copyOf(automata);
+            shown = List.copyOf(shown);
+        }
+
+        /** Whose variables nobody sees, as in all that is written in models. */
+        public Atomic(List<Automaton> automata) {
+            this(automata, List.of());
         }
     }
+
+    /**
+     * A variable that can be seen: after each step the port, an output without delay that carries a
+     * message in every slice and that no automaton writes, has its value.
+     *
+     * @param variable of one automaton only
+     */
+    public record Shown(String variable, String port) {}
 
     public record Composite(List<Part> parts, List<Connection> connections) implements Body {
         public Composite {
@@ -125,6 +180,7 @@ public record Component(
                         body,
                         requirements,
                         refines,
+                        invariants,
                         span);
     }
 

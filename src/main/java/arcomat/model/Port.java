@@ -48,6 +48,11 @@ public record Port(
         return new Port(name, direction, type, true, delay, promised, latched, first, span);
     }
 
+    /** The same with another name. */
+    public Port named(String other) {
+        return new Port(other, direction, type, total, delay, promised, latched, first, span);
+    }
+
     /** The port as automata on a decomposed component see it. */
     Port asPromised() {
         return new Port(name, direction, type, total, promised, promised, latched, first, span);

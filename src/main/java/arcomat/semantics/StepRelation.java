@@ -37,6 +37,7 @@ public final class StepRelation {
     private final Output anything;
     private final Trace.Completed completed;
     private final Scope scope;
+    private final ShownVariables shown;
 
     /**
      * @param owned names of the output ports that the automaton decides about; the others are free
@@ -61,6 +62,7 @@ public final class StepRelation {
                                                         : Effect.anything(port))
                                 .toList());
         scope = new Scope(component, arguments, automaton);
+        shown = ShownVariables.of(component, automaton);
         prepareTransitions(owned);
         prepareStarts(owned);
     }
@@ -172,6 +174,7 @@ public final class StepRelation {
         int[] variables =
                 automaton.variables().stream().mapToInt(v -> sorts.place(v.type())).toArray();
         new DataFlow(sorts, scope, ports, variables).tell(automaton);
+        shown.tellFlow(sorts, ports, variables);
         for (Port port : component.inputs()) {
             port.first().ifPresent(value -> sorts.mention(ports.get(port.name()), value));
         }
@@ -317,10 +320,11 @@ public final class StepRelation {
         Ready ready = transitions.get(taken.index());
         try {
             Value[] variables = ready.effect.variables(read(input), before.slots());
-            return new Reaction(
-                    ready.cause,
-                    ready.effect.output(read(input), before.slots()),
-                    new Configuration(ready.cause.transition().target(), variables));
+            return shown.in(
+                    new Reaction(
+                            ready.cause,
+                            ready.effect.output(read(input), before.slots()),
+                            new Configuration(ready.cause.transition().target(), variables)));
         } catch (Fault fault) {
             throw fault.in(place(ready), ready.cause);
         }
@@ -332,6 +336,10 @@ public final class StepRelation {
 
     /** The reaction where no transition is enabled. */
     public Reaction complete(Configuration before) {
+        return shown.in(completion(before));
+    }
+
+    private Reaction completion(Configuration before) {
         if (!before.isState()) {
             return new Reaction(completed, anything, before);
         }

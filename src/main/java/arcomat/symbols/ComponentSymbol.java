@@ -2,11 +2,13 @@ package arcomat.symbols;
 
 import arcomat.source.Span;
 import arcomat.tree.Component;
+import arcomat.tree.Element;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
 
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -226,6 +228,24 @@ public final class ComponentSymbol {
     /** Variables of the component itself, inherited ones first. */
     public List<VariableSymbol> variables() {
         return inheritance.get().variables();
+    }
+
+    /** Invariants written here. */
+    public List<InvariantSymbol> ownInvariants() {
+        return invariantsOf(this);
+    }
+
+    /** All that hold for it, inherited ones first. */
+    public List<InvariantSymbol> invariants() {
+        List<InvariantSymbol> all = new ArrayList<>();
+        lineage().forEach(component -> all.addAll(0, invariantsOf(component)));
+        return all;
+    }
+
+    private List<InvariantSymbol> invariantsOf(ComponentSymbol component) {
+        return component.node.elements(Element.Invariant.class).stream()
+                .map(each -> new InvariantSymbol(each, component, this))
+                .toList();
     }
 
     /** Automata written here, those in an {@code implementation} included. */

@@ -87,6 +87,20 @@ public record PortSymbol(
         return withType(typeResolution.map(substitution::apply));
     }
 
+    /** The same port as the whole sees it, {@code part.port}. */
+    PortSymbol ofPart(String part) {
+        return new PortSymbol(
+                owner,
+                part + "." + name,
+                nameSpan,
+                implicit,
+                direction,
+                typeNode,
+                typeResolution,
+                stereotypes,
+                defaultDelay);
+    }
+
     private PortSymbol withType(Resolution<TypeSymbol> type) {
         return new PortSymbol(
                 owner,

@@ -31,9 +31,20 @@ final class ReferenceTyping {
         List<Name> parts = reference.name().parts();
         Optional<ValueSymbol> value = scope.value(parts.get(0).text());
         if (value.isPresent()) {
-            return attributes(reference, read(reference, value.get()));
+            return attributes(reference, read(reference, value.get()), 1);
+        }
+        Optional<ValueSymbol> ofPart = ofPart(parts);
+        if (ofPart.isPresent()) {
+            return attributes(reference, read(reference, ofPart.get()), 2);
         }
         return parts.size() == 1 ? bareConstant(reference, expected) : qualifiedConstant(reference);
+    }
+
+    /** Where ports of parts can be named, their names have a dot. */
+    private Optional<ValueSymbol> ofPart(List<Name> parts) {
+        return parts.size() < 2
+                ? Optional.empty()
+                : scope.value(parts.get(0).text() + "." + parts.get(1).text());
     }
 
     private static TypedExpression read(Expression.Reference node, ValueSymbol value) {
@@ -49,10 +60,14 @@ final class ReferenceTyping {
         throw new AssertionError(value);
     }
 
-    private TypedExpression attributes(Expression.Reference reference, TypedExpression value) {
+    /**
+     * @param named how many parts of the name the value takes
+     */
+    private TypedExpression attributes(
+            Expression.Reference reference, TypedExpression value, int named) {
         TypedExpression current = value;
         List<Name> parts = reference.name().parts();
-        for (Name part : parts.subList(1, parts.size())) {
+        for (Name part : parts.subList(named, parts.size())) {
             if (current.type().isErroneous()) {
                 return new TypedExpression.Erroneous(reference, List.of(current));
             }

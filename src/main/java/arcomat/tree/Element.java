@@ -133,8 +133,15 @@ public sealed interface Element extends Node
         }
     }
 
-    /** Kept and printed, never evaluated. */
-    record Invariant(Span span, Optional<Name> kind, Name name, String text) implements Element {}
+    /**
+     * A condition that always holds, in words of some language.
+     *
+     * @param text as it is written
+     * @param condition the text as an expression; empty where it is none
+     */
+    record Invariant(
+            Span span, Optional<Name> kind, Name name, String text, Optional<Expression> condition)
+            implements Element {}
 
     record Variables(Span span, TypeReference type, List<Variable> variables) implements Element {
         public Variables {

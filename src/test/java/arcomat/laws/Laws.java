@@ -19,7 +19,8 @@ final class Laws {
                     new MistakesAreToldOrNamed(),
                     new DeadIsNeverTaken(),
                     new EnginesAgree(),
-                    new MonaAgrees());
+                    new MonaAgrees(),
+                    new InvariantsAsTheReference());
 
     private Laws() {}
 }

@@ -13,6 +13,7 @@ import arcomat.symbols.ComponentSymbol;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -73,14 +74,30 @@ public final class InstancePromises {
     }
 
     private boolean isGenericWithoutPart(ComponentSymbol symbol) {
-        String specialised = symbol.qualifiedName() + "<";
         boolean behaves = !symbol.ownAutomata().isEmpty() || !symbol.ownTables().isEmpty();
         return symbol.isGeneric()
                 && behaves
                 && !symbol.isPlatform()
                 && isNamed(symbol.nameSpan())
-                && model.components().stream()
-                        .noneMatch(each -> each.qualifiedName().startsWith(specialised));
+                && !isSpecialised(symbol, model);
+    }
+
+    /** Why nothing can be said of a generic component, where that is so. */
+    static Optional<String> genericWithoutPart(ComponentSymbol symbol, Model model) {
+        return isGenericInside(symbol) && !isSpecialised(symbol, model)
+                ? Optional.of("it " + TYPES_MISSING)
+                : Optional.empty();
+    }
+
+    private static boolean isGenericInside(ComponentSymbol symbol) {
+        return symbol.isGeneric()
+                || symbol.enclosing().map(InstancePromises::isGenericInside).orElse(false);
+    }
+
+    private static boolean isSpecialised(ComponentSymbol symbol, Model model) {
+        String specialised = symbol.qualifiedName() + "<";
+        return model.components().stream()
+                .anyMatch(each -> each.qualifiedName().startsWith(specialised));
     }
 
     private List<Component> withAutomata() {

@@ -19,9 +19,6 @@ import java.util.Set;
 
 /** A counterexample as tracks: ports, and where both sides are; with the automata of both. */
 final class MomentTracks {
-    static final String LEFT = "left is";
-    static final String RIGHT = "right is";
-
     private static final String BOTH = "both sides";
     private static final String WAY = " goes";
 
@@ -72,14 +69,15 @@ final class MomentTracks {
     }
 
     private void states() {
-        Track.Builder left = new Track.Builder(BOTH, LEFT, Kind.STATE);
-        Track.Builder right = new Track.Builder(BOTH, RIGHT, Kind.STATE);
+        Terms terms = Terms.of(answered);
+        Track.Builder left = new Track.Builder(BOTH, terms.left(), Kind.STATE);
+        Track.Builder right = new Track.Builder(BOTH, terms.right(), Kind.STATE);
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
             left.addUnlessEmpty(moment.left());
             boolean last = i == trace.size() - 1;
             String possible = String.join("  or  ", moment.right());
-            right.addUnlessEmpty(possible.isEmpty() && last ? "not possible" : possible);
+            right.addUnlessEmpty(possible.isEmpty() && last ? terms.end() : possible);
         }
         tracks.add(left.build());
         tracks.add(right.build());

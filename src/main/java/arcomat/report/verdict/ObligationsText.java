@@ -1,5 +1,6 @@
 package arcomat.report.verdict;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
 import arcomat.report.text.Printable;
@@ -15,14 +16,15 @@ public final class ObligationsText {
     private ObligationsText() {}
 
     /** {@code holds p.New refines p.Old; 5 of 5 transitions of p.Old took part}. */
-    public static String line(String left, String right, Verdict verdict, Style style) {
+    public static String line(Answered answered, Style style) {
+        Verdict verdict = answered.verdict();
         String blanks = " ".repeat(WIDEST_ANSWER - verdict.answer().name().length());
         List<String> remarks = new ArrayList<>(verdict.notes());
         if (verdict.answer() == Answer.UNKNOWN && verdict.explored().left() > 0) {
             remarks.add(VerdictText.explored(verdict));
         }
         String notes = remarks.isEmpty() ? "" : "; " + String.join("; ", remarks);
-        String headline = VerdictText.headline(left, right, verdict);
+        String headline = Terms.headline(answered);
         return VerdictText.answer(verdict.answer(), style)
                 + blanks
                 + "  "
@@ -33,8 +35,8 @@ public final class ObligationsText {
 
     public static String summary(List<Verdict> verdicts, Style style) {
         if (verdicts.isEmpty()) {
-            return "nothing to verify: no component refines another one, and no decomposition is"
-                    + " required anything";
+            return "nothing to verify: no component refines another one or has an invariant, and no"
+                    + " decomposition is required anything";
         }
         long fail = count(verdicts, Answer.FAILS);
         long unknown = count(verdicts, Answer.UNKNOWN);

@@ -34,15 +34,15 @@ public final class VerdictCases {
 
     /** What was promised; of a promise without a right side, who made it. */
     static String name(Answered each) {
-        return each.right().isEmpty() ? each.left() : each.left() + " refines " + each.right();
+        return Terms.name(each);
     }
 
     private static String headline(Answered each) {
-        return VerdictText.headline(each.left(), each.right(), each.verdict());
+        return Terms.headline(each);
     }
 
     private static String details(Answered each) {
-        return VerdictText.render(each.left(), each.right(), each.verdict(), Style.PLAIN);
+        return VerdictText.render(each, Style.PLAIN);
     }
 
     private static String notes(Verdict verdict) {

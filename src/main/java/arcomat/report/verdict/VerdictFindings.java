@@ -36,7 +36,7 @@ public final class VerdictFindings {
     private static Reported of(Answered each) {
         Verdict verdict = each.verdict();
         Span place = each.place().firstLine();
-        String headline = VerdictText.headline(each.left(), each.right(), verdict);
+        String headline = Terms.headline(each);
         if (verdict.answer() == Answer.UNKNOWN) {
             return Reported.of(
                     Diagnostic.warning(UNDECIDED, place, "unknown: " + headline), Standing.NEW);
@@ -62,7 +62,8 @@ public final class VerdictFindings {
     private static List<Step> steps(Answered each, Span place) {
         List<Step> steps = new ArrayList<>();
         for (Moment moment : each.verdict().trace()) {
-            steps.add(new Step("step " + steps.size() + ": " + text(each, moment), place));
+            String step = Terms.of(each).step() + " " + steps.size();
+            steps.add(new Step(step + ": " + text(each, moment), place));
         }
         return steps;
     }
@@ -70,6 +71,14 @@ public final class VerdictFindings {
     private static String text(Answered each, Moment moment) {
         String inputs = String.join(", ", VerdictText.inputs(moment.input()));
         String outputs = String.join(", ", VerdictText.shown(moment));
+        if (each.question() == Answered.Question.INVARIANT) {
+            return "in %s, out %s; %s is in %s"
+                    .formatted(
+                            inputs.isEmpty() ? "--" : inputs,
+                            outputs.isEmpty() ? "--" : outputs,
+                            each.left(),
+                            moment.left());
+        }
         String right =
                 moment.right().isEmpty()
                         ? " does not allow that"

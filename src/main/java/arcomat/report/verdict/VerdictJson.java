@@ -14,6 +14,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -38,6 +39,8 @@ public final class VerdictJson {
                     json.writeStartArray();
                     for (Answered each : answers) {
                         json.writeStartObject();
+                        json.writeStringField(
+                                "question", each.question().name().toLowerCase(Locale.ROOT));
                         json.writeStringField("left", each.left());
                         json.writeStringField("right", each.right());
                         write(json, each.verdict());

@@ -49,7 +49,7 @@ public final class VerdictPage {
 
     private static String sentence(Answered each) {
         String answer = VerdictText.answer(each.verdict().answer(), Style.PLAIN);
-        return answer + ": " + VerdictText.headline(each.left(), each.right(), each.verdict());
+        return answer + ": " + Terms.headline(each);
     }
 
     static Tone tone(Answer answer) {
@@ -71,9 +71,9 @@ public final class VerdictPage {
                     verdict.explanation().isEmpty()
                             ? "not possible on the right"
                             : verdict.explanation().get(0).text();
-            flaws.add(new Flaw(trace.size() - 1, MomentTracks.RIGHT, text));
+            flaws.add(new Flaw(trace.size() - 1, Terms.of(answered).right(), text));
         }
-        Timeline timeline = new Timeline("step", trace.size(), List.of(), tracks.tracks(), flaws);
+        Timeline timeline = new Timeline(Terms.of(answered).step(), trace.size(), List.of(), tracks.tracks(), flaws);
         return new Story(
                 title,
                 tone(verdict.answer()),

@@ -1,5 +1,6 @@
 package arcomat.report.verdict;
 
+import arcomat.analysis.Answered;
 import arcomat.analysis.Moment;
 import arcomat.analysis.Verdict;
 import arcomat.analysis.Verdict.Answer;
@@ -29,18 +30,20 @@ public final class VerdictText {
 
     private VerdictText() {}
 
-    /**
-     * @param left what is to keep a promise
-     * @param right what promises
-     */
-    public static String render(String left, String right, Verdict verdict, Style style) {
+    /** Of a refinement. */
+    static String render(String left, String right, Verdict verdict, Style style) {
+        return render(new Answered(left, right, null, verdict), style);
+    }
+
+    public static String render(Answered answered, Style style) {
+        Verdict verdict = answered.verdict();
         StringBuilder out = new StringBuilder();
         out.append(answer(verdict.answer(), style))
                 .append(": ")
-                .append(Printable.escape(headline(left, right, verdict)))
+                .append(Printable.escape(Terms.headline(answered)))
                 .append('\n');
         if (!verdict.trace().isEmpty()) {
-            out.append('\n').append(story(left, right, verdict.trace(), style)).append('\n');
+            out.append('\n').append(story(answered, style)).append('\n');
         }
         verdict.explanation().stream()
                 .limit(MOST_SENTENCES)
@@ -74,19 +77,12 @@ public final class VerdictText {
         };
     }
 
-    static String headline(String left, String right, Verdict verdict) {
-        return switch (verdict.answer()) {
-            case HOLDS -> left + " refines " + right;
-            case FAILS -> left + " does not refine " + right + " (" + verdict.reason() + ")";
-            case UNKNOWN ->
-                    right.isEmpty()
-                            ? verdict.reason()
-                            : "whether " + left + " refines " + right + ": " + verdict.reason();
-        };
-    }
-
-    private static String story(String left, String right, List<Moment> trace, Style style) {
-        TextTable table = new TextTable(List.of("step", "input", "output", "left is", "right is"));
+    private static String story(Answered answered, Style style) {
+        Terms terms = Terms.of(answered);
+        List<Moment> trace = answered.verdict().trace();
+        TextTable table =
+                new TextTable(
+                        List.of(terms.step(), "input", "output", terms.left(), terms.right()));
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
             table.addColumns(
@@ -95,10 +91,18 @@ public final class VerdictText {
                             inputs(moment.input()),
                             shown(moment),
                             List.of(moment.left()),
-                            states(moment.right(), i == trace.size() - 1)));
+                            states(moment.right(), i == trace.size() - 1 ? terms.end() : "")));
         }
-        return "left:  %s\nright: %s\n\n".formatted(Printable.escape(left), Printable.escape(right))
-                + table.render(style);
+        return sides(answered) + table.render(style);
+    }
+
+    private static String sides(Answered answered) {
+        String format =
+                answered.question() == Answered.Question.INVARIANT
+                        ? "component: %s\ninvariant: %s\n\n"
+                        : "left:  %s\nright: %s\n\n";
+        return format.formatted(
+                Printable.escape(answered.left()), Printable.escape(answered.right()));
     }
 
     /** Port by port. */
@@ -133,9 +137,9 @@ public final class VerdictText {
         return outputs;
     }
 
-    private static List<String> states(List<String> states, boolean last) {
+    private static List<String> states(List<String> states, String otherwise) {
         if (states.isEmpty()) {
-            return List.of(last ? "not possible" : "");
+            return List.of(otherwise);
         }
         if (states.size() <= MOST_STATES) {
             return states;

@@ -150,7 +150,8 @@ final class ElementBuilder extends TreeBuilder<Element> {
                         ? Optional.empty()
                         : Optional.of(builders.names.name(context.kind)),
                 builders.names.build(context.title),
-                span(context.invariantBody()).text());
+                span(context.invariantBody()).text(),
+                new InvariantBody(builders).condition(context.invariantBody()));
     }
 
     @Override
