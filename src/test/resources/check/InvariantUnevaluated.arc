@@ -11,8 +11,6 @@ component Bad {
 //        ~~~~~~ warning ARC0132: invariant 'number' is not looked at by any command: it has type Integer, not Boolean
   inv called: shown.max(level) > 0;
 //    ~~~~~~ warning ARC0132: invariant 'called' is not looked at by any command: models call no methods ('max'); compute the value in a <<platform>> component and send it over a port
-  ocl inv text: level > "a";
-//        ~~~~ warning ARC0132
 }
 
 //// Several.arc
@@ -56,12 +54,12 @@ component Parts {
   ocl inv inside: right.shown == -- || right.shown > 0;
   ocl inv input: right.level > 0;
 //        ~~~~~ warning ARC0132: invariant 'input' is not looked at by any command: 'right.level' is neither a constant of a known enum nor an attribute of a value; did you mean 'level'?
-  component Right right;
+  component GoodSender right;
   connect level -> right.level;
 }
 
-//// Right.arc
-component Right {
+//// GoodSender.arc
+component GoodSender {
   port in Integer level, out Integer shown;
   ocl inv positive: shown == -- || shown > limit;
   ocl inv counted: count >= 0 && shown != -- implies level > 0 <=> count > 0;
@@ -75,7 +73,7 @@ component Right {
   }
 }
 
-//// Heir.arc
-component Heir extends Right {
+//// GoodHeir.arc
+component GoodHeir extends GoodSender {
   ocl inv less: shown == -- || shown < 100 + count;
 }

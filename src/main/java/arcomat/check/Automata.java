@@ -2,6 +2,7 @@ package arcomat.check;
 
 import arcomat.source.Span;
 import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.ComponentSymbol;
 import arcomat.tree.Automaton;
 import arcomat.tree.Node;
 
@@ -22,6 +23,22 @@ final class Automata {
         return automaton.name().isEmpty()
                 ? "the automaton"
                 : "automaton '" + automaton.name() + "'";
+    }
+
+    /** Whether analyses look at it without being told with which arguments. */
+    static boolean isExamined(AutomatonSymbol automaton) {
+        return automaton.component().map(Automata::isExamined).orElse(true);
+    }
+
+    private static boolean isExamined(ComponentSymbol component) {
+        return !component.isPlatform()
+                && !component.isGeneric()
+                && component.enclosing().map(Automata::isPlain).orElse(true)
+                && component.parameters().stream().allMatch(each -> each.initial().isPresent());
+    }
+
+    private static boolean isPlain(ComponentSymbol component) {
+        return !component.isGeneric() && component.enclosing().map(Automata::isPlain).orElse(true);
     }
 
     private static Span headWithoutName(Automaton automaton) {

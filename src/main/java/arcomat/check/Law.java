@@ -37,6 +37,11 @@ public record Law(
         return new Law(code, Optional.empty(), Severity.ERROR, Needs.NOTHING);
     }
 
+    /** A warning where code is to be generated; not reported for requirements. */
+    static Law executableWarning(String code) {
+        return new Law(code, Optional.empty(), Severity.WARNING, Needs.NOTHING);
+    }
+
     /** A warning for requirements, an error where code is to be generated. */
     public static Law warningThenError(String code) {
         return new Law(code, Optional.of(Severity.WARNING), Severity.ERROR, Needs.NOTHING);

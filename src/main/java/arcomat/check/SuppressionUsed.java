@@ -50,6 +50,7 @@ final class SuppressionUsed implements Check {
             }
         }
         judged.remove(law().code());
+        judged.removeIf(SuppressWellFormed::isOfAnalysis);
         return judged;
     }
 }

@@ -83,12 +83,20 @@ public final class InvariantSymbol {
             }
         }
         if (!condition.problems().isEmpty()) {
-            return Optional.of(condition.problems().get(0).message());
+            return hasUnknownParts() ? Optional.empty() : Optional.of(condition.problems().get(0).message());
         }
         boolean isNoTruth = !condition.type().isErroneous() && !condition.type().isBoolean();
         return isNoTruth
                 ? Optional.of("it has type " + condition.type().text() + ", not Boolean")
                 : Optional.empty();
+    }
+
+    /** Then names may be those of what did not parse, or was reported elsewhere. */
+    private boolean hasUnknownParts() {
+        return component.instances().stream().anyMatch(each -> each.component().isEmpty())
+                || component.lineage().stream()
+                        .flatMap(each -> each.superComponent().stream())
+                        .anyMatch(each -> each.component().isEmpty());
     }
 
     private Optional<Typed> makeTyped() {

@@ -3,6 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.Budget;
 import arcomat.analysis.automaton.Visit.Place;
 import arcomat.analysis.engine.Letters;
+import arcomat.model.Automaton;
 import arcomat.model.Value;
 import arcomat.semantics.Attention;
 import arcomat.semantics.Attention.Unseen;
@@ -10,8 +11,11 @@ import arcomat.semantics.GivenUp;
 import arcomat.semantics.Output;
 import arcomat.semantics.Start;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -32,6 +36,7 @@ final class Exploration {
     private final Map<Place, Visit> visits = new HashMap<>();
     private final List<Visit> byNumber = new ArrayList<>();
     private final Map<Attention, List<Value[]>> alphabets = new HashMap<>();
+    private final BitSet connected;
     private final boolean[] reached;
     private Map<Place, Visit> next = new LinkedHashMap<>();
     private String obstacle = "";
@@ -41,6 +46,7 @@ final class Exploration {
         this.stepper = Stepper.of(subject);
         this.watching = watching;
         this.budget = budget;
+        this.connected = connected(subject.automaton());
         this.reached = new boolean[subject.automaton().states().size()];
     }
 
@@ -161,6 +167,27 @@ final class Exploration {
     /** Why not everything has been seen; else empty. */
     String obstacle() {
         return obstacle;
+    }
+
+    /** Whether transitions lead to a state, whatever their guards say. */
+    boolean isConnected(int state) {
+        return connected.get(state);
+    }
+
+    private static BitSet connected(Automaton automaton) {
+        BitSet connected = new BitSet();
+        Deque<Integer> open = new ArrayDeque<>();
+        automaton.initials().forEach(initial -> open.add(initial.state()));
+        while (!open.isEmpty()) {
+            int state = open.pop();
+            if (!connected.get(state)) {
+                connected.set(state);
+                automaton.transitions().stream()
+                        .filter(each -> each.source() == state)
+                        .forEach(each -> open.add(each.target()));
+            }
+        }
+        return connected;
     }
 
     boolean hasReached(int state) {

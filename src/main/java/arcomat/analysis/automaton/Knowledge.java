@@ -23,7 +23,8 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
 
     /** Whether it stays open, and matters: how two transitions differ only where they meet. */
     boolean isOpen(Question question) {
-        if (!(outcomes.get(question) instanceof Outcome.Open) || happens(question)) {
+        if (isCutOff(question)
+                || !(outcomes.get(question) instanceof Outcome.Open) || happens(question)) {
             return false;
         }
         if (question instanceof Question.Together together) {
@@ -38,6 +39,12 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
         return true;
     }
 
+    /** Whether it asks for a state that no transitions lead to, whatever their guards say. */
+    private boolean isCutOff(Question question) {
+        return question instanceof Question.Reached reached
+                && !explored.isConnected(reached.state());
+    }
+
     /** Whether some run shows it. */
     boolean happens(Question question) {
         return seen.contains(question);
@@ -48,6 +55,6 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
         if (happens(question)) {
             return false;
         }
-        return isExhaustive() || outcomes.get(question) instanceof Outcome.Impossible;
+        return isExhaustive() || isCutOff(question) || outcomes.get(question) instanceof Outcome.Impossible;
     }
 }

@@ -29,7 +29,7 @@ final class InvariantBody {
     }
 
     Optional<Expression> condition(InvariantBodyContext body) {
-        if (body.javaBlock() != null) {
+        if (body.javaBlock() != null || body.children == null) {
             return Optional.empty();
         }
         List<Token> tokens = new ArrayList<>();

@@ -1,0 +1,104 @@
+package arcomat.check;
+
+import arcomat.symbols.AutomatonSymbol;
+import arcomat.symbols.InitialSymbol;
+import arcomat.symbols.ItemSymbol;
+import arcomat.symbols.ItemValue;
+import arcomat.symbols.StateSymbol;
+import arcomat.symbols.TransitionSymbol;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * ARC1001: in what is to run and leaves nothing else open, no two transitions without guards answer
+ * one letter. A requirement may leave that open. What guards and variables have to do with it, the analysis of that code
+ * knows, which says all that this law says: it is told only of states that are reached for sure.
+ */
+final class TransitionsApart implements Check.OnAutomaton {
+    /** Under these, all that transitions do not say is decided; under others, much is left open. */
+    private static final Set<String> DECIDED = Set.of("ignore", "error");
+
+    @Override
+    public Law law() {
+        return Law.executableWarning("ARC1001").needing(Law.Needs.ALL);
+    }
+
+    @Override
+    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
+        boolean decides = automaton.stereotype("completion").filter(DECIDED::contains).isPresent();
+        boolean runs =
+                automaton
+                        .component()
+                        .map(each -> !each.isEventDriven() && !each.isDecomposed())
+                        .orElse(true);
+        if (!decides || !runs || !Automata.isExamined(automaton) || !StateReached.isWhole(automaton)) {
+            return;
+        }
+        Set<StateSymbol> reached = reachedForSure(automaton);
+        List<TransitionSymbol> transitions = automaton.transitions();
+        for (int i = 0; i < transitions.size(); i++) {
+            TransitionSymbol first = transitions.get(i);
+            if (reached.contains(first.source().orElseThrow())) {
+                transitions.subList(i + 1, transitions.size()).stream()
+                        .filter(second -> second.source().equals(first.source()))
+                        .filter(second -> meet(first, second))
+                        .forEach(second -> report(first, second, findings));
+            }
+        }
+    }
+
+    private static boolean meet(TransitionSymbol first, TransitionSymbol second) {
+        Optional<SureTrigger> trigger = SureTrigger.of(first);
+        return trigger.isPresent()
+                && SureTrigger.of(second).filter(trigger.get()::meets).isPresent();
+    }
+
+    /** By transitions that some letter enables, and that cannot go wrong: they write constants. */
+    private static Set<StateSymbol> reachedForSure(AutomatonSymbol automaton) {
+        Set<StateSymbol> reached = new HashSet<>();
+        Deque<StateSymbol> open = new ArrayDeque<>();
+        boolean begins =
+                automaton.variables().stream()
+                        .flatMap(each -> each.initial().stream())
+                        .allMatch(each -> SureTrigger.constant(each.expression()).isPresent());
+        for (InitialSymbol initial : automaton.initials()) {
+            if (begins && areConstant(initial.items())) {
+                open.add(initial.state().orElseThrow());
+            }
+        }
+        while (!open.isEmpty()) {
+            StateSymbol state = open.pop();
+            if (reached.add(state)) {
+                automaton.transitions().stream()
+                        .filter(each -> each.source().orElseThrow().equals(state))
+                        .filter(each -> areConstant(each.output()))
+                        .filter(each -> SureTrigger.of(each).isPresent())
+                        .forEach(each -> open.add(each.target().orElseThrow()));
+            }
+        }
+        return reached;
+    }
+
+    private static boolean areConstant(List<ItemSymbol> items) {
+        return items.stream()
+                .map(ItemSymbol::value)
+                .map(ItemValue::expressions)
+                .flatMap(List::stream)
+                .allMatch(each -> SureTrigger.constant(each.expression()).isPresent());
+    }
+
+    private static void report(
+            TransitionSymbol first, TransitionSymbol second, Findings findings) {
+        findings.report(
+                        first.node(),
+                        "two transitions out of %s are enabled together: 'arcomat analyze' shows a"
+                                        .formatted(first.source().orElseThrow().name())
+                                + " run")
+                .related(second.node(), "this one is enabled as well");
+    }
+}
