@@ -42,7 +42,7 @@ component Events {
 }
 
 //// Sensor.arc
-<<platform>> component Sensor {
+<<platform, layer = "sensors">> component Sensor {
   port out Integer level;
   ocl inv positive: level > 0;
 //        ~~~~~~~~ warning ARC0132: invariant 'positive' is not looked at by any command: a platform component has no behaviour in the model

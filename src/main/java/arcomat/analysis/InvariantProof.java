@@ -77,9 +77,7 @@ public final class InvariantProof {
                                 .formatted(invariant.name(), InvariantStory.word(truth));
                 return Optional.of(
                         Verdict.breaks(
-                                List.of(),
-                                List.of(sentence(text, values)),
-                                Explored.NOTHING));
+                                List.of(), List.of(sentence(text, values)), Explored.NOTHING));
             }
         }
         return Optional.empty();
@@ -126,9 +124,7 @@ public final class InvariantProof {
             return Verdict.breaks(
                     slices,
                     story.explanation(
-                            invariant,
-                            comparison.forbidden(result.failure().get()),
-                            slices),
+                            invariant, comparison.forbidden(result.failure().get()), slices),
                     explored);
         }
         Optional<String> stopped = result.stopped().or(sides.left()::leftOut);

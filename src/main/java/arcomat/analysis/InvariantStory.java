@@ -84,8 +84,7 @@ final class InvariantStory {
     }
 
     /** Why the last slice breaks it. */
-    List<Sentence> explanation(
-            Invariant invariant, Forbidden forbidden, List<Moment> slices) {
+    List<Sentence> explanation(Invariant invariant, Forbidden forbidden, List<Moment> slices) {
         int observer = positionOfObserver();
         Truth truth = InvariantWatch.truth(forbidden.causes().get(observer));
         int slice = slices.size() - 1;
@@ -134,9 +133,7 @@ final class InvariantStory {
 
     private static boolean isSilent(String port, Moment last) {
         Sent sent = last.outputs().get(port);
-        return sent == null
-                ? last.input().message(port).isEmpty()
-                : sent.equals(Sent.SILENCE);
+        return sent == null ? last.input().message(port).isEmpty() : sent.equals(Sent.SILENCE);
     }
 
     /** Whether it mentions what the component does in the same slice. */

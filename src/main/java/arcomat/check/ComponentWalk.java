@@ -113,9 +113,7 @@ final class ComponentWalk {
             expressions.all(instance.arguments(), context);
         }
         for (InvariantSymbol invariant : component.ownInvariants()) {
-            invariant
-                    .condition()
-                    .ifPresent(condition -> expressions.mentioned(condition, context));
+            invariant.condition().ifPresent(condition -> expressions.mentioned(condition, context));
         }
         for (AutomatonSymbol automaton : component.ownAutomata()) {
             behaviours.automaton(automaton, context);

@@ -44,7 +44,8 @@ final class SureTrigger {
         }
         for (ItemSymbol item : transition.input()) {
             Optional<Wish> wish = wish(item.value());
-            if (wish.isEmpty() || !(item.target().found().orElse(null) instanceof PortSymbol port)) {
+            if (wish.isEmpty()
+                    || !(item.target().found().orElse(null) instanceof PortSymbol port)) {
                 return Optional.empty();
             }
             trigger.add(port.name(), wish.get());

@@ -16,8 +16,9 @@ import java.util.Set;
 
 /**
  * ARC1001: in what is to run and leaves nothing else open, no two transitions without guards answer
- * one letter. A requirement may leave that open. What guards and variables have to do with it, the analysis of that code
- * knows, which says all that this law says: it is told only of states that are reached for sure.
+ * one letter. A requirement may leave that open. What guards and variables have to do with it, the
+ * analysis of that code knows, which says all that this law says: it is told only of states that
+ * are reached for sure.
  */
 final class TransitionsApart implements Check.OnAutomaton {
     /** Under these, all that transitions do not say is decided; under others, much is left open. */
@@ -36,7 +37,10 @@ final class TransitionsApart implements Check.OnAutomaton {
                         .component()
                         .map(each -> !each.isEventDriven() && !each.isDecomposed())
                         .orElse(true);
-        if (!decides || !runs || !Automata.isExamined(automaton) || !StateReached.isWhole(automaton)) {
+        if (!decides
+                || !runs
+                || !Automata.isExamined(automaton)
+                || !StateReached.isWhole(automaton)) {
             return;
         }
         Set<StateSymbol> reached = reachedForSure(automaton);
@@ -92,8 +96,7 @@ final class TransitionsApart implements Check.OnAutomaton {
                 .allMatch(each -> SureTrigger.constant(each.expression()).isPresent());
     }
 
-    private static void report(
-            TransitionSymbol first, TransitionSymbol second, Findings findings) {
+    private static void report(TransitionSymbol first, TransitionSymbol second, Findings findings) {
         findings.report(
                         first.node(),
                         "two transitions out of %s are enabled together: 'arcomat analyze' shows a"

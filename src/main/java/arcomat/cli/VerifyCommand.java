@@ -87,8 +87,7 @@ final class VerifyCommand extends LimitedCommand {
         }
         for (Answered each : answers) {
             if (each.verdict().answer() == Answer.FAILS) {
-                out.append('\n')
-                        .append(VerdictText.render(each, style));
+                out.append('\n').append(VerdictText.render(each, style));
             }
         }
         return out.toString();

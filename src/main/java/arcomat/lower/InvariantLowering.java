@@ -28,9 +28,7 @@ final class InvariantLowering {
         }
         ExpressionLowering expressions =
                 new ExpressionLowering(
-                        environment
-                                .withVariables(variables(body))
-                                .withPorts(sentByParts(body)));
+                        environment.withVariables(variables(body)).withPorts(sentByParts(body)));
         return symbols.stream()
                 .map(
                         symbol ->

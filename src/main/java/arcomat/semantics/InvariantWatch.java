@@ -181,8 +181,7 @@ public final class InvariantWatch {
                                         condition.span()),
                                 List.of(
                                         new Automaton.Send(
-                                                broken,
-                                                new Automaton.Messages(List.of(isTrue))))));
+                                                broken, new Automaton.Messages(List.of(isTrue))))));
         return new Automaton(
                 "",
                 Automaton.Completion.OUTPUT,

@@ -23,8 +23,7 @@ final class WatchedComponent {
     private final Component observer;
     private final List<Seen> seen;
 
-    WatchedComponent(
-            Component watched, Invariant invariant, Component observer, List<Seen> seen) {
+    WatchedComponent(Component watched, Invariant invariant, Component observer, List<Seen> seen) {
         this.watched = watched;
         this.invariant = invariant;
         this.observer = observer;
@@ -127,8 +126,7 @@ final class WatchedComponent {
                 shown.add(new Component.Shown(variable.input().name(), window));
             }
         }
-        return like(
-                watched, watched.name(), ports, new Component.Atomic(body.automata(), shown));
+        return like(watched, watched.name(), ports, new Component.Atomic(body.automata(), shown));
     }
 
     /** A part with the arguments of the whole. */
@@ -140,8 +138,7 @@ final class WatchedComponent {
         return new Component.Part(name, component, arguments, invariant.span());
     }
 
-    private void connect(
-            Endpoint source, Endpoint target, List<Component.Connection> connections) {
+    private void connect(Endpoint source, Endpoint target, List<Component.Connection> connections) {
         connections.add(new Component.Connection(source, target, invariant.span()));
     }
 

@@ -27,8 +27,7 @@ public final class InvariantSymbol {
      * @param declaring where it is written
      * @param component that it is about: the same, or an heir of it
      */
-    InvariantSymbol(
-            Element.Invariant node, ComponentSymbol declaring, ComponentSymbol component) {
+    InvariantSymbol(Element.Invariant node, ComponentSymbol declaring, ComponentSymbol component) {
         this.node = node;
         this.declaring = declaring;
         this.component = component;
@@ -83,7 +82,9 @@ public final class InvariantSymbol {
             }
         }
         if (!condition.problems().isEmpty()) {
-            return hasUnknownParts() ? Optional.empty() : Optional.of(condition.problems().get(0).message());
+            return hasUnknownParts()
+                    ? Optional.empty()
+                    : Optional.of(condition.problems().get(0).message());
         }
         boolean isNoTruth = !condition.type().isErroneous() && !condition.type().isBoolean();
         return isNoTruth

@@ -79,8 +79,7 @@ final class InvariantsAsTheReference implements Law {
         Outcome worst = Outcome.SKIPPED;
         Verdict shown = null;
         for (Invariant each : component.invariants()) {
-            Verdict verdict =
-                    InvariantProof.check(component, List.of(), each, Questions.budget());
+            Verdict verdict = InvariantProof.check(component, List.of(), each, Questions.budget());
             Outcome outcome =
                     each.name().equals("inside")
                             ? same(shown, verdict)

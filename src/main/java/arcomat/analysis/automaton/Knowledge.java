@@ -24,7 +24,8 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
     /** Whether it stays open, and matters: how two transitions differ only where they meet. */
     boolean isOpen(Question question) {
         if (isCutOff(question)
-                || !(outcomes.get(question) instanceof Outcome.Open) || happens(question)) {
+                || !(outcomes.get(question) instanceof Outcome.Open)
+                || happens(question)) {
             return false;
         }
         if (question instanceof Question.Together together) {
@@ -55,6 +56,8 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
         if (happens(question)) {
             return false;
         }
-        return isExhaustive() || isCutOff(question) || outcomes.get(question) instanceof Outcome.Impossible;
+        return isExhaustive()
+                || isCutOff(question)
+                || outcomes.get(question) instanceof Outcome.Impossible;
     }
 }

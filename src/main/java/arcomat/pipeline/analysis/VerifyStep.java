@@ -46,8 +46,7 @@ public final class VerifyStep {
         }
         all.open()
                 .forEach(name -> answers.add(takesArguments(model.component(name).orElseThrow())));
-        answers.addAll(
-                new InvariantAnswers(model, checked, components, budget, progress).all());
+        answers.addAll(new InvariantAnswers(model, checked, components, budget, progress).all());
         return new AnalysisResult(checked.result(), answers);
     }
 

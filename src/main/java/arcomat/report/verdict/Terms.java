@@ -34,7 +34,8 @@ record Terms(String step, String left, String right, String end) {
         return switch (verdict.answer()) {
             case HOLDS -> left + " keeps invariant " + name;
             case FAILS -> left + " breaks invariant " + name;
-            case UNKNOWN -> "whether " + left + " keeps invariant " + name + ": " + verdict.reason();
+            case UNKNOWN ->
+                    "whether " + left + " keeps invariant " + name + ": " + verdict.reason();
         };
     }
 

@@ -73,7 +73,9 @@ public final class VerdictPage {
                             : verdict.explanation().get(0).text();
             flaws.add(new Flaw(trace.size() - 1, Terms.of(answered).right(), text));
         }
-        Timeline timeline = new Timeline(Terms.of(answered).step(), trace.size(), List.of(), tracks.tracks(), flaws);
+        Timeline timeline =
+                new Timeline(
+                        Terms.of(answered).step(), trace.size(), List.of(), tracks.tracks(), flaws);
         return new Story(
                 title,
                 tone(verdict.answer()),
