@@ -3,6 +3,7 @@ package arcomat.check;
 import arcomat.source.Span;
 import arcomat.symbols.AutomatonSymbol;
 import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.ParameterSymbol;
 import arcomat.tree.Automaton;
 import arcomat.tree.Node;
 
@@ -27,18 +28,21 @@ final class Automata {
 
     /** Whether analyses look at it without being told with which arguments. */
     static boolean isExamined(AutomatonSymbol automaton) {
-        return automaton.component().map(Automata::isExamined).orElse(true);
-    }
-
-    private static boolean isExamined(ComponentSymbol component) {
-        return !component.isPlatform()
-                && !component.isGeneric()
-                && component.enclosing().map(Automata::isPlain).orElse(true)
-                && component.parameters().stream().allMatch(each -> each.initial().isPresent());
+        ComponentSymbol component = automaton.component().orElse(null);
+        if (component == null) {
+            return true;
+        }
+        for (ParameterSymbol each : component.parameters()) {
+            if (each.initial().isEmpty()) {
+                return false;
+            }
+        }
+        return !component.isPlatform() && isPlain(component);
     }
 
     private static boolean isPlain(ComponentSymbol component) {
-        return !component.isGeneric() && component.enclosing().map(Automata::isPlain).orElse(true);
+        ComponentSymbol around = component.enclosing().orElse(null);
+        return !component.isGeneric() && (around == null || isPlain(around));
     }
 
     private static Span headWithoutName(Automaton automaton) {

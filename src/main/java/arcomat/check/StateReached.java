@@ -6,10 +6,10 @@ import arcomat.symbols.StateSymbol;
 import arcomat.symbols.TransitionSymbol;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Deque;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 
 /**
  * ARC1003: transitions lead from an initial state to each state, whatever their guards say. What
@@ -27,39 +27,58 @@ final class StateReached implements Check.OnAutomaton {
         if (!Automata.isExamined(automaton) || !isWhole(automaton)) {
             return;
         }
-        Set<StateSymbol> reached = reached(automaton);
+        BitSet reached = reached(automaton);
         for (StateSymbol state : automaton.states()) {
-            if (!reached.contains(state)) {
+            boolean isFirst = automaton.state(state.name()).orElseThrow().index() == state.index();
+            if (isFirst && !reached.get(state.index())) {
                 report(automaton, state, findings);
             }
         }
     }
 
     static boolean isWhole(AutomatonSymbol automaton) {
-        return !automaton.initials().isEmpty()
-                && StateNames.declared(automaton).size() == automaton.states().size()
-                && automaton.initials().stream().allMatch(each -> each.state().isPresent())
-                && automaton.transitions().stream()
-                        .allMatch(t -> t.source().isPresent() && t.target().isPresent());
+        for (InitialSymbol each : automaton.initials()) {
+            if (each.state().isEmpty()) {
+                return false;
+            }
+        }
+        for (TransitionSymbol each : automaton.transitions()) {
+            if (each.source().isEmpty() || each.target().isEmpty()) {
+                return false;
+            }
+        }
+        return !automaton.initials().isEmpty();
     }
 
-    private static Set<StateSymbol> reached(AutomatonSymbol automaton) {
-        Set<StateSymbol> reached = new HashSet<>();
+    private static BitSet reached(AutomatonSymbol automaton) {
+        List<List<TransitionSymbol>> outgoing = outgoing(automaton);
+        BitSet reached = new BitSet();
         Deque<StateSymbol> open = new ArrayDeque<>();
         for (InitialSymbol initial : automaton.initials()) {
             open.add(initial.state().orElseThrow());
         }
         while (!open.isEmpty()) {
-            StateSymbol state = open.pop();
-            if (reached.add(state)) {
-                for (TransitionSymbol each : automaton.transitions()) {
-                    if (each.source().orElseThrow().equals(state)) {
-                        open.add(each.target().orElseThrow());
-                    }
+            int state = open.pop().index();
+            if (!reached.get(state)) {
+                reached.set(state);
+                for (TransitionSymbol each : outgoing.get(state)) {
+                    open.add(each.target().orElseThrow());
                 }
             }
         }
         return reached;
+    }
+
+    /** The transitions out of each state, by its index, in text order. */
+    static List<List<TransitionSymbol>> outgoing(AutomatonSymbol automaton) {
+        List<List<TransitionSymbol>> outgoing = new ArrayList<>();
+        for (int state = 0; state < automaton.states().size(); state++) {
+            outgoing.add(new ArrayList<>());
+        }
+        for (TransitionSymbol each : automaton.transitions()) {
+            outgoing.get(each.source().orElseThrow().index()).add(each);
+        }
+        return outgoing;
     }
 
     private static void report(AutomatonSymbol automaton, StateSymbol state, Findings findings) {

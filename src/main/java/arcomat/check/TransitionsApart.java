@@ -8,8 +8,8 @@ import arcomat.symbols.StateSymbol;
 import arcomat.symbols.TransitionSymbol;
 
 import java.util.ArrayDeque;
+import java.util.BitSet;
 import java.util.Deque;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -43,15 +43,17 @@ final class TransitionsApart implements Check.OnAutomaton {
                 || !StateReached.isWhole(automaton)) {
             return;
         }
-        Set<StateSymbol> reached = reachedForSure(automaton);
-        List<TransitionSymbol> transitions = automaton.transitions();
-        for (int i = 0; i < transitions.size(); i++) {
-            TransitionSymbol first = transitions.get(i);
-            if (reached.contains(first.source().orElseThrow())) {
-                transitions.subList(i + 1, transitions.size()).stream()
-                        .filter(second -> second.source().equals(first.source()))
-                        .filter(second -> meet(first, second))
-                        .forEach(second -> report(first, second, findings));
+        List<List<TransitionSymbol>> outgoing = StateReached.outgoing(automaton);
+        BitSet reached = reachedForSure(automaton, outgoing);
+        reached.stream().forEach(state -> compare(outgoing.get(state), findings));
+    }
+
+    private static void compare(List<TransitionSymbol> outgoing, Findings findings) {
+        for (int i = 0; i < outgoing.size(); i++) {
+            for (TransitionSymbol second : outgoing.subList(i + 1, outgoing.size())) {
+                if (meet(outgoing.get(i), second)) {
+                    report(outgoing.get(i), second, findings);
+                }
             }
         }
     }
@@ -63,8 +65,9 @@ final class TransitionsApart implements Check.OnAutomaton {
     }
 
     /** By transitions that some letter enables, and that cannot go wrong: they write constants. */
-    private static Set<StateSymbol> reachedForSure(AutomatonSymbol automaton) {
-        Set<StateSymbol> reached = new HashSet<>();
+    private static BitSet reachedForSure(
+            AutomatonSymbol automaton, List<List<TransitionSymbol>> outgoing) {
+        BitSet reached = new BitSet();
         Deque<StateSymbol> open = new ArrayDeque<>();
         boolean begins =
                 automaton.variables().stream()
@@ -76,10 +79,10 @@ final class TransitionsApart implements Check.OnAutomaton {
             }
         }
         while (!open.isEmpty()) {
-            StateSymbol state = open.pop();
-            if (reached.add(state)) {
-                automaton.transitions().stream()
-                        .filter(each -> each.source().orElseThrow().equals(state))
+            int state = open.pop().index();
+            if (!reached.get(state)) {
+                reached.set(state);
+                outgoing.get(state).stream()
                         .filter(each -> areConstant(each.output()))
                         .filter(each -> SureTrigger.of(each).isPresent())
                         .forEach(each -> open.add(each.target().orElseThrow()));

@@ -243,9 +243,11 @@ public final class ComponentSymbol {
     }
 
     private List<InvariantSymbol> invariantsOf(ComponentSymbol component) {
-        return component.node.elements(Element.Invariant.class).stream()
-                .map(each -> new InvariantSymbol(each, component, this))
-                .toList();
+        List<InvariantSymbol> all = new ArrayList<>();
+        for (Element.Invariant each : component.node.elements(Element.Invariant.class)) {
+            all.add(new InvariantSymbol(each, component, this));
+        }
+        return all;
     }
 
     /** Automata written here, those in an {@code implementation} included. */

@@ -176,15 +176,20 @@ final class Exploration {
 
     private static BitSet connected(Automaton automaton) {
         BitSet connected = new BitSet();
+        Map<Integer, List<Integer>> targets = new HashMap<>();
+        automaton
+                .transitions()
+                .forEach(
+                        each ->
+                                targets.computeIfAbsent(each.source(), s -> new ArrayList<>())
+                                        .add(each.target()));
         Deque<Integer> open = new ArrayDeque<>();
         automaton.initials().forEach(initial -> open.add(initial.state()));
         while (!open.isEmpty()) {
             int state = open.pop();
             if (!connected.get(state)) {
                 connected.set(state);
-                automaton.transitions().stream()
-                        .filter(each -> each.source() == state)
-                        .forEach(each -> open.add(each.target()));
+                open.addAll(targets.getOrDefault(state, List.of()));
             }
         }
         return connected;
