@@ -53,7 +53,7 @@ component Parts {
   port in Integer level;
   ocl inv inside: right.shown == -- || right.shown > 0;
   ocl inv input: right.level > 0;
-//        ~~~~~ warning ARC0132: invariant 'input' is not looked at by any command: 'right.level' is neither a constant of a known enum nor an attribute of a value; did you mean 'level'?
+//        ~~~~~ warning ARC0132: invariant 'input' is not looked at by any command: 'right.level' is neither a constant of a known enum nor an attribute of a value
   component GoodSender right;
 //                     ~~~~~ warning ARC0109
   connect level -> right.level;
