@@ -9,7 +9,6 @@ public final class ${head.name} {
 <@automaton.states self/>
 <@parts.ports head/>
 <@automaton.fields self/>
-
     public ${head.name}(<@parts.parameters head/>) {
 <@automaton.construct self/>
 <@automaton.begin self/>

@@ -1,4 +1,6 @@
 <#-- The behaviour of an automaton, whatever its profile; a is its view. -->
+<#-- One state need not be remembered, unless somebody looks. -->
+<#function remembers a><#return a.switches || a.traced></#function>
 <#macro effect a transition indent>
 <#list transition.locals as local>
 ${indent}${local.type} ${local.name} = ${local.initial};
@@ -12,7 +14,9 @@ ${indent}${assignment.target} = ${assignment.value};
 <#if transition.target != "">
 ${indent}${a.state} = ${transition.target};
 </#if>
+<#if a.traced>
 ${indent}${a.taken} = ${transition.index};
+</#if>
 </#macro>
 <#-- Transitions in text order; the first enabled one is taken. -->
 <#macro inOrder a transitions indent done>
@@ -104,7 +108,9 @@ ${indent}// No transition is enabled: completion ${a.completion.kind}, the state
 <#list a.completion.assignments as assignment>
 ${indent}${assignment.target} = ${assignment.value};
 </#list>
+<#if a.traced>
 ${indent}${a.taken} = -1;
+</#if>
 </#macro>
 <#macro start a initial indent>
 <#if initial.comment != "">
@@ -119,13 +125,15 @@ ${indent}${message.target}(${message.value});
 <#list initial.assignments as assignment>
 ${indent}${assignment.target} = ${assignment.value};
 </#list>
+<#if remembers(a)>
 ${indent}${a.state} = ${initial.target};
+</#if>
 </#macro>
 <#macro states a>
+<#if remembers(a) && a.states?has_content>
 <#list a.states as name>
     public static final int ${name.constant} = ${name.code};
 </#list>
-<#if a.states?has_content>
 
 </#if>
 </#macro>
@@ -149,10 +157,15 @@ ${indent}${a.state} = ${initial.target};
 <#if a.head.draws || a.head.parameters?has_content || a.constants?has_content || a.variables?has_content>
 
 </#if>
+<#if remembers(a)>
     private int ${a.state};
 
+</#if>
+<#if a.traced>
     /** The transition taken last, by its position in the automaton; -1 for none. */
     private int ${a.taken} = -1;
+
+</#if>
 </#macro>
 <#macro construct a>
 <#if a.head.draws>

@@ -16,7 +16,6 @@ public class ${head.name} {
 
 </#list>
 <@machine.fields automaton/>
-
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] ${waiting} = new int[${capacity}];
 <#list inputs as input>

@@ -29,7 +29,7 @@ final class AtomicViews {
         this.states = new StateViews(context, automaton, effects, choosing);
     }
 
-    AtomicView view(HeadView head) {
+    AtomicView view(HeadView head, boolean traced) {
         Fields fields = new Fields(component, context);
         List<FieldView> constants = component.constants().stream().map(fields::declared).toList();
         List<FieldView> variables = automaton.variables().stream().map(fields::declared).toList();
@@ -49,6 +49,7 @@ final class AtomicViews {
                 completion(sections),
                 context.members().state(),
                 context.members().taken(),
+                traced,
                 context.expressions().checks(),
                 sections.stream().anyMatch(s -> s.states().stream().anyMatch(StateView::wide)));
     }

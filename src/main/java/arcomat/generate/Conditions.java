@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
  * Conditions of transitions. Virtual machines do not compile long methods, and have no room for
@@ -82,6 +81,6 @@ final class Conditions {
         String method = members.local("condition" + transition + "part", String.valueOf(parts++));
         methods.put(method, expressions.text(condition).text());
         Text call = expressions.call(method);
-        return new Formula.Test(call, Optional.empty());
+        return Formula.Test.of(call, true);
     }
 }

@@ -35,7 +35,7 @@ final class EventViews {
         Members members = context.members();
         return new EventView(
                 head,
-                new AtomicViews(context, program.choosing()).view(head),
+                new AtomicViews(context, program.choosing()).view(head, program.traced()),
                 ports(context, component.inputs(), head.inputs()),
                 ports(context, component.outputs(), head.outputs()),
                 component.queueCapacity(),

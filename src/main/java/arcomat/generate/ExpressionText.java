@@ -10,9 +10,11 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
+import arcomat.semantics.Interval;
 import arcomat.semantics.Rewriting;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -40,6 +42,9 @@ final class ExpressionText {
 
     /** How many operations that may go wrong have been written. */
     private int checks;
+
+    /** Where variables are known to lie, beside what their types say. */
+    private Map<String, Interval> known = Map.of();
 
     ExpressionText(Names names, References references, Members members) {
         this(names, references, members, "checked");
@@ -70,6 +75,18 @@ final class ExpressionText {
 
     void at(String newPlace) {
         place = newPlace;
+    }
+
+    /** From now on variables lie between bounds, where a condition says so. */
+    void where(Formula condition) {
+        known = new HashMap<>();
+        for (Formula conjunct : condition.conjuncts()) {
+            if (conjunct instanceof Formula.Test test && test.bounds().isPresent()) {
+                Formula.Bounds bounds = test.bounds().get();
+                Interval between = Interval.of(bounds.low(), bounds.high());
+                known.merge(bounds.number(), between, Interval::within);
+            }
+        }
     }
 
     Text of(Expression e) {
@@ -249,20 +266,24 @@ final class ExpressionText {
                 List.of(text));
     }
 
-    private static boolean fits(Expression value, Type.IntegerType range) {
-        if (value instanceof Expression.Constant constant
-                && constant.value() instanceof Value.IntegerValue integer) {
-            return range.low() <= integer.value() && integer.value() <= range.high();
+    /** A message keeps its range; but nothing is concluded of what others may have sent. */
+    private boolean fits(Expression value, Type.IntegerType range) {
+        Interval possible =
+                value instanceof Expression.PortRead
+                        ? Interval.ofType(value)
+                        : Interval.of(value, this::read);
+        return possible.isWithin(Interval.of(range.low(), range.high()));
+    }
+
+    private Interval read(Expression e) {
+        if (e instanceof Expression.VariableRead read) {
+            Interval type = Interval.ofType(e);
+            Interval narrower = known.get(of(read).text());
+            return narrower == null ? type : type.within(narrower);
         }
-        boolean keepsItsRange =
-                value instanceof Expression.VariableRead
-                        || value instanceof Expression.PortRead
-                        || value instanceof Expression.ParameterRead;
-        return keepsItsRange
-                && value.type() instanceof Type.IntegerType known
-                && known.ranged()
-                && range.low() <= known.low()
-                && known.high() <= range.high();
+        return e instanceof Expression.ParameterRead
+                ? Interval.ofType(e)
+                : Interval.ofWidth(e.type());
     }
 
     /** Whether a part of a condition may be a method of its own. */

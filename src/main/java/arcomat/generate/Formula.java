@@ -28,9 +28,19 @@ sealed interface Formula {
     /**
      * Any other test.
      *
+     * @param fact what it asks for, in the same words as tests that ask for the opposite
+     * @param so whether it holds where the fact does, or where it does not
+     * @param mayFail whether it may go wrong instead of saying anything
      * @param bounds what the test says about one whole number, if it says something like that
      */
-    record Test(Text text, Optional<Bounds> bounds) implements Formula {}
+    record Test(Text text, String fact, boolean so, boolean mayFail, Optional<Bounds> bounds)
+            implements Formula {
+
+        /** One that has no opposite. */
+        static Test of(Text text, boolean mayFail) {
+            return new Test(text, text.text(), true, mayFail, Optional.empty());
+        }
+    }
 
     record Not(Formula operand) implements Formula {}
 

@@ -43,7 +43,7 @@ final class Formulas {
         if (e instanceof Expression.PortRead read) {
             return is(read, true, truth(true, e));
         }
-        return new Formula.Test(text.of(e), Optional.empty());
+        return Formula.Test.of(text.of(e), mayFail(e));
     }
 
     private Formula matches(Port port, Expression.PortMatches matches) {
@@ -70,7 +70,37 @@ final class Formulas {
         if (equality && binary.left() instanceof Expression.PortRead read) {
             return is(read, operator == BinaryOperator.EQUAL, binary.right());
         }
-        return new Formula.Test(text.of(binary), bounds(binary));
+        return test(binary);
+    }
+
+    private boolean mayFail(Expression e) {
+        return text.mayFail(e, e.type());
+    }
+
+    /**
+     * Of whole numbers one is less than the other one, or it is not; what is no number is neither.
+     */
+    private Formula test(Expression.Binary binary) {
+        Text whole = text.of(binary);
+        if (!(binary.left().type() instanceof Type.IntegerType)) {
+            return Formula.Test.of(whole, mayFail(binary));
+        }
+        String left = text.of(binary.left()).text();
+        String right = text.of(binary.right()).text();
+        Optional<Formula.Bounds> bounds = bounds(binary);
+        boolean fails = mayFail(binary);
+        return switch (binary.operator()) {
+            case LESS -> new Formula.Test(whole, left + " < " + right, true, fails, bounds);
+            case GREATER_OR_EQUAL ->
+                    new Formula.Test(whole, left + " < " + right, false, fails, bounds);
+            case GREATER -> new Formula.Test(whole, right + " < " + left, true, fails, bounds);
+            case LESS_OR_EQUAL ->
+                    new Formula.Test(whole, right + " < " + left, false, fails, bounds);
+            case EQUAL -> new Formula.Test(whole, left + " == " + right, true, fails, bounds);
+            case NOT_EQUAL -> new Formula.Test(whole, left + " == " + right, false, fails, bounds);
+            case MULTIPLY, DIVIDE, REMAINDER, PLUS, MINUS, AND, OR, IMPLIES, EQUIVALENT ->
+                    Formula.Test.of(whole, fails);
+        };
     }
 
     /** The operands of a row of {@code &&} or {@code ||}, all at once: it may be long. */
@@ -110,7 +140,7 @@ final class Formulas {
         Text other = text.notEqual(read, value);
         if (readsPort(value)) {
             // Two silent ports have equal codes: this does not say that there is a message.
-            return new Formula.Test(equal ? same : other, Optional.empty());
+            return Formula.Test.of(equal ? same : other, mayFail(value));
         }
         return new Formula.Is(
                 read.port(), equal, constant, equal ? same : other, equal ? other : same);

@@ -32,6 +32,7 @@ public final class Generator {
                     new Program(
                             new Names(new Language(entries)),
                             request.choosing(),
+                            request.traced(),
                             request.components());
             Output output = new Output(target, findings);
             SelfWatches watches = new SelfWatches(request.watches(), program);

@@ -47,7 +47,8 @@ public record Layout(
      * @param state field with the code of the state; empty where there is no automaton
      * @param queued event-driven: field with the number of events that wait
      * @param border event-driven: field for who sees what is sent
-     * @param taken field with the index of the transition last taken, -1 for a completion
+     * @param taken field with the index of the transition last taken, -1 for a completion; there
+     *     where that is asked for
      * @param parts fields that lead to a node, by its path: {@code section1.cells[3]}
      * @param span the component in the model
      */

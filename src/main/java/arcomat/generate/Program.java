@@ -20,19 +20,26 @@ final class Program {
 
     private final Names names;
     private final Choosing choosing;
+    private final boolean traced;
     private final Map<String, FileContext> contexts = new LinkedHashMap<>();
     private final Map<String, Boolean> senses = new HashMap<>();
     private final Map<String, Boolean> draws = new HashMap<>();
     private final Map<String, Boolean> fails = new HashMap<>();
     private final Map<String, Arrangement> arrangements = new HashMap<>();
 
-    Program(Names names, Choosing choosing, List<Component> roots) {
-        this(names, choosing, roots, List.of(MEMBERS));
+    Program(Names names, Choosing choosing, boolean traced, List<Component> roots) {
+        this(names, choosing, traced, roots, List.of(MEMBERS));
     }
 
-    private Program(Names names, Choosing choosing, List<Component> roots, List<String> reserved) {
+    private Program(
+            Names names,
+            Choosing choosing,
+            boolean traced,
+            List<Component> roots,
+            List<String> reserved) {
         this.names = names;
         this.choosing = choosing;
+        this.traced = traced;
         Map<String, Component> all = new LinkedHashMap<>();
         roots.forEach(root -> collect(root, all));
         all.values().forEach(names::of);
@@ -46,7 +53,7 @@ final class Program {
     /** Monitors, which inherit members. */
     static Program ofMonitors(Names names, List<Component> monitors) {
         List<String> reserved = List.of(MEMBERS, "reserved.monitor");
-        return new Program(names, Choosing.FIRST, monitors, reserved);
+        return new Program(names, Choosing.FIRST, false, monitors, reserved);
     }
 
     /** Parts before what they are part of. */
@@ -72,6 +79,11 @@ final class Program {
 
     Choosing choosing() {
         return choosing;
+    }
+
+    /** Whether components note which transition they took. */
+    boolean traced() {
+        return traced;
     }
 
     Iterable<FileContext> contexts() {
@@ -173,7 +185,8 @@ final class Program {
             return false;
         }
         AtomicView view =
-                new AtomicViews(context, choosing).view(Heads.of(context, draws(component)));
+                new AtomicViews(context, choosing)
+                        .view(Heads.of(context, draws(component)), traced);
         return view.checks()
                 || view.sections().stream()
                         .flatMap(section -> section.states().stream())

@@ -13,13 +13,15 @@ import java.util.Map;
  * @param handwritten texts of implementations of platform components, by their path
  * @param programs those of them that get a main program: they take no arguments
  * @param watches what programs watch themselves for
+ * @param traced whether components note which transition they took, for those who look at a run
  */
 public record Request(
         List<Component> components,
         List<Component> programs,
         Choosing choosing,
         Map<String, String> handwritten,
-        List<SelfWatch> watches) {
+        List<SelfWatch> watches,
+        boolean traced) {
     public Request {
         components = List.copyOf(components);
         programs = List.copyOf(programs);
@@ -29,12 +31,17 @@ public record Request(
 
     /** The same with implementations of platform components, for targets that need them. */
     public Request with(Map<String, String> implementations) {
-        return new Request(components, programs, choosing, implementations, watches);
+        return new Request(components, programs, choosing, implementations, watches, traced);
     }
 
     /** The same with programs that watch themselves, for targets whose programs do. */
     public Request watching(List<SelfWatch> wanted) {
-        return new Request(components, programs, choosing, handwritten, wanted);
+        return new Request(components, programs, choosing, handwritten, wanted, traced);
+    }
+
+    /** The same with components that can be looked at. */
+    public Request withTrace() {
+        return new Request(components, programs, choosing, handwritten, watches, true);
     }
 
     /** Every component of a model, and a program for each that is to be deployed. */
@@ -43,16 +50,16 @@ public record Request(
                 model.components().stream()
                         .filter(c -> c.deploy() && c.parameters().isEmpty())
                         .toList();
-        return new Request(model.components(), programs, choosing, Map.of(), List.of());
+        return new Request(model.components(), programs, choosing, Map.of(), List.of(), false);
     }
 
     /** One component with its parts and a program for it. */
     public static Request program(Component main, Choosing choosing) {
-        return new Request(List.of(main), List.of(main), choosing, Map.of(), List.of());
+        return new Request(List.of(main), List.of(main), choosing, Map.of(), List.of(), false);
     }
 
     /** One component with its parts, to be driven from outside. */
     public static Request library(Component component, Choosing choosing) {
-        return new Request(List.of(component), List.of(), choosing, Map.of(), List.of());
+        return new Request(List.of(component), List.of(), choosing, Map.of(), List.of(), false);
     }
 }

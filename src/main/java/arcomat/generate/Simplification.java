@@ -207,4 +207,14 @@ final class Simplification {
     Formula after(Excluded earlier, Formula f) {
         return and(earlier.without(f.conjuncts()));
     }
+
+    /**
+     * The same where all cases can be looked at: what follows from the earlier ones and from the
+     * rest is dropped as well.
+     */
+    Formula inOpenCases(List<Formula> earlier, Formula f) {
+        return Cases.of(mayBeAbsent, f, earlier)
+                .map(cases -> and(cases.needed(f.conjuncts())))
+                .orElse(f);
+    }
 }

@@ -119,10 +119,14 @@ final class StateViews {
             Formula shown =
                     chooses
                             ? conditions.get(i)
-                            : simplification.after(earlier, conditions.get(i));
+                            : simplification.inOpenCases(
+                                    conditions.subList(0, i),
+                                    simplification.after(earlier, conditions.get(i)));
             earlier.add(simplification.not(conditions.get(i)).conjuncts());
             last = !chooses && shown.equals(Formula.TRUE);
+            context.expressions().where(conditions.get(i));
             transitions.add(transition(bySource.get(state).get(i), shown, last));
+            context.expressions().where(Formula.TRUE);
         }
         String name = automaton.states().get(state);
         StateView whole =

@@ -63,7 +63,8 @@ final class Views {
                 output.write("section", view.folder(), view.prefix(), view.name(), view);
             }
         } else if (Members.automaton(component).isPresent()) {
-            output.write("atomic", head, new AtomicViews(context, program.choosing()).view(head));
+            AtomicViews views = new AtomicViews(context, program.choosing());
+            output.write("atomic", head, views.view(head, program.traced()));
         }
     }
 

@@ -107,7 +107,8 @@ class FormulasLawTest {
             Formula not = simplification.not(f);
             Excluded earlier = new Excluded();
             List.of(g, h).forEach(each -> earlier.add(simplification.not(each).conjuncts()));
-            Formula after = simplification.after(earlier, f);
+            Formula after =
+                    simplification.inOpenCases(List.of(g, h), simplification.after(earlier, f));
             boolean excludes = Exclusion.contradict(f, g);
             excluded += excludes ? 1 : 0;
             for (int k = 0; k < SLICES; k++) {
@@ -154,14 +155,27 @@ class FormulasLawTest {
                         List.of(new Carries(PORTS.port("flag"), true), flag(value)));
             }
             case 3 -> {
+                if (random.nextBoolean()) {
+                    yield comparison(random.nextInt(6), random.nextBoolean());
+                }
                 int low = random.nextInt(6);
                 Bounds bounds = new Bounds("n", low, low + random.nextInt(3));
-                yield new Test(Text.primary(bounds.toString()), Optional.of(bounds));
+                Text text = Text.primary(bounds.toString());
+                yield new Test(text, text.text(), true, false, Optional.of(bounds));
             }
-            case 4 -> new Test(Text.primary("any"), Optional.empty());
+            case 4 -> Test.of(Text.primary("any"), false);
             case 5 -> is(port, random.nextBoolean(), Optional.empty());
             default -> is(port, random.nextBoolean(), Optional.of(random.nextInt(3)));
         };
+    }
+
+    private static Formula comparison(int limit, boolean less) {
+        return new Test(
+                Text.primary("n " + (less ? "< " : ">= ") + limit),
+                "n < " + limit,
+                less,
+                false,
+                Optional.of(less ? new Bounds("n", 0, limit - 1) : new Bounds("n", limit, 5)));
     }
 
     private static Formula flag(boolean value) {

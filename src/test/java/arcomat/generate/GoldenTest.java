@@ -37,13 +37,14 @@ class GoldenTest {
         Component fig3 = coffee.component("coffee.fig3.AvoidCrash").orElseThrow();
         List<DynamicTest> tests = new ArrayList<>();
         tests.addAll(compare("jvm/fetcher", Request.program(fetcher, Choosing.FIRST)));
-        tests.addAll(compare("jvm/random", Request.library(fig3, Choosing.RANDOM)));
+        tests.addAll(compare("jvm/random", Request.library(fig3, Choosing.RANDOM).withTrace()));
         for (String folder :
                 List.of(
                         "chain",
                         "composition",
                         "events",
                         "expressions",
+                        "guards",
                         "latched",
                         "mentions",
                         "names",

@@ -1,6 +1,7 @@
 package arcomat.analysis.smt;
 
 import arcomat.model.Expression;
+import arcomat.semantics.Interval;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

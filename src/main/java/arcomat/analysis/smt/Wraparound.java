@@ -6,6 +6,7 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.Interval;
 import arcomat.semantics.Rewriting;
 
 import java.util.ArrayList;

@@ -15,6 +15,7 @@ import java.util.List;
  * @param conditions methods that conditions of transitions call
  * @param state field with the code of the state
  * @param taken field with the index of the transition last taken
+ * @param traced whether somebody looks at it
  * @param checks whether an operation may go wrong
  * @param wide whether sets of enabled transitions need more than 31 bits
  */
@@ -32,5 +33,6 @@ public record AtomicView(
         CompletionView completion,
         String state,
         String taken,
+        boolean traced,
         boolean checks,
         boolean wide) {}

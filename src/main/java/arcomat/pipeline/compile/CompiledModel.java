@@ -31,7 +31,8 @@ public record CompiledModel(
      */
     public static CompiledModel of(Component component, Choosing choosing) {
         Target target = Target.shipped("jvm").orElseThrow();
-        Generation generation = Generator.generate(Request.library(component, choosing), target);
+        Request request = Request.library(component, choosing).withTrace();
+        Generation generation = Generator.generate(request, target);
         if (!generation.findings().isEmpty()) {
             throw new IllegalStateException(generation.findings().get(0).message());
         }

@@ -19,42 +19,39 @@ public final class Shaft {
     }
 
     /**
-     * Changes the speed.
+     * Changes the speed. One that has been asked for before is looked after only if something held
+     * the motor and it has given up.
      *
      * @param wanted in degrees per second; negative turns backwards, 0 stops and holds
      */
     public void turn(int wanted) {
-        int limited = Math.max(-LIMIT, Math.min(LIMIT, wanted));
-        if (limited == 0) {
-            stop();
-        } else {
-            drive(limited);
+        if (wanted != speed) {
+            change(wanted);
+        } else if (wanted != 0 && !motor.isMoving()) {
+            go(wanted);
         }
-        speed = limited;
     }
 
-    private void stop() {
-        if (speed != 0) {
+    /** A turning motor takes a new speed as it goes; it is sent on its way only for another one. */
+    private void change(int wanted) {
+        if (wanted == 0) {
             // true: return at once, and not when the motor stands.
             motor.stop(true);
+        } else {
+            motor.setSpeed(Math.abs(Math.max(-LIMIT, Math.min(LIMIT, wanted))));
+            boolean sameWay = wanted > 0 ? speed > 0 : speed < 0;
+            if (!sameWay || !motor.isMoving()) {
+                go(wanted);
+            }
         }
+        speed = wanted;
     }
 
-    /**
-     * A turning motor takes a new speed as it goes. It is sent on its way only where it is to
-     * change its direction, stands, or has given up because something held it.
-     */
-    private void drive(int wanted) {
-        if (wanted != speed) {
-            motor.setSpeed(Math.abs(wanted));
-        }
-        boolean sameWay = wanted > 0 ? speed > 0 : speed < 0;
-        if (!sameWay || !motor.isMoving()) {
-            if (wanted > 0) {
-                motor.forward();
-            } else {
-                motor.backward();
-            }
+    private void go(int wanted) {
+        if (wanted > 0) {
+            motor.forward();
+        } else {
+            motor.backward();
         }
     }
 }

@@ -17,9 +17,6 @@ public final class Cell {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Cell() {
         // line 5: initial even;
         hasB = false;
@@ -38,7 +35,6 @@ public final class Cell {
                     b = a + 1;
                     hasB = true;
                     state = ODD;
-                    taken = 0;
                     return;
                 }
                 break;
@@ -49,7 +45,6 @@ public final class Cell {
                     b = a;
                     hasB = true;
                     state = EVEN;
-                    taken = 1;
                     return;
                 }
                 break;
@@ -59,6 +54,5 @@ public final class Cell {
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasB = false;
-        taken = -1;
     }
 }

@@ -4,8 +4,6 @@ package p.logic;
 
 /** Component p.Add. */
 public final class Add {
-    public static final int S = 0;
-
     /** in Integer a */
     public int a;
     public boolean hasA;
@@ -16,16 +14,10 @@ public final class Add {
 
     private final int amount;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Add(int amount) {
         this.amount = amount;
         // line 5: initial s;
         hasB = false;
-        state = S;
     }
 
     /**
@@ -37,11 +29,9 @@ public final class Add {
         if (hasA) {
             b = a + amount;
             hasB = true;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasB = false;
-        taken = -1;
     }
 }

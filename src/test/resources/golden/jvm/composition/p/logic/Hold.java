@@ -4,8 +4,6 @@ package p.logic;
 
 /** Component p.Hold. */
 public final class Hold {
-    public static final int S = 0;
-
     /** in Integer a */
     public int a;
     public boolean hasA;
@@ -17,18 +15,12 @@ public final class Hold {
     private final int first;
     private int last;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Hold(int first) {
         this.first = first;
         last = first;
         // line 6: initial s / {b = first};
         b = first;
         hasB = true;
-        state = S;
     }
 
     /**
@@ -41,13 +33,11 @@ public final class Hold {
             b = a;
             hasB = true;
             last = a;
-            taken = 0;
             return;
         }
         // line 8: s {a = --} / {b = last};
         b = last;
         hasB = true;
-        taken = 1;
         return;
     }
 }

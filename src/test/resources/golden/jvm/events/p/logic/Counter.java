@@ -31,9 +31,6 @@ public class Counter {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[3];
     private final int[] waitingKey = new int[3];
@@ -117,7 +114,6 @@ public class Counter {
                     int sentEcho0 = KeyCode.GO;
                     sendEcho(sentEcho0);
                     state = ON;
-                    taken = 0;
                     return;
                 }
                 break;
@@ -133,23 +129,20 @@ public class Counter {
                     sendValue(sentValue2);
                     sendEcho(sentEcho3);
                     count = nextCount;
-                    taken = 1;
                     return;
                 }
                 // line 13: on [fast == false] {key == up} / {count = count + 1, value = count};
-                if (key == KeyCode.UP && hasFast && !fast) {
+                if (key == KeyCode.UP && hasFast) {
                     int nextCount = Check.range(count + 1, 0, 9, "Counter, on -> on (line 13): count");
                     int sentValue1 = count;
                     sendValue(sentValue1);
                     count = nextCount;
-                    taken = 2;
                     return;
                 }
                 // line 14: on {key == up} / {value = 0};
                 if (key == KeyCode.UP) {
                     int sentValue0 = 0;
                     sendValue(sentValue0);
-                    taken = 3;
                     return;
                 }
                 // line 15: on -> off {key == down} / {echo = [down, down]};
@@ -159,14 +152,12 @@ public class Counter {
                     sendEcho(sentEcho0);
                     sendEcho(sentEcho1);
                     state = OFF;
-                    taken = 4;
                     return;
                 }
                 // line 16: on {amount = ?} / {value = amount / count};
                 if (hasAmount) {
                     int sentValue0 = Check.divide(amount, count, "Counter, on -> on (line 16)");
                     sendValue(sentValue0);
-                    taken = 5;
                     return;
                 }
                 break;
@@ -175,7 +166,6 @@ public class Counter {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        taken = -1;
     }
 
     /** out Integer value */

@@ -8,8 +8,6 @@ import p.t.KeyCode;
 
 /** Component p.Echo, driven by events. */
 public class Echo {
-    public static final int S = 0;
-
     /** Sees what is sent to nobody inside the program. */
     public Border border;
 
@@ -21,11 +19,6 @@ public class Echo {
     private boolean hasB;
 
     private int left = 3;
-
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
 
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
@@ -40,7 +33,6 @@ public class Echo {
     /** Takes an initial state and sends the initial output. */
     public void start() {
         // line 8: initial s;
-        state = S;
     }
 
     /** in Key a */
@@ -97,23 +89,19 @@ public class Echo {
             sendC(KeyCode.UP);
             sendC(KeyCode.DOWN);
             left = left - 1;
-            taken = 0;
             return;
         }
         // line 10: s {a == up} / {n = left};
         if (a == KeyCode.UP) {
             sendN(left);
-            taken = 1;
             return;
         }
         // line 11: s [b > 100] {b = ?} / {left = 3};
         if (hasB && b > 100) {
             left = 3;
-            taken = 2;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        taken = -1;
     }
 
     /** out Key c */

@@ -86,9 +86,6 @@ public final class Everything {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Everything(double factor, int small) {
         this.factor = factor;
         this.small = small;
@@ -131,7 +128,6 @@ public final class Everything {
                     hasC = false;
                     other = other + 1;
                     state = T;
-                    taken = 0;
                     return;
                 }
                 // line 16: s [ocl: level isin {Level.low, high} implies i isin {1, 2L}] / {tiny = -5, text = "a" + name + "\\n\\"b\\\\u0041", narro ..
@@ -148,7 +144,6 @@ public final class Everything {
                     hasNarrow = true;
                     hasF = false;
                     hasC = false;
-                    taken = 1;
                     return;
                 }
                 // line 17: s [cup.level == high || cup.volume < cup.weight * factor] / {passed = cup, range = -base % 7 - small};
@@ -164,7 +159,6 @@ public final class Everything {
                     hasF = false;
                     hasC = false;
                     range = Check.range(-base % 7 - (int) small, -30, 30, "Everything, s -> s (line 17): range");
-                    taken = 2;
                     return;
                 }
                 // line 18: s -> t [i == -- <=> l != --] {level = alt {low, high}} / {tiny = (byte) (digit + small), big = big - digit};
@@ -181,7 +175,6 @@ public final class Everything {
                     hasC = false;
                     big = big - (long) digit;
                     state = T;
-                    taken = 3;
                     return;
                 }
                 // line 19: s -> t {level = alt {high, --}, digit = alt {0, 1, 2}} / {d = if b then 1 else 2.5, lv = b ? Level.low : high};
@@ -198,7 +191,6 @@ public final class Everything {
                     hasC = false;
                     lv = b ? LevelCode.LOW : LevelCode.HIGH;
                     state = T;
-                    taken = 4;
                     return;
                 }
                 break;
@@ -219,7 +211,6 @@ public final class Everything {
                     c = 'x';
                     hasC = true;
                     state = S;
-                    taken = 5;
                     return;
                 }
                 // line 21: t -> s [!(i < 0) && other != 0 && name == "x"] / {range = other, other = range};
@@ -238,7 +229,6 @@ public final class Everything {
                     range = nextRange;
                     other = nextOther;
                     state = S;
-                    taken = 6;
                     return;
                 }
                 // line 22: t -> s [lv == level] / {text = name + "+" + name, other = -other};
@@ -255,7 +245,6 @@ public final class Everything {
                     hasC = false;
                     other = -other;
                     state = S;
-                    taken = 7;
                     return;
                 }
                 // line 23: t -> s {b = true, cup = ?} / {q = cup.owner != name, lv = level};
@@ -272,7 +261,6 @@ public final class Everything {
                     hasC = false;
                     lv = level;
                     state = S;
-                    taken = 8;
                     return;
                 }
                 break;
@@ -290,6 +278,5 @@ public final class Everything {
         hasNarrow = false;
         hasF = false;
         hasC = false;
-        taken = -1;
     }
 }

@@ -6,8 +6,6 @@ import p.t.LevelCode;
 
 /** Component p.Rows. */
 public final class Rows {
-    public static final int TABLE = 0;
-
     /** in Level side */
     public int side;
 
@@ -27,16 +25,10 @@ public final class Rows {
     public boolean ok;
     public boolean hasOk;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Rows() {
         // line 6: <<completion = "ignore">> table { in side, n, b; out m, ok; | low | -- | * | => | 1 | true |; | alt {low, --} | 5 | true ..
         hasM = false;
         hasOk = false;
-        state = TABLE;
     }
 
     /**
@@ -50,7 +42,6 @@ public final class Rows {
             hasM = true;
             ok = true;
             hasOk = true;
-            taken = 0;
             return;
         }
         // line 10: | alt {low, --} | 5 | true | => | n + 1 | -- |;
@@ -58,7 +49,6 @@ public final class Rows {
             m = n + 1;
             hasM = true;
             hasOk = false;
-            taken = 1;
             return;
         }
         // line 11: | ? | * | * | => | 2 | -- |;
@@ -66,7 +56,6 @@ public final class Rows {
             m = 2;
             hasM = true;
             hasOk = false;
-            taken = 2;
             return;
         }
         // line 12: | * | 3 | -- | => | n | -- |;
@@ -74,7 +63,6 @@ public final class Rows {
             m = n;
             hasM = true;
             hasOk = false;
-            taken = 3;
             return;
         }
         // line 13: | * | * | * | => | -- | false |;
@@ -82,12 +70,10 @@ public final class Rows {
             hasM = false;
             ok = false;
             hasOk = true;
-            taken = 4;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasM = false;
         hasOk = false;
-        taken = -1;
     }
 }

@@ -25,9 +25,6 @@ public final class Totals {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Totals() {
         // line 7: initial s / {x = high, y = 3};
         x = LevelCode.HIGH;
@@ -47,14 +44,12 @@ public final class Totals {
                     x = a;
                     y = Check.range(n + 2, 2, 5, "Totals, s -> t (line 8): y");
                     state = T;
-                    taken = 0;
                     return;
                 }
                 // line 9: s -> s [n <= 1] / {x = low, y = 4};
                 if (n <= 1) {
                     x = LevelCode.LOW;
                     y = 4;
-                    taken = 1;
                     return;
                 }
                 break;
@@ -65,7 +60,6 @@ public final class Totals {
                     x = LevelCode.HIGH;
                     y = Check.range(2 + n, 2, 5, "Totals, t -> u (line 10): y");
                     state = U;
-                    taken = 2;
                     return;
                 }
                 // line 11: t -> s {a == high} / {x = low, y = 2};
@@ -73,7 +67,6 @@ public final class Totals {
                     x = LevelCode.LOW;
                     y = 2;
                     state = S;
-                    taken = 3;
                     return;
                 }
                 break;
@@ -84,7 +77,6 @@ public final class Totals {
                     x = a;
                     y = 5;
                     state = S;
-                    taken = 4;
                     return;
                 }
                 break;
@@ -95,6 +87,5 @@ public final class Totals {
         // No transition is enabled: completion output, the state is kept.
         x = LevelCode.LOW;
         y = 2;
-        taken = -1;
     }
 }

@@ -7,19 +7,12 @@ import arcomat.rt.ModelError;
 
 /** Component p.Early, driven by events. */
 public class Early {
-    public static final int S = 0;
-
     /** Sees what is sent to nobody inside the program. */
     public Border border;
 
     /** in Boolean ask */
     private boolean ask;
     private boolean hasAsk;
-
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
 
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
@@ -34,7 +27,6 @@ public class Early {
     public void start() {
         // line 7: initial s / {fast = true};
         sendFast(true);
-        state = S;
     }
 
     /** in Boolean ask */
@@ -79,11 +71,9 @@ public class Early {
         // line 8: s {ask == false} / {fast = ask};
         if (hasAsk && !ask) {
             sendFast(ask);
-            taken = 0;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        taken = -1;
     }
 
     /** out Boolean fast */

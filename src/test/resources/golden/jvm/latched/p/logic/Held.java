@@ -51,9 +51,6 @@ public class Held {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
     private final boolean[] waitingAsk = new boolean[16];
@@ -180,7 +177,6 @@ public class Held {
                     sendH(sentH6);
                     sendF(sentF7);
                     state = T;
-                    taken = 0;
                     return;
                 }
                 break;
@@ -191,7 +187,6 @@ public class Held {
                     int sentN0 = 1;
                     sendN(sentN0);
                     state = S;
-                    taken = 1;
                     return;
                 }
                 // line 15: t -> s [later > 0 || warmth > 0.2] {ask == ?} / {n = later};
@@ -199,7 +194,6 @@ public class Held {
                     int sentN0 = later;
                     sendN(sentN0);
                     state = S;
-                    taken = 2;
                     return;
                 }
                 // line 16: t -> s [key == -- || number == --] {ask == ?} / {n = 2};
@@ -207,21 +201,18 @@ public class Held {
                     int sentN0 = 2;
                     sendN(sentN0);
                     state = S;
-                    taken = 3;
                     return;
                 }
                 // line 17: t {ask == false, key == up} / {n = 3};
                 if (hasAsk && !ask && key == KeyCode.UP) {
                     int sentN0 = 3;
                     sendN(sentN0);
-                    taken = 4;
                     return;
                 }
                 // line 18: t {ask == true, key == ?} / {n = 4};
                 if (hasAsk && ask) {
                     int sentN0 = 4;
                     sendN(sentN0);
-                    taken = 5;
                     return;
                 }
                 break;
@@ -230,7 +221,6 @@ public class Held {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        taken = -1;
     }
 
     /** out Key k */

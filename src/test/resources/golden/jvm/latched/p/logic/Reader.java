@@ -7,8 +7,6 @@ import arcomat.rt.ModelError;
 
 /** Component p.Reader, driven by events. */
 public class Reader {
-    public static final int S = 0;
-
     /** Sees what is sent to nobody inside the program. */
     public Border border;
 
@@ -18,11 +16,6 @@ public class Reader {
 
     /** in Boolean fast */
     private boolean fast = false;
-
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
 
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
@@ -36,7 +29,6 @@ public class Reader {
     /** Takes an initial state and sends the initial output. */
     public void start() {
         // line 7: initial s;
-        state = S;
     }
 
     /** in Boolean ask */
@@ -87,11 +79,9 @@ public class Reader {
         if (hasAsk) {
             boolean sentSaid0 = fast;
             sendSaid(sentSaid0);
-            taken = 0;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        taken = -1;
     }
 
     /** out Boolean said */

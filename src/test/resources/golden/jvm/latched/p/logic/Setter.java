@@ -7,19 +7,12 @@ import arcomat.rt.ModelError;
 
 /** Component p.Setter, driven by events. */
 public class Setter {
-    public static final int S = 0;
-
     /** Sees what is sent to nobody inside the program. */
     public Border border;
 
     /** in Boolean ask */
     private boolean ask;
     private boolean hasAsk;
-
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
 
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
@@ -33,7 +26,6 @@ public class Setter {
     /** Takes an initial state and sends the initial output. */
     public void start() {
         // line 7: initial s;
-        state = S;
     }
 
     /** in Boolean ask */
@@ -78,11 +70,9 @@ public class Setter {
         // line 8: s {ask == ?} / {fast = ask};
         if (hasAsk) {
             sendFast(ask);
-            taken = 0;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        taken = -1;
     }
 
     /** out Boolean fast */

@@ -6,8 +6,6 @@ import arcomat.rt.Check;
 
 /** Component p.Counts. */
 public final class Counts {
-    public static final int S = 0;
-
     /** in Boolean x */
     public boolean x;
     public boolean hasX;
@@ -23,16 +21,10 @@ public final class Counts {
     private int one = 1;
     private int two = 2;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Counts() {
         // line 9: initial s;
         hasY = false;
         hasCareful = false;
-        state = S;
     }
 
     /**
@@ -46,21 +38,18 @@ public final class Counts {
             hasY = true;
             hasCareful = false;
             two = one;
-            taken = 0;
             return;
         }
         // line 11: s {x == false} / {one = two % 5, careful = one};
-        if (hasX && !x) {
+        if (hasX) {
             hasY = false;
             careful = one;
             hasCareful = true;
             one = Check.range(two % 5, 0, 5, "Counts, s -> s (line 11): one");
-            taken = 1;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasY = false;
         hasCareful = false;
-        taken = -1;
     }
 }

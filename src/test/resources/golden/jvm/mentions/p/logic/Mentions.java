@@ -27,9 +27,6 @@ public final class Mentions {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Mentions(int given, int kind) {
         this.given = given;
         this.kind = kind;
@@ -52,7 +49,6 @@ public final class Mentions {
                     done = given == FirstCode.A;
                     hasDone = true;
                     state = T;
-                    taken = 0;
                     return;
                 }
                 break;
@@ -64,7 +60,6 @@ public final class Mentions {
                     hasDone = true;
                     kept = SecondCode.C;
                     state = S;
-                    taken = 1;
                     return;
                 }
                 break;
@@ -74,6 +69,5 @@ public final class Mentions {
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasDone = false;
-        taken = -1;
     }
 }

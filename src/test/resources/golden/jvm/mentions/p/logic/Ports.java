@@ -6,8 +6,6 @@ import p.words.LightCode;
 
 /** Component p.Ports. */
 public final class Ports {
-    public static final int S = 0;
-
     /** in Light x */
     public int x;
 
@@ -21,15 +19,9 @@ public final class Ports {
     public int what;
     public boolean hasWhat;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Ports() {
         // line 8: initial s;
         hasWhat = false;
-        state = S;
     }
 
     /**
@@ -41,32 +33,27 @@ public final class Ports {
         if (x != LightCode.SILENCE && y != LightCode.SILENCE && x == y) {
             what = 1;
             hasWhat = true;
-            taken = 0;
             return;
         }
         // line 10: s [x != y && x == red] / {what = 2};
         if (y != LightCode.SILENCE && x != y && x == LightCode.RED) {
             what = 2;
             hasWhat = true;
-            taken = 1;
             return;
         }
         // line 11: s {x == --, y == z} / {what = 3};
         if (x == LightCode.SILENCE && y != LightCode.SILENCE && y == z) {
             what = 3;
             hasWhat = true;
-            taken = 2;
             return;
         }
         // line 12: s {x == --, y == --} / {what = 4};
         if (x == LightCode.SILENCE && y == LightCode.SILENCE) {
             what = 4;
             hasWhat = true;
-            taken = 3;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasWhat = false;
-        taken = -1;
     }
 }

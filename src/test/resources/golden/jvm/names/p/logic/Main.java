@@ -61,9 +61,6 @@ public final class Main {
 
     private int state_;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken_ = -1;
-
     public Main(int state, int message_) {
         this.state = state;
         this.message_ = message_;
@@ -94,7 +91,6 @@ public final class Main {
                     enabled_ = Object_Code.SILENCE;
                     hasOut1 = false;
                     state_ = STATE_;
-                    taken_ = 0;
                     return;
                 }
                 // line 11: state -> Driving {step == clear} / {String = SILENCE};
@@ -105,7 +101,6 @@ public final class Main {
                     enabled_ = Object_Code.SILENCE;
                     hasOut1 = false;
                     state_ = DRIVING_;
-                    taken_ = 1;
                     return;
                 }
                 break;
@@ -124,7 +119,6 @@ public final class Main {
                     stepPart = nextStepPart;
                     nextStep0 = nextNextStep0;
                     state_ = STATE_2;
-                    taken_ = 2;
                     return;
                 }
                 break;
@@ -139,7 +133,6 @@ public final class Main {
                     enabled_ = Object_Code.NATIVE;
                     hasOut1 = false;
                     state_ = DRIVING;
-                    taken_ = 3;
                     return;
                 }
                 // line 14: STATE -> state {class == code} / {enabled = of, String = silence};
@@ -150,7 +143,6 @@ public final class Main {
                     enabled_ = Object_Code.OF;
                     hasOut1 = false;
                     state_ = STATE;
-                    taken_ = 4;
                     return;
                 }
                 break;
@@ -165,7 +157,6 @@ public final class Main {
                     enabled_ = Object_Code.SILENCE;
                     hasOut1 = false;
                     state_ = CLASS;
-                    taken_ = 5;
                     return;
                 }
                 break;
@@ -179,7 +170,6 @@ public final class Main {
                     enabled_ = Object_Code.SILENCE;
                     hasOut1 = false;
                     state_ = TAKEN;
-                    taken_ = 6;
                     return;
                 }
                 break;
@@ -193,7 +183,6 @@ public final class Main {
                     enabled_ = Object_Code.SILENCE;
                     hasOut1 = false;
                     state_ = STATE;
-                    taken_ = 9;
                     return;
                 }
                 break;
@@ -206,7 +195,6 @@ public final class Main {
                 enabled_ = Object_Code.SILENCE;
                 hasOut1 = false;
                 state_ = STRING_CODE;
-                taken_ = 7;
                 return;
 
             case STRING_CODE:
@@ -218,7 +206,6 @@ public final class Main {
                     enabled_ = Object_Code.SILENCE;
                     hasOut1 = false;
                     state_ = STATE;
-                    taken_ = 8;
                     return;
                 }
                 break;
@@ -232,6 +219,5 @@ public final class Main {
         hasChoice = false;
         enabled_ = Object_Code.SILENCE;
         hasOut1 = false;
-        taken_ = -1;
     }
 }

@@ -4,8 +4,6 @@ package p.logic;
 
 /** Component p.String.Object. */
 public final class String_Object {
-    public static final int S = 0;
-
     /** in Integer wait */
     public int wait;
     public boolean hasWait;
@@ -14,15 +12,9 @@ public final class String_Object {
     public int notify;
     public boolean hasNotify;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public String_Object() {
         // line 6: initial s;
         hasNotify = false;
-        state = S;
     }
 
     /**
@@ -34,11 +26,9 @@ public final class String_Object {
         if (hasWait) {
             notify = wait;
             hasNotify = true;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
         hasNotify = false;
-        taken = -1;
     }
 }

@@ -4,8 +4,6 @@ package p.logic;
 
 /** Component p.String.Thread. */
 public final class String_Thread {
-    public static final int RUNNING = 0;
-
     /** in Integer a */
     public int a;
     public boolean hasA;
@@ -14,15 +12,9 @@ public final class String_Thread {
     public int b;
     public boolean hasB;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public String_Thread() {
         // line 11: initial running;
         hasB = false;
-        state = RUNNING;
     }
 
     /**
@@ -34,11 +26,9 @@ public final class String_Thread {
         if (hasA) {
             b = a + 1;
             hasB = true;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         hasB = false;
-        taken = -1;
     }
 }

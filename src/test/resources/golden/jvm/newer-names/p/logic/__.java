@@ -7,8 +7,6 @@ import arcomat.rt.ModelError;
 
 /** Component p._, driven by events. */
 public class __ {
-    public static final int S = 0;
-
     /** Sees what is sent to nobody inside the program. */
     public Border border;
 
@@ -17,11 +15,6 @@ public class __ {
     private boolean hasYield;
 
     private int __2 = 0;
-
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
 
     /** Ports of the events that wait, a ring, and port by port their messages. */
     private final int[] waiting = new int[16];
@@ -35,7 +28,6 @@ public class __ {
     /** Takes an initial state and sends the initial output. */
     public void start() {
         // line 5: initial s;
-        state = S;
     }
 
     /** in Integer yield */
@@ -81,11 +73,9 @@ public class __ {
         if (hasYield) {
             sendRecord(__2);
             __2 = __2 + yield_;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        taken = -1;
     }
 
     /** out Integer record */

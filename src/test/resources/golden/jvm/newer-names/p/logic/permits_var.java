@@ -4,8 +4,6 @@ package p.logic;
 
 /** Component p.permits.var. */
 public final class permits_var {
-    public static final int S = 0;
-
     /** in Integer record */
     public int record;
     public boolean hasRecord;
@@ -14,15 +12,9 @@ public final class permits_var {
     public int var;
     public boolean hasVar;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public permits_var() {
         // line 10: initial s;
         hasVar = false;
-        state = S;
     }
 
     /**
@@ -34,11 +26,9 @@ public final class permits_var {
         if (hasRecord) {
             var = record + 1;
             hasVar = true;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
         hasVar = false;
-        taken = -1;
     }
 }

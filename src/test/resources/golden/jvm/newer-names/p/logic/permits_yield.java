@@ -4,8 +4,6 @@ package p.logic;
 
 /** Component p.permits.yield. */
 public final class permits_yield {
-    public static final int S = 0;
-
     /** in Integer _ */
     public int __;
     public boolean has_;
@@ -14,15 +12,9 @@ public final class permits_yield {
     public int yield_;
     public boolean hasYield;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public permits_yield() {
         // line 6: initial s;
         hasYield = false;
-        state = S;
     }
 
     /**
@@ -34,11 +26,9 @@ public final class permits_yield {
         if (has_) {
             yield_ = __;
             hasYield = true;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
         hasYield = false;
-        taken = -1;
     }
 }

@@ -38,9 +38,6 @@ public final class sealed_ {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public sealed_() {
         // line 8: initial _;
         hasSealed = false;
@@ -61,7 +58,6 @@ public final class sealed_ {
                     hasSealed = true;
                     var = record_Code.RECORD;
                     state = YIELD;
-                    taken = 0;
                     return;
                 }
                 break;
@@ -74,7 +70,6 @@ public final class sealed_ {
                     var = record_Code.SILENCE;
                     when = when + 1;
                     state = RECORD;
-                    taken = 1;
                     return;
                 }
                 break;
@@ -86,7 +81,6 @@ public final class sealed_ {
                     hasSealed = true;
                     var = record_Code.ENUM;
                     state = VAR;
-                    taken = 2;
                     return;
                 }
                 break;
@@ -97,14 +91,12 @@ public final class sealed_ {
                     hasSealed = false;
                     var = permits;
                     state = __2;
-                    taken = 3;
                     return;
                 }
                 // line 13: var -> yield {permits == --} / {var = assert};
                 hasSealed = false;
                 var = record_Code.ASSERT;
                 state = YIELD;
-                taken = 4;
                 return;
 
             default:
@@ -113,6 +105,5 @@ public final class sealed_ {
         // No transition is enabled: completion ignore, the state is kept.
         hasSealed = false;
         var = record_Code.SILENCE;
-        taken = -1;
     }
 }

@@ -93,7 +93,7 @@ public final class DoorAutomaton3Monitor extends arcomat.rt.Monitor {
                     set(0, careful.range(n - 1, 0, 3, "Door, counting -> counting (line 29): n"));
                     leaveOpen(0);
                     leaveOpen(1);
-                    send(2, careful.range(3 - n, 0, 3, "Door, counting -> counting (line 29): count"));
+                    send(2, 3 - n);
                 }
                 unlessWrong();
                 // line 30: counting {push == false} / {count = 3 / n};
@@ -102,7 +102,7 @@ public final class DoorAutomaton3Monitor extends arcomat.rt.Monitor {
                     go("line 30: counting -> counting", COUNTING);
                     leaveOpen(0);
                     leaveOpen(1);
-                    send(2, careful.range(careful.divide(3, n, "Door, counting -> counting (line 30)"), 0, 3, "Door, counting -> counting (line 30): count"));
+                    send(2, careful.divide(3, n, "Door, counting -> counting (line 30)"));
                 }
                 unlessWrong();
                 break;

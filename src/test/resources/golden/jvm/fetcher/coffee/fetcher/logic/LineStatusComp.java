@@ -7,8 +7,6 @@ import coffee.types.LineStatusCode;
 
 /** Component coffee.fetcher.LineStatusComp. */
 public final class LineStatusComp {
-    public static final int WATCHING = 0;
-
     /** total in Integer leftLight */
     public int leftLight;
 
@@ -23,17 +21,11 @@ public final class LineStatusComp {
 
     private final int dark;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public LineStatusComp(int dark) {
         this.dark = dark;
         // line 24: initial watching;
         ls = LineStatusCode.SILENCE;
         drift = DriftCode.SILENCE;
-        state = WATCHING;
     }
 
     /**
@@ -45,33 +37,23 @@ public final class LineStatusComp {
         if (leftLight < dark && rightLight < dark) {
             ls = LineStatusCode.OK;
             drift = DriftCode.NONE;
-            taken = 0;
             return;
         }
         // line 27: watching [leftLight >= dark && rightLight < dark] / {ls = ok, drift = left};
-        if (leftLight >= dark && rightLight < dark) {
+        if (rightLight < dark) {
             ls = LineStatusCode.OK;
             drift = DriftCode.LEFT;
-            taken = 1;
             return;
         }
         // line 28: watching [leftLight < dark && rightLight >= dark] / {ls = ok, drift = right};
-        if (leftLight < dark && rightLight >= dark) {
+        if (leftLight < dark) {
             ls = LineStatusCode.OK;
             drift = DriftCode.RIGHT;
-            taken = 2;
             return;
         }
         // line 29: watching [leftLight >= dark && rightLight >= dark] / {ls = lost, drift = none};
-        if (leftLight >= dark && rightLight >= dark) {
-            ls = LineStatusCode.LOST;
-            drift = DriftCode.NONE;
-            taken = 3;
-            return;
-        }
-        // No transition is enabled: completion chaos, the state is kept.
-        ls = LineStatusCode.OK;
+        ls = LineStatusCode.LOST;
         drift = DriftCode.NONE;
-        taken = -1;
+        return;
     }
 }

@@ -36,9 +36,6 @@ public final class AvoidCrash {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public AvoidCrash() {
         // line 28: initial driving / {cmd = fwd};
         cmd = MotorCmdCode.FWD;
@@ -58,15 +55,13 @@ public final class AvoidCrash {
                     cmd = MotorCmdCode.BACK_RIGHT;
                     timerCmd = TimerCmdCode.DELAY;
                     state = BACKING;
-                    taken = 0;
                     return;
                 }
                 // line 33: driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
-                if (frontUS == DistanceCode.TOO_CLOSE && gotCoffee) {
+                if (frontUS == DistanceCode.TOO_CLOSE) {
                     cmd = MotorCmdCode.STOP;
                     timerCmd = TimerCmdCode.SILENCE;
                     state = WAITING;
-                    taken = 1;
                     return;
                 }
                 break;
@@ -77,7 +72,6 @@ public final class AvoidCrash {
                     cmd = MotorCmdCode.STOP;
                     timerCmd = TimerCmdCode.SILENCE;
                     state = REMOTE;
-                    taken = 3;
                     return;
                 }
                 break;
@@ -88,7 +82,6 @@ public final class AvoidCrash {
                     cmd = MotorCmdCode.FWD;
                     timerCmd = TimerCmdCode.SILENCE;
                     state = DRIVING;
-                    taken = 2;
                     return;
                 }
                 break;
@@ -99,7 +92,6 @@ public final class AvoidCrash {
                     cmd = MotorCmdCode.FWD;
                     timerCmd = TimerCmdCode.SILENCE;
                     state = RETURNING;
-                    taken = 4;
                     return;
                 }
                 break;
@@ -110,7 +102,6 @@ public final class AvoidCrash {
                     cmd = MotorCmdCode.SILENCE;
                     timerCmd = TimerCmdCode.SILENCE;
                     state = DRIVING;
-                    taken = 5;
                     return;
                 }
                 break;
@@ -121,6 +112,5 @@ public final class AvoidCrash {
         // No transition is enabled: completion ignore, the state is kept.
         cmd = MotorCmdCode.SILENCE;
         timerCmd = TimerCmdCode.SILENCE;
-        taken = -1;
     }
 }

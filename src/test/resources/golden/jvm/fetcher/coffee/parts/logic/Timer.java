@@ -2,7 +2,6 @@
 
 package coffee.parts.logic;
 
-import arcomat.rt.Check;
 import coffee.types.TimerCmdCode;
 import coffee.types.TimerSignalCode;
 
@@ -22,9 +21,6 @@ public final class Timer {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Timer(int slices) {
         this.slices = slices;
         // line 19: initial idle;
@@ -42,9 +38,8 @@ public final class Timer {
                 // line 21: idle -> running {timerCmd == delay} / {left = slices - 1};
                 if (timerCmd == TimerCmdCode.DELAY) {
                     timerSig = TimerSignalCode.SILENCE;
-                    left = Check.range(slices - 1, 0, 3000, "Timer, idle -> running (line 21): left");
+                    left = slices - 1;
                     state = RUNNING;
-                    taken = 0;
                     return;
                 }
                 break;
@@ -53,23 +48,20 @@ public final class Timer {
                 // line 22: running {timerCmd == delay} / {left = slices - 1};
                 if (timerCmd == TimerCmdCode.DELAY) {
                     timerSig = TimerSignalCode.SILENCE;
-                    left = Check.range(slices - 1, 0, 3000, "Timer, running -> running (line 22): left");
-                    taken = 1;
+                    left = slices - 1;
                     return;
                 }
                 // line 23: running [left > 1] {timerCmd == --} / {left = left - 1};
-                if (timerCmd == TimerCmdCode.SILENCE && left > 1) {
+                if (left > 1) {
                     timerSig = TimerSignalCode.SILENCE;
-                    left = Check.range(left - 1, 0, 3000, "Timer, running -> running (line 23): left");
-                    taken = 2;
+                    left = left - 1;
                     return;
                 }
                 // line 24: running -> idle [left == 1] {timerCmd == --} / {timerSig = alert, left = 0};
-                if (timerCmd == TimerCmdCode.SILENCE && left == 1) {
+                if (left == 1) {
                     timerSig = TimerSignalCode.ALERT;
                     left = 0;
                     state = IDLE;
-                    taken = 3;
                     return;
                 }
                 break;
@@ -79,6 +71,5 @@ public final class Timer {
         }
         // No transition is enabled: completion ignore, the state is kept.
         timerSig = TimerSignalCode.SILENCE;
-        taken = -1;
     }
 }

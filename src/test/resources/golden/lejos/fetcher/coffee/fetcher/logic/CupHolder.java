@@ -17,9 +17,6 @@ public final class CupHolder {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public CupHolder() {
         // line 14: initial empty / {gotCoffee = false};
         gotCoffee = false;
@@ -36,13 +33,11 @@ public final class CupHolder {
                 // line 16: empty {pressed == false} / {gotCoffee = false};
                 if (!pressed) {
                     gotCoffee = false;
-                    taken = 0;
                     return;
                 }
                 // line 17: empty -> settling {pressed == true} / {gotCoffee = false};
                 gotCoffee = false;
                 state = SETTLING;
-                taken = 1;
                 return;
 
             case SETTLING:
@@ -50,26 +45,22 @@ public final class CupHolder {
                 if (!pressed) {
                     gotCoffee = false;
                     state = EMPTY;
-                    taken = 2;
                     return;
                 }
                 // line 19: settling -> full {pressed == true} / {gotCoffee = true};
                 gotCoffee = true;
                 state = FULL;
-                taken = 3;
                 return;
 
             case FULL:
                 // line 21: full {pressed == true} / {gotCoffee = true};
                 if (pressed) {
                     gotCoffee = true;
-                    taken = 4;
                     return;
                 }
                 // line 22: full -> lifting {pressed == false} / {gotCoffee = true};
                 gotCoffee = true;
                 state = LIFTING;
-                taken = 5;
                 return;
 
             case LIFTING:
@@ -77,13 +68,11 @@ public final class CupHolder {
                 if (pressed) {
                     gotCoffee = true;
                     state = FULL;
-                    taken = 6;
                     return;
                 }
                 // line 24: lifting -> empty {pressed == false} / {gotCoffee = false};
                 gotCoffee = false;
                 state = EMPTY;
-                taken = 7;
                 return;
 
             default:
@@ -91,6 +80,5 @@ public final class CupHolder {
         }
         // No transition is enabled: completion chaos, the state is kept.
         gotCoffee = false;
-        taken = -1;
     }
 }

@@ -30,9 +30,6 @@ public final class Drive {
 
     private int state;
 
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Drive() {
         // line 29: initial standing;
         hasLeftSpeed = false;
@@ -54,7 +51,6 @@ public final class Drive {
                     rightSpeed = cruise;
                     hasRightSpeed = true;
                     state = FOLLOWING;
-                    taken = 0;
                     return;
                 }
                 // line 32: standing -> backing {cmd == backRight} / {leftSpeed = -cruise, rightSpeed = -slow};
@@ -64,7 +60,6 @@ public final class Drive {
                     rightSpeed = -slow;
                     hasRightSpeed = true;
                     state = BACKING;
-                    taken = 1;
                     return;
                 }
                 break;
@@ -76,7 +71,6 @@ public final class Drive {
                     hasLeftSpeed = true;
                     rightSpeed = cruise;
                     hasRightSpeed = true;
-                    taken = 2;
                     return;
                 }
                 // line 35: following {cmd == --, drift == left} / {leftSpeed = cruise, rightSpeed = slow};
@@ -85,16 +79,14 @@ public final class Drive {
                     hasLeftSpeed = true;
                     rightSpeed = slow;
                     hasRightSpeed = true;
-                    taken = 3;
                     return;
                 }
                 // line 36: following {cmd == --, drift == right} / {leftSpeed = slow, rightSpeed = cruise};
-                if (cmd == MotorCmdCode.SILENCE && drift == DriftCode.RIGHT) {
+                if (cmd == MotorCmdCode.SILENCE) {
                     leftSpeed = slow;
                     hasLeftSpeed = true;
                     rightSpeed = cruise;
                     hasRightSpeed = true;
-                    taken = 4;
                     return;
                 }
                 // line 37: following -> standing {cmd == stop} / {leftSpeed = 0, rightSpeed = 0};
@@ -104,7 +96,6 @@ public final class Drive {
                     rightSpeed = 0;
                     hasRightSpeed = true;
                     state = STANDING;
-                    taken = 5;
                     return;
                 }
                 // line 39: following -> backing {cmd == backRight} / {leftSpeed = -cruise, rightSpeed = -slow};
@@ -114,7 +105,6 @@ public final class Drive {
                     rightSpeed = -slow;
                     hasRightSpeed = true;
                     state = BACKING;
-                    taken = 6;
                     return;
                 }
                 break;
@@ -127,7 +117,6 @@ public final class Drive {
                     rightSpeed = 0;
                     hasRightSpeed = true;
                     state = STANDING;
-                    taken = 7;
                     return;
                 }
                 // line 42: backing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed = cruise};
@@ -137,7 +126,6 @@ public final class Drive {
                     rightSpeed = cruise;
                     hasRightSpeed = true;
                     state = FOLLOWING;
-                    taken = 8;
                     return;
                 }
                 break;
@@ -148,6 +136,5 @@ public final class Drive {
         // No transition is enabled: completion ignore, the state is kept.
         hasLeftSpeed = false;
         hasRightSpeed = false;
-        taken = -1;
     }
 }

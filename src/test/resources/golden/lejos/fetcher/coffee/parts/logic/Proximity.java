@@ -6,8 +6,6 @@ import coffee.types.DistanceCode;
 
 /** Component coffee.parts.Proximity. */
 public final class Proximity {
-    public static final int WATCHING = 0;
-
     /** total in Integer[0..255] distance */
     public int distance;
 
@@ -17,17 +15,11 @@ public final class Proximity {
     private final int near;
     private final int far;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public Proximity(int near, int far) {
         this.near = near;
         this.far = far;
         // line 20: initial watching;
         front = DistanceCode.SILENCE;
-        state = WATCHING;
     }
 
     /**
@@ -38,17 +30,14 @@ public final class Proximity {
         // line 22: watching [distance <= near] / {front = tooClose};
         if (distance <= near) {
             front = DistanceCode.TOO_CLOSE;
-            taken = 0;
             return;
         }
         // line 23: watching [distance >= far && distance > near] / {front = clear};
-        if (distance >= far && distance > near) {
+        if (distance >= far) {
             front = DistanceCode.CLEAR;
-            taken = 1;
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
         front = DistanceCode.SILENCE;
-        taken = -1;
     }
 }

@@ -61,22 +61,18 @@ public final class TimerMonitor extends arcomat.rt.Monitor {
         switch (state) {
             case IDLE:
                 // line 21: idle -> running {timerCmd == delay} / {left = slices - 1};
-                risk();
                 if (timerCmd == TimerCmdCode.DELAY) {
                     go("line 21: idle -> running", RUNNING);
-                    set(0, careful.range(slices - 1, 0, 3000, "Timer, idle -> running (line 21): left"));
+                    set(0, slices - 1);
                 }
-                unlessWrong();
                 break;
 
             case RUNNING:
                 // line 22: running {timerCmd == delay} / {left = slices - 1};
-                risk();
                 if (timerCmd == TimerCmdCode.DELAY) {
                     go("line 22: running -> running", RUNNING);
-                    set(0, careful.range(slices - 1, 0, 3000, "Timer, running -> running (line 22): left"));
+                    set(0, slices - 1);
                 }
-                unlessWrong();
                 // line 23: running [left > 1] {timerCmd == --} / {left = left - 1};
                 risk();
                 if (timerCmd == TimerCmdCode.SILENCE && left > 1) {

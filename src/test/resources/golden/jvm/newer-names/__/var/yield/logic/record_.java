@@ -4,8 +4,6 @@ package __.var.yield.logic;
 
 /** Component _.var.yield.record. */
 public final class record_ {
-    public static final int S = 0;
-
     /** in Integer a */
     public int a;
     public boolean hasA;
@@ -14,15 +12,9 @@ public final class record_ {
     public int b;
     public boolean hasB;
 
-    private int state;
-
-    /** The transition taken last, by its position in the automaton; -1 for none. */
-    private int taken = -1;
-
     public record_() {
         // line 4: initial s;
         hasB = false;
-        state = S;
     }
 
     /**
@@ -34,11 +26,9 @@ public final class record_ {
         if (hasA) {
             b = a;
             hasB = true;
-            taken = 0;
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
         hasB = false;
-        taken = -1;
     }
 }

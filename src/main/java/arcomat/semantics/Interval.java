@@ -1,4 +1,4 @@
-package arcomat.analysis.smt;
+package arcomat.semantics;
 
 import arcomat.model.Expression;
 import arcomat.model.Type;
@@ -6,52 +6,79 @@ import arcomat.model.Value;
 
 import java.math.BigInteger;
 import java.util.List;
+import java.util.function.Function;
 
 /**
  * Between which numbers an integer lies, as far as the types of what is read tell. What does not
  * fit the width of its type wraps around, and then lies anywhere in it.
  */
-record Interval(BigInteger low, BigInteger high) {
+public record Interval(BigInteger low, BigInteger high) {
 
     /** Whether a result itself may have to wrap around. */
-    static boolean wraps(Expression e) {
-        return !unwrapped(e).isWithin(ofWidth(e.type()));
+    public static boolean wraps(Expression e) {
+        return wraps(e, Interval::ofType);
+    }
+
+    private static boolean wraps(Expression e, Function<Expression, Interval> read) {
+        return !unwrapped(e, read).isWithin(ofWidth(e.type()));
     }
 
     /** Whether an expression makes an integer of other numbers. */
-    static boolean computes(Expression e) {
-        return Translation.isInteger(e.type())
+    public static boolean computes(Expression e) {
+        return isInteger(e.type())
                 && (e instanceof Expression.Binary
                         || e instanceof Expression.Unary
                         || e instanceof Expression.Cast);
     }
 
+    private static boolean isInteger(Type type) {
+        return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
+    }
+
     /** Of the value of an expression. */
-    static Interval of(Expression e) {
+    public static Interval of(Expression e) {
+        return of(e, Interval::ofType);
+    }
+
+    /**
+     * Of the value of an expression, for who knows more or less than the types tell.
+     *
+     * @param read where what is read lies
+     */
+    public static Interval of(Expression e, Function<Expression, Interval> read) {
         if (e instanceof Expression.Conditional choice) {
-            return of(choice.then()).and(of(choice.otherwise()));
+            return of(choice.then(), read).and(of(choice.otherwise(), read));
         }
-        return computes(e) && wraps(e) ? ofWidth(e.type()) : unwrapped(e);
+        return computes(e) && wraps(e, read) ? ofWidth(e.type()) : unwrapped(e, read);
     }
 
     /** Of what is computed of the values of the operands, before it is made to fit. */
-    static Interval unwrapped(Expression e) {
+    public static Interval unwrapped(Expression e) {
+        return unwrapped(e, Interval::ofType);
+    }
+
+    private static Interval unwrapped(Expression e, Function<Expression, Interval> read) {
         if (e instanceof Expression.Constant constant) {
             return ofConstant(constant);
         }
-        if (e instanceof Expression.Cast cast && Translation.isInteger(cast.operand().type())) {
-            return of(cast.operand());
+        if (e instanceof Expression.Cast cast && isInteger(cast.operand().type())) {
+            return of(cast.operand(), read);
         }
         if (e instanceof Expression.Unary unary) {
-            Interval operand = of(unary.operand());
+            Interval operand = of(unary.operand(), read);
             Interval negated = new Interval(operand.high.negate(), operand.low.negate());
             return unary.operator() == Expression.UnaryOperator.NEGATE
                     ? negated
                     : negated.plus(ofConstant(-1));
         }
         if (e instanceof Expression.Binary binary) {
-            return ofResult(binary, of(binary.left()), of(binary.right()));
+            return ofResult(binary, of(binary.left(), read), of(binary.right(), read));
         }
+        return read.apply(e);
+    }
+
+    /** Of what may be read, by its type. */
+    public static Interval ofType(Expression e) {
         return ofType(e.type());
     }
 
@@ -75,7 +102,7 @@ record Interval(BigInteger low, BigInteger high) {
     }
 
     /** All that a type can hold; a range does not narrow it. */
-    static Interval ofWidth(Type type) {
+    public static Interval ofWidth(Type type) {
         if (type instanceof Type.CharacterType) {
             return of(Character.MIN_VALUE, Character.MAX_VALUE);
         }
@@ -85,7 +112,7 @@ record Interval(BigInteger low, BigInteger high) {
         return of(whole.low(), whole.high());
     }
 
-    private static Interval of(long low, long high) {
+    public static Interval of(long low, long high) {
         return new Interval(BigInteger.valueOf(low), BigInteger.valueOf(high));
     }
 
@@ -123,17 +150,23 @@ record Interval(BigInteger low, BigInteger high) {
         return spanning(low, high, other.low, other.high);
     }
 
-    private boolean isWithin(Interval other) {
+    public boolean isWithin(Interval other) {
         return other.low.compareTo(low) <= 0 && high.compareTo(other.high) <= 0;
     }
 
+    /** What lies in both, or this where that is nothing. */
+    public Interval within(Interval other) {
+        Interval both = new Interval(low.max(other.low), high.min(other.high));
+        return both.low.compareTo(both.high) <= 0 ? both : this;
+    }
+
     /** How many numbers there are. */
-    BigInteger size() {
+    public BigInteger size() {
         return high.subtract(low).add(BigInteger.ONE);
     }
 
     /** How often a number is beyond the end of this interval; negative below its beginning. */
-    BigInteger turns(BigInteger number) {
+    public BigInteger turns(BigInteger number) {
         BigInteger[] parts = number.subtract(low).divideAndRemainder(size());
         return parts[1].signum() < 0 ? parts[0].subtract(BigInteger.ONE) : parts[0];
     }

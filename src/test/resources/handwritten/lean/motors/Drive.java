@@ -1,0 +1,64 @@
+package lean.motors;
+
+import lean.sensors.LineSensor;
+
+import lejos.nxt.NXTRegulatedMotor;
+
+/** Two wheels that do as told, and keep to the line while they go forward. */
+public final class Drive {
+    public static final int GO_ON = 0;
+    public static final int FORWARD = 1;
+    public static final int STOP = 2;
+    public static final int BACK_RIGHT = 3;
+
+    /** In degrees per second: straight on, and the inner wheel in a bend. */
+    private static final int CRUISE = 360;
+
+    private static final int SLOW = 120;
+
+    private final Wheel left;
+    private final Wheel right;
+    private boolean following;
+
+    public Drive(NXTRegulatedMotor leftMotor, NXTRegulatedMotor rightMotor) {
+        left = new Wheel(leftMotor);
+        right = new Wheel(rightMotor);
+    }
+
+    public void obey(int command, int drift) {
+        switch (command) {
+            case FORWARD:
+                following = true;
+                turn(CRUISE, CRUISE);
+                break;
+            case STOP:
+                following = false;
+                turn(0, 0);
+                break;
+            case BACK_RIGHT:
+                following = false;
+                turn(-CRUISE, -SLOW);
+                break;
+            default:
+                if (following) {
+                    follow(drift);
+                }
+                break;
+        }
+    }
+
+    private void follow(int drift) {
+        if (drift == LineSensor.DRIFT_LEFT) {
+            turn(CRUISE, SLOW);
+        } else if (drift == LineSensor.DRIFT_RIGHT) {
+            turn(SLOW, CRUISE);
+        } else {
+            turn(CRUISE, CRUISE);
+        }
+    }
+
+    private void turn(int leftSpeed, int rightSpeed) {
+        left.turn(leftSpeed);
+        right.turn(rightSpeed);
+    }
+}
