@@ -1,10 +1,134 @@
 package arcomat.check;
 
-import arcomat.check.Suppressions.Suppression;
+import arcomat.check.behaviour.automaton.EmbeddedAutomatonInterface;
+import arcomat.check.behaviour.automaton.GuardIsBoolean;
+import arcomat.check.behaviour.automaton.InitialRequired;
+import arcomat.check.behaviour.automaton.ItemOncePerBlock;
+import arcomat.check.behaviour.automaton.SingleEvent;
+import arcomat.check.behaviour.automaton.SingleInitial;
+import arcomat.check.behaviour.automaton.StateExists;
+import arcomat.check.behaviour.automaton.StateReached;
+import arcomat.check.behaviour.automaton.StateRequired;
+import arcomat.check.behaviour.automaton.TransitionsApart;
+import arcomat.check.behaviour.expression.DivisionByZeroLiteral;
+import arcomat.check.behaviour.expression.InitialReadsNoInput;
+import arcomat.check.behaviour.expression.LiteralFits;
+import arcomat.check.behaviour.expression.LiteralInRange;
+import arcomat.check.behaviour.expression.NameExists;
+import arcomat.check.behaviour.expression.OperandTypes;
+import arcomat.check.behaviour.expression.OutputPortNotRead;
+import arcomat.check.behaviour.expression.RangeWellFormed;
+import arcomat.check.behaviour.expression.SupportedExpression;
+import arcomat.check.behaviour.item.AnyMessageOnOutput;
+import arcomat.check.behaviour.item.ComparedWithItself;
+import arcomat.check.behaviour.item.InitialOutputDelayed;
+import arcomat.check.behaviour.item.InitialValueFits;
+import arcomat.check.behaviour.item.InputSideReads;
+import arcomat.check.behaviour.item.ItemNameExists;
+import arcomat.check.behaviour.item.ItemTypeFits;
+import arcomat.check.behaviour.item.NoAlternativesOnOutput;
+import arcomat.check.behaviour.item.NoSequenceOnVariable;
+import arcomat.check.behaviour.item.NoSilenceOnVariable;
+import arcomat.check.behaviour.item.OmittedNameUnique;
+import arcomat.check.behaviour.item.OutputSideWrites;
+import arcomat.check.behaviour.item.SingleMessagePerSlice;
+import arcomat.check.behaviour.item.SupportedItem;
+import arcomat.check.behaviour.table.TableCellFits;
+import arcomat.check.behaviour.table.TableColumnsExist;
+import arcomat.check.behaviour.table.TableRowWidth;
+import arcomat.check.behaviour.total.FirstValueFits;
+import arcomat.check.behaviour.total.IgnoreExcludesTotalOutput;
+import arcomat.check.behaviour.total.TotalInputHasTotalSender;
+import arcomat.check.behaviour.total.TotalInputNeverSilent;
+import arcomat.check.behaviour.total.TotalOutputNamed;
+import arcomat.check.behaviour.total.TotalPortTimed;
+import arcomat.check.diagrams.AttributesUnique;
+import arcomat.check.diagrams.ClassContainsItself;
+import arcomat.check.diagrams.ClassInheritanceAcyclic;
+import arcomat.check.diagrams.DiagramTypesUnique;
+import arcomat.check.diagrams.EnumConstantsUnique;
+import arcomat.check.diagrams.EnumFitsClass;
+import arcomat.check.diagrams.EnumNotEmpty;
+import arcomat.check.diagrams.SuperClassIsClass;
+import arcomat.check.law.Check;
+import arcomat.check.law.Law;
+import arcomat.check.law.Profile;
+import arcomat.check.law.Suppressions;
+import arcomat.check.law.Suppressions.Suppression;
+import arcomat.check.naming.AutomataNamesUnique;
+import arcomat.check.naming.ComponentNameIsFileName;
+import arcomat.check.naming.FileNamesDifferInCaseOnly;
+import arcomat.check.naming.InitialDeclaredOnce;
+import arcomat.check.naming.InnerComponentNamesUnique;
+import arcomat.check.naming.InvariantNamesUnique;
+import arcomat.check.naming.JavaClassUnique;
+import arcomat.check.naming.MemberNamesUnique;
+import arcomat.check.naming.PackageIsFolder;
+import arcomat.check.naming.PortNameUncapitalised;
+import arcomat.check.naming.StateDeclaredOnce;
+import arcomat.check.naming.StateNamesCapitalisedAlike;
+import arcomat.check.naming.TypeNameCapitalised;
+import arcomat.check.naming.TypeParametersUnique;
+import arcomat.check.naming.VariableDeclaredOnce;
+import arcomat.check.naming.VariableUnlikePort;
+import arcomat.check.refinement.RefinesExists;
+import arcomat.check.refinement.RefinesInterface;
+import arcomat.check.refinement.RefinesOther;
+import arcomat.check.stereotypes.LayerOrder;
+import arcomat.check.stereotypes.LogicWithoutPlatform;
+import arcomat.check.stereotypes.StereotypeInPlace;
+import arcomat.check.stereotypes.StereotypeKnown;
+import arcomat.check.stereotypes.StereotypeValue;
+import arcomat.check.stereotypes.SuppressWellFormed;
+import arcomat.check.stereotypes.SuppressionUsed;
+import arcomat.check.structure.ArgumentCount;
+import arcomat.check.structure.ArgumentType;
+import arcomat.check.structure.BehaviourPresent;
+import arcomat.check.structure.ClauseUnique;
+import arcomat.check.structure.ComponentExists;
+import arcomat.check.structure.ComponentVariableConstant;
+import arcomat.check.structure.ConnectorDirection;
+import arcomat.check.structure.ConnectorEndExists;
+import arcomat.check.structure.ConnectorEndForm;
+import arcomat.check.structure.ConnectorTypes;
+import arcomat.check.structure.DefaultParametersLast;
+import arcomat.check.structure.DelayInCycle;
+import arcomat.check.structure.ImportResolves;
+import arcomat.check.structure.ImportUnique;
+import arcomat.check.structure.ImportUsed;
+import arcomat.check.structure.InheritanceAcyclic;
+import arcomat.check.structure.InheritedPortUnchanged;
+import arcomat.check.structure.InvariantUnevaluated;
+import arcomat.check.structure.JavaPartUnsupported;
+import arcomat.check.structure.OwnPortConnected;
+import arcomat.check.structure.PartsCountable;
+import arcomat.check.structure.PortConnectedToItself;
+import arcomat.check.structure.PortUniqueSender;
+import arcomat.check.structure.ProfilesNotMixed;
+import arcomat.check.structure.SingleAutomaton;
+import arcomat.check.structure.SubcomponentAcyclic;
+import arcomat.check.structure.SubcomponentInputConnected;
+import arcomat.check.structure.SubcomponentPortConnected;
+import arcomat.check.structure.TopLevelComponentWithoutInstance;
+import arcomat.check.structure.TypeArgumentsComplete;
+import arcomat.check.structure.TypeArgumentsInBounds;
+import arcomat.check.structure.TypeExists;
+import arcomat.check.tests.EventsForUntimedOnly;
+import arcomat.check.tests.TestArguments;
+import arcomat.check.tests.TestFieldUnsupported;
+import arcomat.check.tests.TestMessageType;
+import arcomat.check.tests.TestNamesUnique;
+import arcomat.check.tests.TestPortExists;
+import arcomat.check.tests.TestSingleMessagePerSlice;
+import arcomat.check.tests.TestStreamLength;
+import arcomat.check.tests.TestStreamOnce;
+import arcomat.check.tests.TestedComponentExists;
+import arcomat.check.walk.Listeners;
+import arcomat.check.walk.Walk;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
-import arcomat.symbols.Outline;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.names.Outline;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -118,8 +242,8 @@ public final class Checks {
                     new SuperClassIsClass(),
                     new SupportedExpression(),
                     new SupportedItem(),
-                    new SuppressWellFormed(),
-                    new SuppressionUsed(),
+                    new SuppressWellFormed(() -> Checks.ALL),
+                    new SuppressionUsed(() -> Checks.ALL),
                     new TableCellFits(),
                     new TableColumnsExist(),
                     new TableRowWidth(),
@@ -198,7 +322,10 @@ public final class Checks {
         found.forEach(finding -> used.addAll(suppressions.covering(finding)));
         List<Diagnostic> all = new ArrayList<>(found);
         if (workspace.isComplete()) {
-            all.addAll(new SuppressionUsed().unused(suppressions, used, profile).diagnostics());
+            all.addAll(
+                    new SuppressionUsed(() -> Checks.ALL)
+                            .unused(suppressions, used, profile)
+                            .diagnostics());
         }
         return sort(all, suppressions, profile);
     }

@@ -1,6 +1,8 @@
 package arcomat.check;
 
-import arcomat.check.Law.Needs;
+import arcomat.check.law.Check;
+import arcomat.check.law.Law;
+import arcomat.check.law.Law.Needs;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 import arcomat.tree.Recovered;

@@ -1,5 +1,7 @@
 package arcomat.cli;
 
+import arcomat.cli.terminal.Version;
+
 import picocli.CommandLine;
 
 /** The command without a subcommand: shows what there is. */

@@ -1,5 +1,7 @@
 package arcomat.cli;
 
+import arcomat.cli.terminal.Console;
+
 import java.io.BufferedReader;
 import java.io.PrintWriter;
 import java.io.Reader;

@@ -1,5 +1,7 @@
 package arcomat.cli;
 
+import arcomat.cli.terminal.Console;
+
 /** Entry point of the command {@code arcomat}. */
 public final class Main {
     /**

@@ -16,7 +16,7 @@ final class ExpressionText {
 
     private ExpressionText() {}
 
-    static String of(Expression expression) {
+    public static String of(Expression expression) {
         if (expression instanceof Expression.Constant constant) {
             return constant.value().toString();
         }

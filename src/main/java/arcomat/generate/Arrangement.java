@@ -4,8 +4,8 @@ import arcomat.generate.language.Words;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Parameter;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -11,8 +11,8 @@ import arcomat.generate.view.PartView;
 import arcomat.generate.view.PartsView;
 import arcomat.generate.view.StepView;
 import arcomat.model.Port;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Source;
+import arcomat.semantics.network.Composition;
+import arcomat.semantics.network.Source;
 
 import java.util.ArrayList;
 import java.util.List;

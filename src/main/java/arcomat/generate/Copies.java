@@ -3,8 +3,8 @@ package arcomat.generate;
 import arcomat.generate.view.AssignmentView;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Source;
+import arcomat.semantics.network.Composition;
+import arcomat.semantics.network.Source;
 
 import java.util.List;
 

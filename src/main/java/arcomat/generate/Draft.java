@@ -1,8 +1,8 @@
 package arcomat.generate;
 
 import arcomat.model.Component;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Source;
+import arcomat.semantics.network.Composition;
+import arcomat.semantics.network.Source;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -36,7 +36,7 @@ final class Draft {
      * @param mayShare whether a node may live in an array
      * @param sameArguments whether a node has the arguments of the one before
      */
-    Draft(Composition composition, IntPredicate mayShare, IntPredicate sameArguments) {
+    public Draft(Composition composition, IntPredicate mayShare, IntPredicate sameArguments) {
         this.composition = composition;
         this.sameArguments = sameArguments;
         this.array = new int[composition.nodes().size()];

@@ -11,7 +11,7 @@ import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;

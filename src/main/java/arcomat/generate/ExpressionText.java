@@ -10,8 +10,8 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.Interval;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Interval;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -187,7 +187,7 @@ final class ExpressionText {
     }
 
     /** A literal of the target. */
-    Text of(Value value, Type type) {
+    public Text of(Value value, Type type) {
         return literals.of(value, type);
     }
 

@@ -7,7 +7,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Variable;
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 
 import java.util.ArrayList;
 import java.util.List;

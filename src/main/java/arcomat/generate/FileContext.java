@@ -6,7 +6,7 @@ import arcomat.generate.language.Scope;
 import arcomat.generate.language.TypeName;
 import arcomat.model.Component;
 import arcomat.model.Type;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 import java.util.Arrays;
 import java.util.List;

@@ -8,7 +8,7 @@ import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

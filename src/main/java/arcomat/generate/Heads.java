@@ -11,7 +11,7 @@ import arcomat.model.Component;
 import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -2,7 +2,7 @@ package arcomat.generate;
 
 import arcomat.generate.view.ClassView;
 import arcomat.model.Component;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 import java.util.LinkedHashMap;
 import java.util.List;

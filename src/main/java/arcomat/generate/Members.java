@@ -9,7 +9,7 @@ import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
 import java.util.Arrays;

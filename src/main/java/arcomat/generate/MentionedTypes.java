@@ -5,8 +5,8 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Rewriting;
+import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

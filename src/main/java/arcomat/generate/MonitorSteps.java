@@ -13,10 +13,10 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Variable;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Guards;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Guards;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

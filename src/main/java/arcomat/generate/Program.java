@@ -5,8 +5,8 @@ import arcomat.generate.language.TypeName;
 import arcomat.generate.view.AtomicView;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Source;
+import arcomat.semantics.network.Composition;
+import arcomat.semantics.network.Source;
 
 import java.util.HashMap;
 import java.util.LinkedHashMap;

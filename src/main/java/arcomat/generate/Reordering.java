@@ -1,7 +1,7 @@
 package arcomat.generate;
 
-import arcomat.semantics.Composition;
-import arcomat.semantics.Source;
+import arcomat.semantics.network.Composition;
+import arcomat.semantics.network.Source;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

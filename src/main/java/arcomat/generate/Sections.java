@@ -26,7 +26,7 @@ final class Sections {
      * @param end position after the last node
      * @param inner sections in this one; none where it holds nodes itself
      */
-    record Section(String field, String path, int first, int end, List<Section> inner) {
+    public record Section(String field, String path, int first, int end, List<Section> inner) {
         private Section under(String above) {
             String own = above.isEmpty() ? field : above + "." + field;
             return new Section(
@@ -117,7 +117,7 @@ final class Sections {
     }
 
     /** The section that holds a node; null where the composite does. */
-    Section of(int node) {
+    public Section of(int node) {
         return node < leaves.length ? leaves[node] : null;
     }
 }

@@ -7,7 +7,7 @@ import arcomat.generate.view.WatchView;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

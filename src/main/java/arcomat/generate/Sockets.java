@@ -4,7 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Parameter;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 

@@ -6,8 +6,8 @@ import arcomat.generate.view.SectionView;
 import arcomat.generate.view.StateView;
 import arcomat.generate.view.TransitionView;
 import arcomat.model.Automaton;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Guards;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Guards;
 
 import java.util.ArrayList;
 import java.util.List;

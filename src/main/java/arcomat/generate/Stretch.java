@@ -1,6 +1,6 @@
 package arcomat.generate;
 
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 /**
  * Parts of one component that follow each other and live in one array.

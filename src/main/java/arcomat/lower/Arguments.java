@@ -2,8 +2,8 @@ package arcomat.lower;
 
 import arcomat.model.Expression;
 import arcomat.model.Parameter;
-import arcomat.symbols.ParameterSymbol;
-import arcomat.symbols.Typed;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.Typed;
 
 import java.util.ArrayList;
 import java.util.HashMap;

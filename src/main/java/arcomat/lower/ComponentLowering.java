@@ -6,13 +6,13 @@ import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.symbols.AutomatonSymbol;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.Delays;
-import arcomat.symbols.InstanceSymbol;
-import arcomat.symbols.ParameterSymbol;
-import arcomat.symbols.PortSymbol;
-import arcomat.symbols.TypeSubstitution;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.Delays;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.names.TypeSubstitution;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -87,7 +87,7 @@ final class ComponentLowering {
         Environment types = Environment.of(instantiation.substitution());
         List<Parameter> parameters = parameters(symbol.parameters(), types);
         Environment outer = types.withParameters(parameters);
-        List<Variable> constants = VariableLowering.lower(symbol.variables(), outer);
+        List<Variable> constants = VariableLowering.lower(symbol.signature().variables(), outer);
         Environment inside = outer.withConstants(constants).withPorts(ports);
         environments.put(instantiation, inside);
         List<Automaton> automata = automata(symbol, inside);
@@ -99,9 +99,9 @@ final class ComponentLowering {
         return new Component(
                 symbol.unit().packageText(),
                 instantiation.name(),
-                Stereotypes.layer(symbol.layer()),
+                Stereotypes.layer(symbol.signature().layer()),
                 symbol.isPlatform(),
-                symbol.isDeploy(),
+                symbol.signature().isDeploy(),
                 profile(symbol),
                 Stereotypes.queueCapacity(symbol),
                 Stereotypes.cycle(symbol),
@@ -123,7 +123,7 @@ final class ComponentLowering {
     }
 
     private static List<String> refines(ComponentSymbol symbol) {
-        return symbol.refines().stream()
+        return symbol.signature().refines().stream()
                 .map(r -> Resolved.get(r.resolution(), r.node()).qualifiedName())
                 .toList();
     }

@@ -2,9 +2,9 @@ package arcomat.lower;
 
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.symbols.ConnectorSymbol;
-import arcomat.symbols.InstanceSymbol;
-import arcomat.symbols.Typed;
+import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.Typed;
 
 import java.util.ArrayList;
 import java.util.List;

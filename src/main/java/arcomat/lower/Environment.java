@@ -5,8 +5,8 @@ import arcomat.model.Parameter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.symbols.TypeSubstitution;
-import arcomat.symbols.TypeSymbol;
+import arcomat.symbols.names.TypeSubstitution;
+import arcomat.symbols.names.TypeSymbol;
 
 import java.util.HashMap;
 import java.util.List;

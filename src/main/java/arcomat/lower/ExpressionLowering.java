@@ -6,9 +6,9 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.source.Span;
-import arcomat.symbols.Typed;
-import arcomat.symbols.TypedExpression;
-import arcomat.symbols.VariableSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.TypedExpression;
+import arcomat.symbols.expressions.VariableSymbol;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,11 +1,10 @@
 package arcomat.lower;
 
 import arcomat.model.Type;
-import arcomat.symbols.ComponentReference;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.InstanceSymbol;
-import arcomat.symbols.TypeSubstitution;
-import arcomat.symbols.TypeVariable;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.names.TypeSubstitution;
+import arcomat.symbols.names.TypeVariable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -23,15 +22,16 @@ record Instantiation(ComponentSymbol component, TypeSubstitution arguments) {
 
     /** What an instance inside this one instantiates. */
     Instantiation of(InstanceSymbol instance) {
-        ComponentReference type = instance.type();
-        ComponentSymbol part = Resolved.component(type);
-        TypeSubstitution given = type.substitution().then(substitution());
+        ComponentSymbol part =
+                instance.component()
+                        .orElseThrow(() -> new IllegalStateException("unresolved: " + instance));
+        TypeSubstitution given = instance.type().substitution().then(substitution());
         return new Instantiation(part, given.only(typeVariables(part)));
     }
 
     /** For types as written in the component and in its ancestors. */
     TypeSubstitution substitution() {
-        return component.inheritedArguments().then(arguments);
+        return component.signature().inheritedArguments().then(arguments);
     }
 
     /** {@code Outer.Inner<Integer>}. */
@@ -54,7 +54,7 @@ record Instantiation(ComponentSymbol component, TypeSubstitution arguments) {
     private static List<TypeVariable> typeVariables(ComponentSymbol component) {
         List<TypeVariable> variables = new ArrayList<>();
         component.enclosing().ifPresent(e -> variables.addAll(typeVariables(e)));
-        variables.addAll(component.typeParameters());
+        variables.addAll(component.signature().typeParameters());
         return variables;
     }
 }

@@ -5,8 +5,8 @@ import arcomat.model.Invariant;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.InvariantSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InvariantSymbol;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -3,10 +3,10 @@ package arcomat.lower;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.StreamTest;
-import arcomat.symbols.AutomatonSymbol;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.TestSuiteSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -56,7 +56,7 @@ public final class Lowering {
 
     /** Whether it, or a component around it, needs type arguments. */
     private static boolean isGenericInside(ComponentSymbol component) {
-        return component.isGeneric()
+        return component.signature().isGeneric()
                 || component.enclosing().map(Lowering::isGenericInside).orElse(false);
     }
 

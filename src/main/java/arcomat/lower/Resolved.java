@@ -1,8 +1,6 @@
 package arcomat.lower;
 
-import arcomat.symbols.ComponentReference;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.Resolution;
+import arcomat.symbols.names.Resolution;
 
 /** Takes what the checks guarantee. */
 final class Resolved {
@@ -12,9 +10,5 @@ final class Resolved {
         return resolution
                 .found()
                 .orElseThrow(() -> new IllegalStateException("unresolved: " + what));
-    }
-
-    static ComponentSymbol component(ComponentReference reference) {
-        return get(reference.resolution(), reference.name());
     }
 }

@@ -2,8 +2,8 @@ package arcomat.lower;
 
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.Layer;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.signatures.Layer;
 import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 

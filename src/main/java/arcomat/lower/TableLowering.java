@@ -3,9 +3,9 @@ package arcomat.lower;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Port;
-import arcomat.symbols.ItemValue;
-import arcomat.symbols.PortSymbol;
-import arcomat.symbols.TableSymbol;
+import arcomat.symbols.bodies.TableSymbol;
+import arcomat.symbols.expressions.ItemValue;
+import arcomat.symbols.expressions.PortSymbol;
 import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 

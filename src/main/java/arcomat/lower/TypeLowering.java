@@ -1,11 +1,11 @@
 package arcomat.lower;
 
 import arcomat.model.Type;
-import arcomat.symbols.BuiltinType;
-import arcomat.symbols.ClassSymbol;
-import arcomat.symbols.EnumSymbol;
-import arcomat.symbols.RangeType;
-import arcomat.symbols.TypeSymbol;
+import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.RangeType;
+import arcomat.symbols.names.TypeSymbol;
 
 import java.util.ArrayList;
 import java.util.List;

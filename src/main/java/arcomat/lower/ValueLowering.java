@@ -4,8 +4,8 @@ import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
-import arcomat.symbols.ItemValue;
-import arcomat.symbols.Typed;
+import arcomat.symbols.expressions.ItemValue;
+import arcomat.symbols.expressions.Typed;
 import arcomat.tree.Block;
 
 import java.util.ArrayList;

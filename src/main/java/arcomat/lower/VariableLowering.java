@@ -4,7 +4,7 @@ import arcomat.model.Expression;
 import arcomat.model.FirstValue;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.symbols.VariableSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -2,8 +2,8 @@ package arcomat.lower;
 
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.symbols.TypeSymbol;
-import arcomat.symbols.WrittenMessage;
+import arcomat.symbols.expressions.WrittenMessage;
+import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Name;
 
 import java.util.Optional;

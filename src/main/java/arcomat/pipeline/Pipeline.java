@@ -1,7 +1,7 @@
 package arcomat.pipeline;
 
 import arcomat.brick.BrickReport;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.analysis.AnalysisResult;
 import arcomat.pipeline.analysis.AnalyzeRequest;

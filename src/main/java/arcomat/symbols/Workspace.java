@@ -1,6 +1,23 @@
 package arcomat.symbols;
 
 import arcomat.source.SourceFile;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ComponentSymbols;
+import arcomat.symbols.bodies.Delays;
+import arcomat.symbols.bodies.Parts;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.ComponentDeclaration;
+import arcomat.symbols.names.DefinedType;
+import arcomat.symbols.names.DiagramSymbol;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.Index;
+import arcomat.symbols.names.Lazy;
+import arcomat.symbols.names.Names;
+import arcomat.symbols.names.Outline;
+import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.signatures.Signatures;
 import arcomat.tree.Automaton;
 import arcomat.tree.ClassDiagram;
 import arcomat.tree.Component;
@@ -11,7 +28,6 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -23,6 +39,8 @@ public final class Workspace {
     private final List<Unit> units;
     private final Index index = new Index();
     private final Map<SourceFile, UnitScope> scopes = new IdentityHashMap<>();
+    private final Signatures signatures = new Signatures();
+    private final ComponentSymbols symbols = new ComponentSymbols();
     private final List<ComponentSymbol> topLevel = new ArrayList<>();
     private final List<ComponentSymbol> components = new ArrayList<>();
     private final List<DiagramSymbol> diagrams = new ArrayList<>();
@@ -83,7 +101,9 @@ public final class Workspace {
         scopes.put(unit.file(), scope);
         index.addQualifier(unit.packageText());
         if (unit.definition() instanceof Component component) {
-            ComponentSymbol symbol = new ComponentSymbol(scope, component, Optional.empty());
+            ComponentDeclaration declaration = ComponentDeclaration.topLevel(scope, component);
+            signatures.add(declaration);
+            ComponentSymbol symbol = symbols.add(signatures.of(declaration));
             topLevel.add(symbol);
             addComponent(symbol, seen);
         } else if (unit.definition() instanceof ClassDiagram diagram) {
@@ -91,7 +111,7 @@ public final class Workspace {
         } else if (unit.definition() instanceof Automaton automaton) {
             bareAutomata.add(AutomatonSymbol.bare(automaton, scope));
         } else if (unit.definition() instanceof TestSuite suite) {
-            testSuites.add(new TestSuiteSymbol(scope, suite));
+            testSuites.add(new TestSuiteSymbol(scope, suite, this::symbol));
         } else {
             throw new AssertionError(unit.definition());
         }
@@ -100,7 +120,7 @@ public final class Workspace {
     private void addComponent(ComponentSymbol component, boolean seen) {
         components.add(component);
         if (seen) {
-            index.add(component);
+            index.add(component.signature().declaration());
             index.addQualifier(component.qualifiedName());
         }
         component.innerComponents().forEach(inner -> addComponent(inner, seen));
@@ -124,7 +144,12 @@ public final class Workspace {
         if (node instanceof ClassDiagram.EnumDefinition definition) {
             return new EnumSymbol(scope.unit(), definition, qualifiedName);
         }
-        return new ClassSymbol(scope, (ClassDiagram.ClassDefinition) node, qualifiedName);
+        return new ClassSymbol(
+                scope.unit(), scope::type, (ClassDiagram.ClassDefinition) node, qualifiedName);
+    }
+
+    private ComponentSymbol symbol(ComponentDeclaration declaration) {
+        return symbols.of(signatures.of(declaration));
     }
 
     public List<Unit> units() {
@@ -157,7 +182,7 @@ public final class Workspace {
 
     /** The components of a qualified name, {@code p.Outer.Inner} for inner ones. */
     public List<ComponentSymbol> components(String qualifiedName) {
-        return List.copyOf(index.components(qualifiedName));
+        return index.components(qualifiedName).stream().map(this::symbol).toList();
     }
 
     public List<DiagramSymbol> diagrams() {

@@ -10,12 +10,12 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.models.ReadModels;
 import arcomat.semantics.ComponentBuilder;
-import arcomat.semantics.Network;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
-import arcomat.simulate.StreamTestResult.Verdict;
-import arcomat.simulate.StreamTests;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.simulate.test.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTests;
 import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.Test;

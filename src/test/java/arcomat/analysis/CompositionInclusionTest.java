@@ -3,10 +3,15 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomNetworks.Question;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

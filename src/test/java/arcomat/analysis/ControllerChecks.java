@@ -2,15 +2,19 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.Sent;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -19,13 +23,13 @@ import java.util.List;
 import java.util.Set;
 
 /** What is asked of every synthesised controller. */
-final class ControllerChecks {
+public final class ControllerChecks {
     private static final Budget BUDGET = new Budget(() -> false, 1_000_000);
 
     private ControllerChecks() {}
 
     /** It keeps every requirement, and leaves nothing open. */
-    static void check(Promise requirements, Component controller) {
+    public static void check(Promise requirements, Component controller) {
         keepsAll(requirements, controller);
         isDeterministic(controller);
     }

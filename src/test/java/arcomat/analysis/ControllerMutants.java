@@ -2,7 +2,10 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Component;

@@ -2,9 +2,13 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.generate.Choosing;
 import arcomat.generate.ControllerText;
 import arcomat.generate.GeneratedFile;

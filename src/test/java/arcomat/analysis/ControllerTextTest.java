@@ -3,6 +3,9 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Sections.Section;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.source.SourceFile;

@@ -1,13 +1,14 @@
 package arcomat.analysis;
 
+import arcomat.analysis.search.Moment;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Network;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -1,5 +1,6 @@
 package arcomat.analysis;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.models.ReadModels;
 import arcomat.source.SourceFile;
 

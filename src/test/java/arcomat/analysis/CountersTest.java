@@ -2,7 +2,12 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 
 import org.junit.jupiter.api.Test;

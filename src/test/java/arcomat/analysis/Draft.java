@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
  * An automaton over arbitrary ports that all carry the same messages: any of them can be connected.
  * Written as {@link ComponentBuilder} reads it; states are numbers.
  */
-record Draft(
+public record Draft(
         List<Socket> sockets,
         Completion completion,
         boolean free,
@@ -28,7 +28,7 @@ record Draft(
 
     private static final Type TYPE = enumeration("Message", MESSAGES.toArray(String[]::new));
 
-    Draft {
+    public Draft {
         sockets = List.copyOf(sockets);
         openings = List.copyOf(openings);
         edges = List.copyOf(edges);
@@ -39,12 +39,12 @@ record Draft(
      *
      * @param delay of an output
      */
-    record Socket(String name, boolean input, boolean total, int delay) {
+    public record Socket(String name, boolean input, boolean total, int delay) {
         Socket withDelay(int slices) {
             return new Socket(name, input, total, slices);
         }
 
-        void add(ComponentBuilder builder) {
+        public void add(ComponentBuilder builder) {
             if (input && total) {
                 builder.totalIn(TYPE, name);
             } else if (input) {
@@ -60,7 +60,7 @@ record Draft(
     }
 
     /** An initial clause. */
-    record Opening(int state, String output) {}
+    public record Opening(int state, String output) {}
 
     List<Socket> inputs() {
         return sockets.stream().filter(Socket::input).toList();
@@ -99,7 +99,7 @@ record Draft(
         return with(changed);
     }
 
-    Component component(String name) {
+    public Component component(String name) {
         ComponentBuilder builder = ComponentBuilder.component(name);
         sockets.forEach(socket -> socket.add(builder));
         String[] names = IntStream.range(0, states).mapToObj(i -> "s" + i).toArray(String[]::new);

@@ -8,7 +8,7 @@ import java.util.Optional;
 import java.util.Random;
 
 /** A small change of an automaton, in the manner of those who let requirements evolve. */
-enum Edit {
+public enum Edit {
     /** Decides for one of two transitions with the same trigger. */
     DROP_ALTERNATIVE {
         @Override

@@ -3,16 +3,20 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.SimulatedRuns.Run;
-import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.engine.CompositeSide;
-import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.Side;
-import arcomat.analysis.engine.Steps;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.side.CompositeSide;
+import arcomat.analysis.search.side.Side;
+import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.Steps;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import org.junit.jupiter.api.Test;
 

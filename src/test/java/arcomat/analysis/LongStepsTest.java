@@ -3,10 +3,17 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.refinement.MonaRefinement;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.models.ReadModels;

@@ -3,15 +3,18 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomSketches.Knobs;
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.coverage.Mutants;
 import arcomat.analysis.coverage.Mutants.Mutant;
 import arcomat.analysis.coverage.TransitionTests;
 import arcomat.analysis.coverage.TransitionTests.Mistake;
 import arcomat.analysis.coverage.TransitionTests.Untold;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.StreamTest;
-import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult;
 
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

@@ -4,11 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomPairs.Pair;
 import arcomat.analysis.RandomPairs.Question;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.pipeline.analysis.InstalledMona;
-import arcomat.semantics.SmallType;
+import arcomat.semantics.value.SmallType;
 
 import org.junit.jupiter.api.Assumptions;
 import org.junit.jupiter.api.DynamicTest;

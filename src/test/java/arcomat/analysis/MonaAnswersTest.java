@@ -2,6 +2,10 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.MonaRefinement;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Model;
 
 import org.junit.jupiter.api.DynamicTest;

@@ -2,6 +2,9 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.MonaRefinement;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.generate.MonaText;
 import arcomat.generate.Target;
 import arcomat.model.Model;

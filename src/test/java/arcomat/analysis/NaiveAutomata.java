@@ -4,12 +4,12 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Behaviour.JointReaction;
-import arcomat.semantics.Behaviour.Prospect;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.expression.Output;
 
 import java.util.HashSet;
 import java.util.LinkedHashMap;

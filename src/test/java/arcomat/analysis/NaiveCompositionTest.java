@@ -10,7 +10,7 @@ import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.simulate.Interpreter;
+import arcomat.simulate.run.Interpreter;
 
 import org.junit.jupiter.api.Test;
 

@@ -1,10 +1,11 @@
 package arcomat.analysis;
 
 import arcomat.analysis.NaiveEvents.Step;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.Collections;

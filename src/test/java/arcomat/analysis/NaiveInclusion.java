@@ -1,5 +1,6 @@
 package arcomat.analysis;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -16,7 +17,7 @@ import java.util.Set;
  * Inclusion of traces by trying every letter of input and output, length by length. Slow and
  * simple: it shares nothing with the engine but the step relation. For ports of enums and Booleans.
  */
-final class NaiveInclusion {
+public final class NaiveInclusion {
     private record Node(Object left, Set<Object> right) {}
 
     final NaiveMachine left;
@@ -24,14 +25,14 @@ final class NaiveInclusion {
     final List<Map<String, Value>> inputs;
     final List<Map<String, Value>> outputs;
 
-    NaiveInclusion(Promise left, Promise right) {
+    public NaiveInclusion(Promise left, Promise right) {
         this(left, right, NaiveMachine.of(right));
     }
 
     /**
      * @param machine the right side, or what it is made into
      */
-    NaiveInclusion(Promise left, Promise right, NaiveMachine machine) {
+    public NaiveInclusion(Promise left, Promise right, NaiveMachine machine) {
         List<Port> compared = right.component().outputs();
         Set<String> late = NaiveShownMachine.late(left, right, compared);
         Set<String> otherLate = NaiveShownMachine.late(right, left, compared);
@@ -72,7 +73,7 @@ final class NaiveInclusion {
     }
 
     /** The number of inputs after which the left side may do what the right one forbids. */
-    OptionalInt shortestFailure(int most) {
+    public OptionalInt shortestFailure(int most) {
         Set<Node> level = new HashSet<>();
         Set<Node> seen = new HashSet<>();
         for (Map<String, Value> output : outputs) {

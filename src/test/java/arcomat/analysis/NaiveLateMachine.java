@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Set;
 
 /** A machine that reads each letter some slices later, and sends whatever it likes until then. */
-record NaiveLateMachine(NaiveMachine machine, int slices) implements NaiveMachine {
+public record NaiveLateMachine(NaiveMachine machine, int slices) implements NaiveMachine {
     private record State(Object inner, List<Map<String, Value>> held) {}
 
     @Override

@@ -1,5 +1,6 @@
 package arcomat.analysis;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Value;
 
@@ -10,7 +11,7 @@ import java.util.Set;
  * A side of a comparison as naive enumeration sees it. What a state is, is its own business. In a
  * letter null is silence; ports that an output letter does not know are left aside.
  */
-interface NaiveMachine {
+public interface NaiveMachine {
     /** An output that ends the run. */
     Map<String, Value> ERROR = Map.of("error", new Value.BooleanValue(true));
 

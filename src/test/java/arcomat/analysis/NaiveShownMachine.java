@@ -1,9 +1,10 @@
 package arcomat.analysis;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
 
 import java.util.HashMap;
 import java.util.HashSet;

@@ -1,5 +1,6 @@
 package arcomat.analysis;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Value;
 
 import java.util.ArrayDeque;

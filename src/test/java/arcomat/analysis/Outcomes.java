@@ -1,16 +1,17 @@
 package arcomat.analysis;
 
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.Sent;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -27,7 +28,7 @@ import java.util.stream.IntStream;
  * The meaning of requirement sets, step by step and letter by letter, with all inputs and outputs
  * written out: slow, and without any code of the engine. Positions are numbered as they are met.
  */
-final class Outcomes {
+public final class Outcomes {
     /** The position behind an error that all requirements allow. */
     static final int END = 0;
 
@@ -53,7 +54,7 @@ final class Outcomes {
     private final Map<Position, Integer> numbers = new HashMap<>();
     private final Map<Asked, int[]> answers = new HashMap<>();
 
-    Outcomes(List<Promise> requirements) {
+    public Outcomes(List<Promise> requirements) {
         component = requirements.get(0).component();
         for (Promise each : requirements) {
             relations.addAll(
@@ -249,7 +250,7 @@ final class Outcomes {
     }
 
     /** Whether some outputs comply after a word. */
-    boolean somethingComplies(List<Letter> word) {
+    public boolean somethingComplies(List<Letter> word) {
         Set<Integer> reached = new TreeSet<>();
         Arrays.stream(distinct(openings())).forEach(reached::add);
         for (Letter letter : word) {
@@ -263,7 +264,7 @@ final class Outcomes {
     }
 
     /** Whether the environment can make every system break a requirement with so many inputs. */
-    boolean isLost(int inputsLeft) {
+    public boolean isLost(int inputsLeft) {
         Map<List<Integer>, Boolean> known = new HashMap<>();
         return Arrays.stream(distinct(openings()))
                 .allMatch(each -> isLost(each, inputsLeft, known));

@@ -2,7 +2,13 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.contradiction.ContradictionsTest;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 

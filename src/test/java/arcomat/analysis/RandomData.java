@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
  * Random components that pass data on, store them and ask whether they are equal. The same models
  * can be had with data of an enumeration, of which all can be tried, and of other types.
  */
-final class RandomData {
+public final class RandomData {
     private static final List<String> COMPLETIONS =
             List.of("chaos", "output", "ignore", "ignore", "ignore", "error");
 
@@ -46,7 +46,7 @@ final class RandomData {
         }
     }
 
-    static final Kind INTEGERS = new Many("Integer", "#");
+    public static final Kind INTEGERS = new Many("Integer", "#");
     static final Kind LARGE_RANGE = new Many("Integer[-3..9000]", "#");
     static final Kind STRINGS = new Many("String", "\"#\"");
 
@@ -79,14 +79,14 @@ final class RandomData {
     private final boolean two;
     private final boolean events;
 
-    RandomData(long seed) {
+    public RandomData(long seed) {
         this(seed, false);
     }
 
     /**
      * @param events whether there are events instead of slices; {@code z} is latched then
      */
-    RandomData(long seed, boolean events) {
+    public RandomData(long seed, boolean events) {
         this.random = new Random(seed);
         this.two = random.nextInt(4) == 0;
         this.events = events;
@@ -100,7 +100,7 @@ final class RandomData {
     }
 
     /** Of these, both or one is made of two parts, one behind the other. */
-    List<String> chains() {
+    public List<String> chains() {
         Sketch first = sketch();
         Sketch second = sketch();
         Sketch other = random.nextBoolean() ? first : edited(first);
@@ -135,7 +135,7 @@ final class RandomData {
                         second);
     }
 
-    static Model model(List<String> texts, Kind kind) {
+    public static Model model(List<String> texts, Kind kind) {
         List<SourceFile> files = new ArrayList<>();
         boolean few = kind instanceof Few;
         for (String text : texts) {

@@ -5,6 +5,7 @@ import arcomat.analysis.Draft.Socket;
 import arcomat.analysis.NaiveComposition.Move;
 import arcomat.analysis.NaiveComposition.State;
 import arcomat.analysis.Sketch.Edge;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Value;
@@ -22,17 +23,17 @@ import java.util.stream.Collectors;
  * Small compositions, wired at random, beside atomic components: those are made from what the
  * composition does, and then edited, or arbitrary. The same seed gives the same questions.
  */
-final class RandomNetworks {
+public final class RandomNetworks {
     private static final int MOST_STATES = 40;
 
     private final Random random;
 
-    RandomNetworks(long seed) {
+    public RandomNetworks(long seed) {
         random = new Random(seed);
     }
 
     /** Two promises, and how they came about. */
-    record Question(Promise left, Promise right, String text) {}
+    public record Question(Promise left, Promise right, String text) {}
 
     record Connection(String sender, String receiver) {}
 
@@ -187,7 +188,7 @@ final class RandomNetworks {
     }
 
     /** A composition and an atomic component, either way round, or two compositions. */
-    Question question() {
+    public Question question() {
         Plan plan = plan();
         Component whole = plan.component("Whole");
         return switch (random.nextInt(5)) {

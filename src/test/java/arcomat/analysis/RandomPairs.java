@@ -1,6 +1,7 @@
 package arcomat.analysis;
 
 import arcomat.analysis.RandomSketches.Knobs;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Automaton.Completion;
 
 import java.util.ArrayList;

@@ -3,7 +3,10 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomPairs.Pair;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 
 import org.junit.jupiter.api.Test;
 

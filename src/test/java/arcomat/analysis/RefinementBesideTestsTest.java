@@ -2,21 +2,26 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Network;
-import arcomat.semantics.Sent;
-import arcomat.semantics.SmallType;
-import arcomat.simulate.Choice;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
+import arcomat.semantics.value.SmallType;
 import arcomat.simulate.RandomSliceModels;
 import arcomat.simulate.RecordedRuns;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
 
 import org.junit.jupiter.api.Test;
 

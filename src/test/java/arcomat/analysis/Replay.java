@@ -2,19 +2,22 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Behaviour.JointReaction;
-import arcomat.semantics.Behaviour.JointStart;
-import arcomat.semantics.Behaviour.Prospect;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Network;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
 import java.util.Collections;

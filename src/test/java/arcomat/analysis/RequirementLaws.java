@@ -2,15 +2,21 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.contradiction.ContradictionsTest;
 import arcomat.analysis.game.Turn;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -3,6 +3,7 @@ package arcomat.analysis;
 import arcomat.analysis.RandomSketches.Knobs;
 import arcomat.analysis.Sketch.Edge;
 import arcomat.analysis.Sketch.Shape;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;

@@ -3,9 +3,9 @@ package arcomat.analysis;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.SmallType;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Question;
+import arcomat.semantics.value.SmallType;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Question;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -17,14 +17,14 @@ import java.util.List;
  * models, any other {@code == kind rest} is a question about them. Lines with a number sign are
  * comments.
  */
-record Sections(List<Section> all) {
+public record Sections(List<Section> all) {
 
     /**
      * @param lines without empty lines and comments, but for a file
      */
-    record Section(String kind, String rest, List<String> lines) {}
+    public record Section(String kind, String rest, List<String> lines) {}
 
-    static Sections read(Path file) {
+    public static Sections read(Path file) {
         try {
             return parse(Files.readAllLines(file));
         } catch (IOException e) {
@@ -49,12 +49,12 @@ record Sections(List<Section> all) {
         return new Sections(sections);
     }
 
-    List<Section> of(String kind) {
+    public List<Section> of(String kind) {
         return all.stream().filter(section -> section.kind.equals(kind)).toList();
     }
 
     /** The models as files. */
-    List<SourceFile> sources() {
+    public List<SourceFile> sources() {
         List<SourceFile> sources = new ArrayList<>();
         of("models").forEach(folder -> sources.addAll(ModelFiles.of(Path.of(folder.rest))));
         of("file")
@@ -65,7 +65,7 @@ record Sections(List<Section> all) {
         return sources;
     }
 
-    Model model() {
+    public Model model() {
         return ReadModels.model(sources());
     }
 }

@@ -2,7 +2,13 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.engine.Inclusion;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Sides;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Shortcut;
+import arcomat.analysis.search.product.Inclusion;
 import arcomat.model.Model;
 
 import org.junit.jupiter.api.DynamicTest;

@@ -4,7 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.simulate.Interpreter;
+import arcomat.simulate.run.Interpreter;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

@@ -24,14 +24,14 @@ import java.util.stream.IntStream;
  *
  * @param openings what is sent at the beginning, each in state 0; empty with delay 0
  */
-record Sketch(
+public record Sketch(
         Shape shape,
         Completion completion,
         boolean extended,
         int states,
         List<String> openings,
         List<Edge> edges) {
-    Sketch {
+    public Sketch {
         openings = List.copyOf(openings);
         edges = List.copyOf(edges);
     }
@@ -68,7 +68,7 @@ record Sketch(
     }
 
     /** A transition. */
-    record Edge(int source, int target, String input, String output) {
+    public record Edge(int source, int target, String input, String output) {
         Edge to(int other) {
             return new Edge(source, other, input, output);
         }

@@ -1,9 +1,11 @@
 package arcomat.analysis;
 
-import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -12,11 +14,11 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /** Verdicts on one line. */
-final class Verdicts {
+public final class Verdicts {
     private Verdicts() {}
 
     /** As much of a verdict as somebody expected: {@code fails {}/{cmd = fwd}}. */
-    static String text(Verdict verdict, String expected) {
+    public static String text(Verdict verdict, String expected) {
         String answer = verdict.answer().name().toLowerCase(Locale.ROOT);
         if (expected.equals(answer)) {
             return answer;
@@ -58,7 +60,7 @@ final class Verdicts {
                 .orElse("may simulate");
     }
 
-    static String trace(List<Moment> trace) {
+    public static String trace(List<Moment> trace) {
         return trace.stream()
                 .map(
                         moment ->

@@ -2,6 +2,11 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.Certification;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Model;
@@ -25,8 +30,8 @@ import java.util.stream.Stream;
  * {@code says} all sentences, or a part of the reason and the note, {@code not late} where there is
  * none, or {@code unknown}.
  */
-class VerdictsTest {
-    static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");
+public class VerdictsTest {
+    public static final Path FOLDER = Path.of("src/test/resources/analysis/refinement");
 
     private static final Map<String, Completion> COMPLETIONS =
             Map.of(
@@ -82,7 +87,7 @@ class VerdictsTest {
         }
     }
 
-    static Promise promise(Model model, String name, char completion) {
+    public static Promise promise(Model model, String name, char completion) {
         boolean required = name.startsWith("!");
         String[] parts = name.substring(required ? 1 : 0).split("#");
         Component component = model.component(parts[0]).orElseThrow();

@@ -2,12 +2,12 @@ package arcomat.analysis;
 
 import arcomat.model.Component;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.Start;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation;
 
 import java.util.ArrayDeque;
 import java.util.Deque;

@@ -3,19 +3,23 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomPairs.Pair;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.pipeline.compile.CompiledMonitor;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
-import arcomat.simulate.Violation;
-import arcomat.simulate.Watch;
-import arcomat.simulate.Watched;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.simulate.watch.Violation;
+import arcomat.simulate.watch.Watch;
+import arcomat.simulate.watch.Watched;
 
 import org.junit.jupiter.api.Test;
 

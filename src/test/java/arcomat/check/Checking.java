@@ -1,5 +1,6 @@
 package arcomat.check;
 
+import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;

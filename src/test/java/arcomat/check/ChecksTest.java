@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import static java.util.Comparator.comparing;
 
+import arcomat.check.law.Check;
+import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.TextEdit;
@@ -14,6 +16,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -165,18 +168,21 @@ class ChecksTest {
     }
 
     private static List<String> checkClasses() throws IOException {
-        try (Stream<Path> files = Files.list(Path.of("src/main/java/arcomat/check"))) {
-            return files.map(p -> p.getFileName().toString())
-                    .filter(n -> n.endsWith(".java"))
-                    .map(n -> n.substring(0, n.length() - ".java".length()))
+        Path main = Path.of("src/main/java");
+        try (Stream<Path> files = Files.walk(main.resolve("arcomat/check"))) {
+            return files.map(file -> main.relativize(file).toString())
+                    .filter(name -> name.endsWith(".java"))
+                    .map(name -> name.substring(0, name.length() - ".java".length()))
+                    .map(name -> name.replace(File.separatorChar, '.'))
                     .filter(ChecksTest::isCheck)
+                    .map(name -> name.substring(name.lastIndexOf('.') + 1))
                     .toList();
         }
     }
 
-    private static boolean isCheck(String simpleName) {
+    private static boolean isCheck(String name) {
         try {
-            Class<?> type = Class.forName("arcomat.check." + simpleName);
+            Class<?> type = Class.forName(name);
             return Check.class.isAssignableFrom(type) && !type.isInterface();
         } catch (ClassNotFoundException e) {
             return false;

@@ -1,5 +1,6 @@
 package arcomat.check;
 
+import arcomat.check.law.Profile;
 import arcomat.source.SourceFile;
 
 import java.io.IOException;

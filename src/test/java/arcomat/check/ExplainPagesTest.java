@@ -2,6 +2,8 @@ package arcomat.check;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.check.law.Check;
+import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 

@@ -2,6 +2,7 @@ package arcomat.check;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.check.law.Profile;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Parsed;

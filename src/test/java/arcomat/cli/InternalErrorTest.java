@@ -2,6 +2,8 @@ package arcomat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.cli.terminal.Console;
+
 import org.junit.jupiter.api.Test;
 
 import java.io.BufferedReader;

@@ -2,6 +2,7 @@ package arcomat.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.cli.terminal.ExitStatus;
 import arcomat.report.finding.SarifSchema;
 
 import net.jqwik.api.ForAll;

@@ -3,6 +3,7 @@ package arcomat.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Transcript.Section;
+import arcomat.cli.terminal.Console;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;

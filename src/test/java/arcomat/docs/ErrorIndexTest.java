@@ -3,8 +3,8 @@ package arcomat.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
-import arcomat.check.Law;
-import arcomat.check.Profile;
+import arcomat.check.law.Law;
+import arcomat.check.law.Profile;
 import arcomat.pipeline.check.Explanations;
 import arcomat.source.Severity;
 import arcomat.source.SourceFile;

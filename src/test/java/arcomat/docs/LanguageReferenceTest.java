@@ -3,7 +3,7 @@ package arcomat.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Formatter;

@@ -10,8 +10,8 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;

@@ -23,8 +23,8 @@ import java.util.TreeMap;
 class TracedCodeTest {
     private static final String NOTE =
             "\\s*|\\s*(private int )?(state|taken)_* = .*;|\\s*private int"
-                + " (state|taken)_*;|\\s*public static final int \\w+ = \\d+;|\\s*/\\*\\* The"
-                + " transition taken last.*";
+                    + " (state|taken)_*;|\\s*public static final int \\w+ = \\d+;|\\s*/\\*\\* The"
+                    + " transition taken last.*";
 
     @ParameterizedTest
     @ValueSource(

@@ -1,8 +1,8 @@
 package arcomat.laws;
 
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Conjunctions;
 import arcomat.laws.draw.Draw;

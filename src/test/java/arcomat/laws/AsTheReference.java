@@ -1,14 +1,14 @@
 package arcomat.laws;
 
-import arcomat.analysis.Moment;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Moment;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.naive.NaiveQuestion;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;

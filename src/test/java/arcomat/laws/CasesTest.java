@@ -2,17 +2,17 @@ package arcomat.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Contradictions;
-import arcomat.analysis.Difference;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.refinement.Difference;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.StreamTest;
 import arcomat.models.ModelFiles;
 import arcomat.models.ReadModels;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTests;
 import arcomat.source.SourceFile;
 
 import org.junit.jupiter.api.DynamicTest;

@@ -1,8 +1,8 @@
 package arcomat.laws;
 
-import arcomat.analysis.Certification;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Certification;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.laws.draw.Draw;
 import arcomat.source.SourceFile;
 

@@ -2,12 +2,12 @@ package arcomat.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Analyses;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
 import arcomat.check.DataFile;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
@@ -16,7 +16,7 @@ import arcomat.model.Component;
 import arcomat.model.Value;
 import arcomat.models.ModelFiles;
 import arcomat.models.ReadModels;
-import arcomat.semantics.Arguments;
+import arcomat.semantics.expression.Arguments;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;

@@ -1,12 +1,12 @@
 package arcomat.laws;
 
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
 import arcomat.laws.draw.Plug;
 import arcomat.model.Component;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;

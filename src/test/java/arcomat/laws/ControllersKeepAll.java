@@ -1,11 +1,11 @@
 package arcomat.laws;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Contradiction;
-import arcomat.analysis.Contradictions;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Conjunctions;
 import arcomat.laws.draw.Draw;

@@ -1,8 +1,8 @@
 package arcomat.laws;
 
 import arcomat.analysis.CounterexampleRun;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Moment;
 import arcomat.laws.draw.Draw;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
@@ -11,11 +11,11 @@ import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Network;
-import arcomat.semantics.Sent;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
-import arcomat.simulate.Violation;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
+import arcomat.simulate.watch.Violation;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;

@@ -1,10 +1,10 @@
 package arcomat.laws;
 
-import arcomat.analysis.Difference;
-import arcomat.analysis.Difference.Relation;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Difference;
+import arcomat.analysis.refinement.Difference.Relation;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.laws.draw.Draw;
 import arcomat.source.SourceFile;
 

@@ -1,7 +1,7 @@
 package arcomat.laws;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;

@@ -1,9 +1,9 @@
 package arcomat.laws;
 
-import arcomat.analysis.InvariantProof;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.InvariantProof;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Moment;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
@@ -13,7 +13,7 @@ import arcomat.laws.naive.NaiveInvariant;
 import arcomat.model.Component;
 import arcomat.model.Invariant;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;

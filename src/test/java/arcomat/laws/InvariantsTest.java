@@ -2,8 +2,8 @@ package arcomat.laws;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.InvariantProof;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.InvariantProof;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
 import arcomat.model.Component;

@@ -1,20 +1,20 @@
 package arcomat.laws;
 
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
 import arcomat.analysis.coverage.Mutants;
 import arcomat.analysis.coverage.Mutants.Mutant;
 import arcomat.analysis.coverage.TransitionTests;
 import arcomat.analysis.coverage.TransitionTests.Mistake;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import arcomat.analysis.coverage.TransitionTests.Untold;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.StreamTest;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;

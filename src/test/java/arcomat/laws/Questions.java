@@ -1,17 +1,17 @@
 package arcomat.laws;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Refinement;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
-import arcomat.simulate.Watch;
-import arcomat.simulate.Watched;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
+import arcomat.simulate.watch.Watch;
+import arcomat.simulate.watch.Watched;
 
 import java.util.List;
 import java.util.Map;

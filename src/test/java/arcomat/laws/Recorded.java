@@ -6,7 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.simulate.SuiteText;
+import arcomat.simulate.test.SuiteText;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

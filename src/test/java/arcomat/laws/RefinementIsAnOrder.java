@@ -1,6 +1,6 @@
 package arcomat.laws;
 
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Edits;
 import arcomat.model.Component;

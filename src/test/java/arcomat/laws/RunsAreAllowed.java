@@ -1,18 +1,18 @@
 package arcomat.laws;
 
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.laws.draw.Draw;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
-import arcomat.simulate.Watched;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
+import arcomat.simulate.watch.Watched;
 import arcomat.source.SourceFile;
 
 import java.util.List;

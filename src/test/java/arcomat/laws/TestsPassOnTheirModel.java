@@ -5,8 +5,8 @@ import arcomat.laws.draw.ComponentText;
 import arcomat.laws.draw.Draw;
 import arcomat.laws.draw.Features;
 import arcomat.model.Component;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
 import arcomat.source.SourceFile;
 
 import java.util.List;

@@ -1,6 +1,6 @@
 package arcomat.laws;
 
-import arcomat.semantics.GivenUp;
+import arcomat.semantics.value.GivenUp;
 import arcomat.source.SourceFile;
 
 import java.util.List;

@@ -3,13 +3,13 @@ package arcomat.models;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTestResult.Verdict;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTests;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.syntax.Formatter;

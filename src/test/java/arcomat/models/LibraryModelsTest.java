@@ -3,11 +3,11 @@ package arcomat.models;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.source.SourceFile;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.Layer;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.signatures.Layer;
 import arcomat.syntax.Formatter;
 import arcomat.syntax.Parser;
 
@@ -51,7 +51,10 @@ class LibraryModelsTest {
             assertThat(component.ports())
                     .as(component.name())
                     .isNotEmpty()
-                    .allMatch(port -> port.isInput() == (component.layer() == Layer.ACTUATORS));
+                    .allMatch(
+                            port ->
+                                    port.isInput()
+                                            == (component.signature().layer() == Layer.ACTUATORS));
         }
     }
 

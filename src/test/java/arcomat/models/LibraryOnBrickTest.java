@@ -3,7 +3,7 @@ package arcomat.models;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Cli;
-import arcomat.cli.Console;
+import arcomat.cli.terminal.Console;
 import arcomat.pipeline.brick.ForwardingObserver;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;

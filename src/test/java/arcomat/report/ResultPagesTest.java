@@ -17,8 +17,8 @@ import arcomat.report.page.Track;
 import arcomat.report.run.StreamTestPage;
 import arcomat.report.run.TracePage;
 import arcomat.report.verdict.VerdictPage;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

@@ -4,10 +4,10 @@ import arcomat.model.Automaton;
 import arcomat.model.Expression;
 
 /** A short form of conditions for tests: {@code m?} is presence, {@code p--} absence. */
-final class ExpressionText {
+public final class ExpressionText {
     private ExpressionText() {}
 
-    static String of(Expression e) {
+    public static String of(Expression e) {
         if (e instanceof Expression.Binary binary) {
             String operator =
                     switch (binary.operator()) {

@@ -17,18 +17,18 @@ import net.jqwik.api.Combinators;
 import java.util.List;
 
 /** Arbitrary expressions over a component with two Boolean ports and two numbers, one total. */
-final class Expressions {
+public final class Expressions {
     private static final ComponentBuilder PORTS =
             ComponentBuilder.component("C")
                     .in(BOOLEAN, "p")
                     .in(BOOLEAN, "q")
                     .in(INTEGER, "m")
                     .totalIn(INTEGER, "n");
-    static final Component COMPONENT = PORTS.build();
+    public static final Component COMPONENT = PORTS.build();
 
     private Expressions() {}
 
-    static Arbitrary<Expression> guards() {
+    public static Arbitrary<Expression> guards() {
         return guards(4);
     }
 
@@ -93,24 +93,24 @@ final class Expressions {
                 BinaryOperator.LESS, BinaryOperator.EQUAL, BinaryOperator.GREATER_OR_EQUAL);
     }
 
-    static Expression binary(BinaryOperator operator, Expression left, Expression right) {
+    public static Expression binary(BinaryOperator operator, Expression left, Expression right) {
         return new Expression.Binary(operator, left, right, BOOLEAN, NOWHERE);
     }
 
-    static Expression not(Expression e) {
+    public static Expression not(Expression e) {
         return new Expression.Unary(Expression.UnaryOperator.NOT, e, BOOLEAN, NOWHERE);
     }
 
-    static Expression number(String text) {
+    public static Expression number(String text) {
         return ComponentBuilder.constant(INTEGER, text);
     }
 
-    static Expression matches(String port, Automaton.Pattern pattern) {
+    public static Expression matches(String port, Automaton.Pattern pattern) {
         Port asked = PORTS.port(port);
         return new Expression.PortMatches(asked, pattern, NOWHERE);
     }
 
-    static Expression read(String port) {
+    public static Expression read(String port) {
         return PORTS.read(port);
     }
 }

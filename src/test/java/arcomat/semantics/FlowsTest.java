@@ -9,7 +9,10 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.DataSorts.Sort;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.DataSorts;
+import arcomat.semantics.expression.DataSorts.Sort;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.DynamicTest;

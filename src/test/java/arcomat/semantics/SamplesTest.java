@@ -8,6 +8,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
+import arcomat.semantics.value.Beside;
+import arcomat.semantics.value.KindsTest;
+import arcomat.semantics.value.SmallType;
+import arcomat.semantics.value.TooManyMessages;
+import arcomat.semantics.value.ValueOrder;
 
 import org.junit.jupiter.api.Test;
 

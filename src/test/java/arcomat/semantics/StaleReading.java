@@ -3,6 +3,10 @@ package arcomat.semantics;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Value;
+import arcomat.semantics.expression.Evaluation;
+import arcomat.semantics.expression.Formulas;
+import arcomat.semantics.expression.Rewriting;
+import arcomat.semantics.expression.Scope;
 
 import java.util.List;
 
@@ -10,13 +14,13 @@ import java.util.List;
  * Evaluates a condition as generated code does: an absent port still holds an old value, and only
  * tests of presence know better.
  */
-final class StaleReading {
+public final class StaleReading {
     private static final Scope SCOPE = new Scope(Expressions.COMPONENT, List.of());
 
     private final Value[] letter;
     private final Value[] fields;
 
-    StaleReading(Value[] letter, boolean stale) {
+    public StaleReading(Value[] letter, boolean stale) {
         this.letter = letter;
         this.fields = letter.clone();
         for (int i = 0; i < fields.length; i++) {
@@ -29,7 +33,7 @@ final class StaleReading {
         }
     }
 
-    boolean holds(Expression condition) {
+    public boolean holds(Expression condition) {
         Expression decided = Rewriting.bottomUp(condition, this::decide);
         return Evaluation.compile(decided, SCOPE).holds(fields, new Value[0]);
     }

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Variable;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Scope;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.DynamicTest;

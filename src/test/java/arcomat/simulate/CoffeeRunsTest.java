@@ -9,6 +9,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Trace;
+import arcomat.simulate.run.Choice;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

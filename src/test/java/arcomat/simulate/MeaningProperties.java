@@ -13,8 +13,12 @@ import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.ComponentBuilder;
-import arcomat.semantics.Network;
-import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.simulate.test.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTests;
 
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;

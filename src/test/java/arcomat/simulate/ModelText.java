@@ -11,16 +11,16 @@ import java.util.List;
 import java.util.Map;
 
 /** Models from text, for tests: no checks are run. */
-final class ModelText {
+public final class ModelText {
     private ModelText() {}
 
     /** All models and tests under a folder. */
-    static Model read(Path folder) {
+    public static Model read(Path folder) {
         return read(folder, Map.of());
     }
 
     /** All models and tests under a folder, and further texts by path. */
-    static Model read(Path folder, Map<String, String> texts) {
+    public static Model read(Path folder, Map<String, String> texts) {
         List<SourceFile> sources = new ArrayList<>(ModelFiles.of(folder));
         texts.forEach((path, text) -> sources.add(new SourceFile(path, text)));
         return ReadModels.model(sources);

@@ -5,13 +5,13 @@ import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Behaviour.JointReaction;
-import arcomat.semantics.Behaviour.JointStart;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Network;
-import arcomat.semantics.Sent;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -27,7 +27,7 @@ import java.util.stream.LongStream;
  * when it is sent. Slow and simple: it shares nothing with stream tests but the steps of a
  * component. For small ranges.
  */
-final class NaiveRuns {
+public final class NaiveRuns {
 
     /**
      * A run in the middle of a slice, or between two.
@@ -63,7 +63,7 @@ final class NaiveRuns {
      *
      * @param withChaos whether runs count in which something is in chaos
      */
-    static boolean allow(StreamTest test, boolean withChaos) {
+    public static boolean allow(StreamTest test, boolean withChaos) {
         return new NaiveRuns(test, withChaos).isPossible();
     }
 

@@ -1,7 +1,7 @@
 package arcomat.simulate;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.models.ReadModels;

@@ -6,7 +6,10 @@ import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.ComponentBuilder;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

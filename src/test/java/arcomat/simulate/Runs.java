@@ -6,6 +6,9 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.ComponentBuilder;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -14,7 +17,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Runs in few words: letters as {@code "frontUS=clear gotCoffee=true"}, traces as lines. */
-final class Runs {
+public final class Runs {
     private Runs() {}
 
     static Letter letter(Component component, String text) {
@@ -29,17 +32,17 @@ final class Runs {
         return Letter.of(messages);
     }
 
-    static List<Letter> letters(Component component, String... texts) {
+    public static List<Letter> letters(Component component, String... texts) {
         return Arrays.stream(texts).map(text -> letter(component, text)).toList();
     }
 
-    static Trace run(Component component, Choice choice, String... letters) {
+    public static Trace run(Component component, Choice choice, String... letters) {
         Interpreter interpreter = new Interpreter(component, List.of(), choice);
         return Simulation.run(interpreter, letters(component, letters));
     }
 
     /** One line per step: outputs, then what each automaton did. */
-    static List<String> lines(Trace trace) {
+    public static List<String> lines(Trace trace) {
         List<String> lines = new ArrayList<>();
         for (Trace.Step step : trace.steps()) {
             StringBuilder line = new StringBuilder(outputs(step));
@@ -60,7 +63,7 @@ final class Runs {
         return lines;
     }
 
-    static String outputs(Trace.Step step) {
+    public static String outputs(Trace.Step step) {
         List<String> items = new ArrayList<>();
         step.outputs()
                 .messages()

@@ -8,6 +8,9 @@ import arcomat.model.Letter;
 import arcomat.model.Model;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.simulate.watch.Violation;
+import arcomat.simulate.watch.Watch;
+import arcomat.simulate.watch.Watched;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;

@@ -2,6 +2,10 @@ package arcomat.symbols;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.DelayCycle;
+import arcomat.symbols.names.ClassSymbol;
+
 import org.junit.jupiter.api.Test;
 
 import java.util.Set;

@@ -1,5 +1,19 @@
 package arcomat.symbols;
 
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.DelayCycle;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.bodies.StateSymbol;
+import arcomat.symbols.bodies.StreamTestSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.bodies.TransitionSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.names.Resolution;
+import arcomat.symbols.names.UnitScope;
 import arcomat.tree.Import;
 import arcomat.tree.Unit;
 
@@ -44,11 +58,17 @@ final class SymbolText {
     }
 
     private void component(Workspace workspace, ComponentSymbol component) {
-        line(0, "component " + component + (component.isItsOwnAncestor() ? " extends itself" : ""));
+        line(
+                0,
+                "component "
+                        + component
+                        + (component.signature().isItsOwnAncestor() ? " extends itself" : ""));
         component
+                .signature()
                 .superComponent()
                 .ifPresent(s -> line(1, "extends " + s.name() + ": " + outcome(s.resolution())));
         component
+                .signature()
                 .refines()
                 .forEach(r -> line(1, "refines " + r.node() + ": " + outcome(r.resolution())));
         component

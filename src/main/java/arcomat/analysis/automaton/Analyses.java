@@ -1,9 +1,9 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

@@ -5,7 +5,7 @@ import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
+import arcomat.semantics.value.Attention;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 
 /** A division, or a remainder, by zero; in a guard or in what is sent or assigned. */
 final class DivisionByZero extends FaultAnalysis {

@@ -1,7 +1,7 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 

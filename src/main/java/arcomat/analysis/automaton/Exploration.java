@@ -1,15 +1,15 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Budget;
 import arcomat.analysis.automaton.Visit.Place;
-import arcomat.analysis.engine.Letters;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.letter.Letters;
 import arcomat.model.Automaton;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
-import arcomat.semantics.Attention.Unseen;
-import arcomat.semantics.GivenUp;
-import arcomat.semantics.Output;
-import arcomat.semantics.Start;
+import arcomat.semantics.automaton.Start;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Moment;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.source.Diagnostic;
 

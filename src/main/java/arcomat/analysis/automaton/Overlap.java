@@ -1,7 +1,7 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
-import arcomat.semantics.Reaction;
+import arcomat.semantics.automaton.Reaction;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

@@ -3,7 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.Question.Difference;
 import arcomat.model.Automaton;
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 
 import java.util.ArrayList;
 import java.util.List;

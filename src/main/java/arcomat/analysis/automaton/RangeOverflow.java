@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 
 /** A value that leaves the range of its variable or port. */
 final class RangeOverflow extends FaultAnalysis {

@@ -3,8 +3,8 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.Situation.Alternative;
 import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.Question.Difference;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Reaction;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.expression.Fault;
 
 import java.util.HashSet;
 import java.util.List;

@@ -1,10 +1,10 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.engine.Letters;
+import arcomat.analysis.search.letter.Letters;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Reaction;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.expression.Fault;
 
 import java.util.Comparator;
 import java.util.List;

@@ -1,6 +1,6 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Budget;
+import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.Outcome;
 import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.SymbolicSearch;

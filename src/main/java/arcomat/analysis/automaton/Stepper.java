@@ -6,11 +6,11 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Input;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Fault;
 
 import java.util.ArrayList;
 import java.util.HashSet;

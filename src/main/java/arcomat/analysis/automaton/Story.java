@@ -1,13 +1,13 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Moment;
-import arcomat.analysis.engine.Descriptions;
+import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.side.Descriptions;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

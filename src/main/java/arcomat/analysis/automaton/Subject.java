@@ -5,8 +5,8 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.StepRelation;
 
 import java.util.List;
 
@@ -25,7 +25,7 @@ record Subject(
         List<Condition> conditions) {
 
     /**
-     * @throws arcomat.semantics.Fault where constants or initial values go wrong
+     * @throws arcomat.semantics.expression.Fault where constants or initial values go wrong
      */
     static Subject of(Component component, Automaton automaton, List<Value> arguments) {
         Behaviour behaviour = Behaviour.of(component, List.of(automaton), arguments);

@@ -3,9 +3,9 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.smt.Question;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Expression;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Guards;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Guards;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.BitSet;
 import java.util.List;

@@ -1,10 +1,10 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.engine.Letters;
+import arcomat.analysis.search.letter.Letters;
 import arcomat.model.Value;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.expression.Output;
 
 import java.util.Comparator;
 import java.util.Set;

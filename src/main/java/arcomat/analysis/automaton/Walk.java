@@ -6,10 +6,10 @@ import arcomat.analysis.smt.Question;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.Start;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.Start;
+import arcomat.semantics.value.Attention;
 
 import java.util.List;
 import java.util.Optional;

@@ -1,17 +1,17 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Budget;
 import arcomat.analysis.coverage.Exploration.Node;
 import arcomat.analysis.coverage.Exploration.Step;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Output;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

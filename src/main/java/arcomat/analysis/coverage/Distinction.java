@@ -1,18 +1,18 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Refinement;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.coverage.TransitionTests.Mistake;
 import arcomat.analysis.coverage.TransitionTests.Test;
 import arcomat.analysis.coverage.TransitionTests.Untold;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,12 +1,12 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
 import arcomat.analysis.coverage.Distinction.Found;
 import arcomat.analysis.coverage.Distinction.Run;
 import arcomat.analysis.coverage.Mutants.Mutant;
 import arcomat.analysis.coverage.TransitionTests.Test;
 import arcomat.analysis.coverage.TransitionTests.Untold;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Port;

@@ -1,24 +1,24 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
 import arcomat.analysis.coverage.Stimuli.Stimulus;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Behaviour.JointReaction;
-import arcomat.semantics.Behaviour.JointStart;
-import arcomat.semantics.Behaviour.Prospect;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.GivenUp;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;

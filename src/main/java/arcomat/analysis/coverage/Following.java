@@ -1,18 +1,18 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Value;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Behaviour.JointReaction;
-import arcomat.semantics.Behaviour.JointStart;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.expression.Output;
 
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -4,7 +4,7 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -5,7 +5,7 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.LinkedHashSet;
 import java.util.List;

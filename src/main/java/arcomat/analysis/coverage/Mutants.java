@@ -12,7 +12,7 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.SmallType;
+import arcomat.semantics.value.SmallType;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -3,11 +3,11 @@ package arcomat.analysis.coverage;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import arcomat.model.Automaton;
 import arcomat.model.Trace;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Input;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Fault;
 
 import java.util.HashMap;
 import java.util.HashSet;

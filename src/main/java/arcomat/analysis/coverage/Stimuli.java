@@ -1,21 +1,21 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.engine.Letters;
+import arcomat.analysis.search.letter.Letters;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Attention.Compared;
-import arcomat.semantics.Attention.Copied;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.Attention.Unseen;
-import arcomat.semantics.Attention.Whole;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Input;
-import arcomat.semantics.TooManyMessages;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.Attention.Copied;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.Attention.Whole;
+import arcomat.semantics.value.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Arrays;

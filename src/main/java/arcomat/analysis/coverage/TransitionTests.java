@@ -1,11 +1,11 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.coverage.Exploration.Beginning;
 import arcomat.analysis.coverage.Exploration.Node;
 import arcomat.analysis.coverage.Exploration.Step;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;

@@ -1,13 +1,13 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.IntKey;
-import arcomat.analysis.engine.Numbering;
-import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.IntKey;
+import arcomat.analysis.search.Numbering;
+import arcomat.analysis.search.step.Outputs;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -10,10 +10,10 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Attention.Compared;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.SmallType;
-import arcomat.semantics.ValueOrder;
+import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.SmallType;
+import arcomat.semantics.value.ValueOrder;
 
 import java.util.ArrayList;
 import java.util.List;

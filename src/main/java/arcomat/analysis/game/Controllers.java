@@ -8,8 +8,8 @@ import arcomat.model.Automaton.Transition;
 import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 import arcomat.source.Span;
 
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 
 import java.util.ArrayList;

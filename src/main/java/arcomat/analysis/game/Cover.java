@@ -1,6 +1,6 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.engine.IntKey;
+import arcomat.analysis.search.IntKey;
 
 import java.util.ArrayList;
 import java.util.Comparator;

@@ -1,8 +1,8 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Alphabet;
-import arcomat.semantics.GivenUp;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.letter.Alphabet;
+import arcomat.semantics.value.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
 

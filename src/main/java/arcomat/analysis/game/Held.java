@@ -1,14 +1,14 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.engine.Focus;
+import arcomat.analysis.search.letter.Focus;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
-import arcomat.semantics.Attention.Compared;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.Attention.Unseen;
-import arcomat.semantics.GivenUp;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.GivenUp;
 
 import java.util.List;
 import java.util.stream.IntStream;

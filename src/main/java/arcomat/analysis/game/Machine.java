@@ -2,8 +2,8 @@ package arcomat.analysis.game;
 
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.Output;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.value.Attention.Look;
 
 import java.util.List;
 

@@ -1,7 +1,7 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.engine.Alphabet;
-import arcomat.analysis.engine.Outputs;
+import arcomat.analysis.search.letter.Alphabet;
+import arcomat.analysis.search.step.Outputs;
 import arcomat.model.Component;
 import arcomat.model.Value;
 

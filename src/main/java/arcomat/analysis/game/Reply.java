@@ -1,7 +1,7 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.Steps;
+import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.Steps;
 
 import java.util.Arrays;
 import java.util.List;

@@ -1,21 +1,21 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Alphabet;
-import arcomat.analysis.engine.AtomicSide;
-import arcomat.analysis.engine.Focus;
-import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.RunErrors;
-import arcomat.analysis.engine.Sets;
-import arcomat.analysis.engine.Side;
-import arcomat.analysis.engine.Steps;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Sets;
+import arcomat.analysis.search.letter.Alphabet;
+import arcomat.analysis.search.letter.Focus;
+import arcomat.analysis.search.side.AtomicSide;
+import arcomat.analysis.search.side.RunErrors;
+import arcomat.analysis.search.side.Side;
+import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.Steps;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Output;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.value.Attention;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongObjectHashMap;

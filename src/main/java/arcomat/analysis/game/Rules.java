@@ -1,17 +1,17 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Alphabet;
-import arcomat.analysis.engine.Focus;
-import arcomat.analysis.engine.IntKey;
-import arcomat.analysis.engine.Numbering;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.IntKey;
+import arcomat.analysis.search.Numbering;
+import arcomat.analysis.search.letter.Alphabet;
+import arcomat.analysis.search.letter.Focus;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.Kinds;
-import arcomat.semantics.Output;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
 import java.util.Arrays;

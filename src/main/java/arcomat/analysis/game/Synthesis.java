@@ -1,16 +1,16 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Numbering;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Numbering;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Attention;
-import arcomat.semantics.Attention.Look;
-import arcomat.semantics.GivenUp;
-import arcomat.semantics.Kinds;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.GivenUp;
+import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
 import java.util.Collections;

@@ -1,13 +1,13 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Comparison.Allowed;
-import arcomat.analysis.engine.Numbering;
-import arcomat.analysis.engine.Steps;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Numbering;
+import arcomat.analysis.search.product.Comparison.Allowed;
+import arcomat.analysis.search.step.Steps;
 import arcomat.model.Letter;
 import arcomat.model.Value;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,8 +1,8 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.engine.Comparison.Allowed;
+import arcomat.analysis.search.product.Comparison.Allowed;
 import arcomat.model.Letter;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;

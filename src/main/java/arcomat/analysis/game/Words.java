@@ -1,8 +1,8 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Alphabet;
-import arcomat.analysis.engine.IntKey;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.IntKey;
+import arcomat.analysis.search.letter.Alphabet;
 import arcomat.model.Value;
 
 import java.util.ArrayList;

@@ -1,14 +1,14 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.Focus;
-import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.Side;
-import arcomat.analysis.engine.Steps;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.letter.Focus;
+import arcomat.analysis.search.side.Side;
+import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.Steps;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.Kinds;
-import arcomat.semantics.Output;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

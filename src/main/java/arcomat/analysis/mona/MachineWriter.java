@@ -9,8 +9,8 @@ import arcomat.analysis.mona.Formula.StepText;
 import arcomat.analysis.mona.Machine.State;
 import arcomat.analysis.mona.Machine.Step;
 import arcomat.model.Trace;
-import arcomat.semantics.Output;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.Arrays;

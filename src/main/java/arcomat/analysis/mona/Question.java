@@ -1,13 +1,13 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.engine.AtomicSide;
-import arcomat.analysis.engine.Letters;
-import arcomat.analysis.engine.Outputs;
-import arcomat.analysis.engine.ShownSide;
-import arcomat.analysis.engine.Side;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.letter.Letters;
+import arcomat.analysis.search.side.AtomicSide;
+import arcomat.analysis.search.side.ShownSide;
+import arcomat.analysis.search.side.Side;
+import arcomat.analysis.search.step.Outputs;
 import arcomat.model.Port;
-import arcomat.semantics.Behaviour;
+import arcomat.semantics.automaton.Behaviour;
 
 import java.util.ArrayList;
 import java.util.BitSet;

@@ -1,12 +1,12 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.Moment;
-import arcomat.analysis.engine.Comparison.Allowed;
-import arcomat.analysis.engine.Comparison.Forbidden;
 import arcomat.analysis.mona.Machine.Step;
+import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.product.Comparison.Allowed;
+import arcomat.analysis.search.product.Comparison.Forbidden;
 import arcomat.model.Letter;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -2,8 +2,8 @@ package arcomat.analysis.mona;
 
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
-import arcomat.semantics.SmallType;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.value.SmallType;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

@@ -1,6 +1,6 @@
 package arcomat.analysis.smt;
 
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

@@ -5,8 +5,8 @@ import arcomat.analysis.smt.Question.Parity;
 import arcomat.model.Automaton;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Start;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation;
 
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -3,7 +3,7 @@ package arcomat.analysis.smt;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.semantics.Guards;
+import arcomat.semantics.expression.Guards;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -2,7 +2,7 @@ package arcomat.analysis.smt;
 
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Rewriting;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

@@ -1,6 +1,6 @@
 package arcomat.analysis.smt;
 
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 
 /** What some run of an automaton may show in its last configuration. */
 public sealed interface Question {

@@ -1,6 +1,6 @@
 package arcomat.analysis.smt;
 
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.StepRelation;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

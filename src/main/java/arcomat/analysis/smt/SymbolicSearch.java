@@ -7,7 +7,7 @@ import arcomat.analysis.smt.Outcome.Run;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Value;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.StepRelation;
 
 import java.util.Collection;
 import java.util.LinkedHashMap;

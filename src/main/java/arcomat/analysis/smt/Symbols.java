@@ -7,7 +7,7 @@ import arcomat.model.Parameter;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.Interval;
+import arcomat.semantics.expression.Interval;
 
 import java.math.BigInteger;
 import java.util.List;

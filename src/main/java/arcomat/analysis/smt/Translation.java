@@ -5,7 +5,7 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Interval;
+import arcomat.semantics.expression.Interval;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

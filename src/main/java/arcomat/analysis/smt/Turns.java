@@ -1,7 +1,7 @@
 package arcomat.analysis.smt;
 
 import arcomat.model.Expression;
-import arcomat.semantics.Interval;
+import arcomat.semantics.expression.Interval;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

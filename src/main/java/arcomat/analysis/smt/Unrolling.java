@@ -4,8 +4,8 @@ import arcomat.analysis.smt.Outcome.Place;
 import arcomat.analysis.smt.Outcome.Run;
 import arcomat.model.Automaton;
 import arcomat.model.Value;
-import arcomat.semantics.Start;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

@@ -6,8 +6,8 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Interval;
-import arcomat.semantics.Rewriting;
+import arcomat.semantics.expression.Interval;
+import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Budget;
+import arcomat.analysis.search.Budget;
 
 import java.util.Optional;
 import java.util.concurrent.TimeUnit;

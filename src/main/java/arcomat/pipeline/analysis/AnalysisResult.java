@@ -1,7 +1,7 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.pipeline.check.CheckResult;
 
 import java.util.List;

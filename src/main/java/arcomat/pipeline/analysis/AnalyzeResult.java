@@ -1,8 +1,8 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.pipeline.check.CheckResult;
 
 import java.util.List;

@@ -1,11 +1,11 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
 import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.model.Component;

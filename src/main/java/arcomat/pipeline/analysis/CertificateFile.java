@@ -1,11 +1,11 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Certification;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.engine.Certificate;
+import arcomat.analysis.refinement.Certification;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.product.Certificate;
 import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;

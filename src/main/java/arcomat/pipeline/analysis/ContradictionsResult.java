@@ -1,7 +1,7 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Promise;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.refinement.Promise;
 import arcomat.pipeline.check.CheckResult;
 
 import java.util.Optional;

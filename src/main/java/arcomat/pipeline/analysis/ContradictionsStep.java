@@ -1,8 +1,8 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Contradictions;
-import arcomat.analysis.Promise;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradictions;
+import arcomat.analysis.refinement.Promise;
 import arcomat.generate.ControllerText;
 import arcomat.generate.GeneratedFile;
 import arcomat.model.Automaton;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Difference;
+import arcomat.analysis.refinement.Difference;
 import arcomat.pipeline.check.CheckResult;
 
 import java.util.Optional;

@@ -1,7 +1,7 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Difference;
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Difference;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Model;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Evolution;
+import arcomat.analysis.evolution.Evolution;
 import arcomat.pipeline.check.CheckResult;
 
 import java.util.Optional;

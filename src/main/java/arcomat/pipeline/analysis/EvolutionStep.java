@@ -1,7 +1,7 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Evolution;
-import arcomat.analysis.Promise;
+import arcomat.analysis.evolution.Evolution;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Model;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;

@@ -4,8 +4,8 @@ import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.Arguments;
-import arcomat.semantics.Network;
+import arcomat.semantics.expression.Arguments;
+import arcomat.semantics.network.Network;
 
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;

@@ -1,15 +1,15 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Value;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
-import arcomat.semantics.Arguments;
+import arcomat.semantics.expression.Arguments;
 import arcomat.source.Span;
-import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -75,7 +75,7 @@ public final class InstancePromises {
 
     private boolean isGenericWithoutPart(ComponentSymbol symbol) {
         boolean behaves = !symbol.ownAutomata().isEmpty() || !symbol.ownTables().isEmpty();
-        return symbol.isGeneric()
+        return symbol.signature().isGeneric()
                 && behaves
                 && !symbol.isPlatform()
                 && isNamed(symbol.nameSpan())
@@ -90,7 +90,7 @@ public final class InstancePromises {
     }
 
     private static boolean isGenericInside(ComponentSymbol symbol) {
-        return symbol.isGeneric()
+        return symbol.signature().isGeneric()
                 || symbol.enclosing().map(InstancePromises::isGenericInside).orElse(false);
     }
 

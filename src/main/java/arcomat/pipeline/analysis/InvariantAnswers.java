@@ -1,10 +1,10 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Budget;
-import arcomat.analysis.InvariantProof;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.InvariantProof;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Invariant;
 import arcomat.model.Model;
@@ -12,9 +12,9 @@ import arcomat.model.Value;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.step.Progress;
-import arcomat.semantics.Arguments;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.InvariantSymbol;
+import arcomat.semantics.expression.Arguments;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InvariantSymbol;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Answered;
+import arcomat.analysis.refinement.Answered;
 import arcomat.pipeline.check.CheckResult;
 
 import java.util.Optional;

@@ -1,11 +1,11 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Budget;
-import arcomat.analysis.MonaRefinement;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
 import arcomat.analysis.mona.Question;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.MonaRefinement;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 import arcomat.generate.MonaText;
 import arcomat.model.Model;
 import arcomat.pipeline.check.Asked;

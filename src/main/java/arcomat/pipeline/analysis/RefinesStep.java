@@ -1,10 +1,10 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Certification;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Refinement;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Certification;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.diagram.Graph;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Model;

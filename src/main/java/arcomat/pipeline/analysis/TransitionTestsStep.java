@@ -1,8 +1,8 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Promise;
 import arcomat.analysis.coverage.Goal;
 import arcomat.analysis.coverage.TransitionTests;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
@@ -12,7 +12,7 @@ import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.rt.ModelError;
-import arcomat.simulate.SuiteText;
+import arcomat.simulate.test.SuiteText;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.syntax.Formatter;

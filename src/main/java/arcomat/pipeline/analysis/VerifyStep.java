@@ -1,12 +1,12 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Budget;
-import arcomat.analysis.Obligation;
-import arcomat.analysis.Obligations;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Refinement;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Obligation;
+import arcomat.analysis.refinement.Obligations;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.pipeline.check.Asked;

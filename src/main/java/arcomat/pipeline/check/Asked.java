@@ -1,7 +1,7 @@
 package arcomat.pipeline.check;
 
-import arcomat.symbols.DiagramSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.names.DiagramSymbol;
 
 import java.util.List;
 

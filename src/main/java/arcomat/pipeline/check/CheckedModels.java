@@ -1,8 +1,8 @@
 package arcomat.pipeline.check;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
 import arcomat.check.Review;
+import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.pipeline.file.FileFindings;
@@ -11,8 +11,8 @@ import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
-import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.Collection;
 import java.util.List;

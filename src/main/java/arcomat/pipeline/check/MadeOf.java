@@ -2,8 +2,8 @@ package arcomat.pipeline.check;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
-import arcomat.symbols.ComponentSymbol;
-import arcomat.symbols.InstanceSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
 
 import java.util.ArrayDeque;
 import java.util.Collection;

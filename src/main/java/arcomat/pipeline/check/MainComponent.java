@@ -5,10 +5,10 @@ import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.semantics.Arguments;
+import arcomat.semantics.expression.Arguments;
 import arcomat.source.Nearest;
-import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.check;
 
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.pipeline.step.WrongUse;

@@ -6,7 +6,7 @@ import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

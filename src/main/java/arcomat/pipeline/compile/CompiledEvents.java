@@ -7,8 +7,8 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
-import arcomat.semantics.Network;
-import arcomat.simulate.Surroundings;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Surroundings;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

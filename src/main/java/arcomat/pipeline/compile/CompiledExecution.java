@@ -6,7 +6,7 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
 
 import java.util.List;
 import java.util.Optional;

@@ -9,7 +9,7 @@ import arcomat.generate.Request;
 import arcomat.generate.Target;
 import arcomat.model.Component;
 import arcomat.rt.ModelError;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 import arcomat.source.Diagnostic;
 
 import java.lang.reflect.Array;

@@ -6,10 +6,10 @@ import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.Composition;
-import arcomat.semantics.Network;
-import arcomat.semantics.Source;
-import arcomat.simulate.Surroundings;
+import arcomat.semantics.network.Composition;
+import arcomat.semantics.network.Network;
+import arcomat.semantics.network.Source;
+import arcomat.simulate.run.Surroundings;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;

@@ -1,7 +1,7 @@
 package arcomat.pipeline.diagram;
 
-import arcomat.analysis.Promise;
 import arcomat.analysis.automaton.Examination;
+import arcomat.analysis.refinement.Promise;
 import arcomat.diagram.GalleryPage;
 import arcomat.diagram.Graph;
 import arcomat.model.Component;
@@ -20,7 +20,7 @@ import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.source.Span;
-import arcomat.symbols.DiagramSymbol;
+import arcomat.symbols.names.DiagramSymbol;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;

@@ -8,8 +8,8 @@ import arcomat.diagram.Highlights;
 import arcomat.diagram.TypesGraph;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.symbols.DefinedType;
-import arcomat.symbols.DiagramSymbol;
+import arcomat.symbols.names.DefinedType;
+import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
 
 import java.util.ArrayList;

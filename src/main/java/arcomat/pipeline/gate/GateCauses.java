@@ -1,8 +1,8 @@
 package arcomat.pipeline.gate;
 
-import arcomat.analysis.Changed;
-import arcomat.analysis.Gate;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.evolution.Changed;
+import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.model.Component;
 import arcomat.model.Model;
 

@@ -1,8 +1,8 @@
 package arcomat.pipeline.gate;
 
-import arcomat.analysis.Change;
-import arcomat.analysis.Gate;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.evolution.Change;
+import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 

@@ -1,6 +1,6 @@
 package arcomat.pipeline.gate;
 
-import arcomat.analysis.Gate;
+import arcomat.analysis.evolution.Gate;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.source.Diagnostic;

@@ -5,8 +5,8 @@ import arcomat.model.Model;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.step.Progress;
 import arcomat.source.Span;
-import arcomat.symbols.AutomatonSymbol;
-import arcomat.symbols.ComponentSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 

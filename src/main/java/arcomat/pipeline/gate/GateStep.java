@@ -1,9 +1,9 @@
 package arcomat.pipeline.gate;
 
-import arcomat.analysis.Change;
-import arcomat.analysis.Changed;
-import arcomat.analysis.Gate;
-import arcomat.analysis.Succession;
+import arcomat.analysis.evolution.Change;
+import arcomat.analysis.evolution.Changed;
+import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.evolution.Succession;
 import arcomat.model.Component;
 import arcomat.model.Value;
 import arcomat.pipeline.analysis.InstanceArguments;

@@ -18,8 +18,8 @@ import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.source.Diagnostic;
-import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.monitor;
 
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.generate.Monitors;

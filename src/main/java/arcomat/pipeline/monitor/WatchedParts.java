@@ -1,6 +1,6 @@
 package arcomat.pipeline.monitor;
 
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
 import arcomat.generate.SelfWatch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -8,7 +8,7 @@ import arcomat.model.Model;
 import arcomat.model.Port;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.semantics.Composition;
+import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.monitor;
 
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Model;
@@ -8,7 +8,7 @@ import arcomat.model.Port;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.PromiseReference;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.simulate.Watch;
+import arcomat.simulate.watch.Watch;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -1,10 +1,10 @@
 package arcomat.pipeline.picture;
 
-import arcomat.analysis.Footprints;
-import arcomat.analysis.Footprints.Footprint;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Footprints;
+import arcomat.analysis.refinement.Footprints.Footprint;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Moment;
 import arcomat.diagram.AutomatonGraph;
 import arcomat.diagram.FailureGraph;
 import arcomat.diagram.Graph;
@@ -13,7 +13,7 @@ import arcomat.diagram.Highlights.Highlight;
 import arcomat.diagram.Highlights.Kind;
 import arcomat.model.Automaton;
 import arcomat.model.Value;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -8,7 +8,7 @@ import arcomat.report.finding.CheckState.File;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
-import arcomat.symbols.Outline;
+import arcomat.symbols.names.Outline;
 import arcomat.syntax.Parsed;
 import arcomat.tree.Import;
 import arcomat.tree.Recovered;

@@ -1,8 +1,8 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
 import arcomat.check.Review;
+import arcomat.check.law.Profile;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.NamedFiles;
@@ -14,8 +14,8 @@ import arcomat.report.finding.CheckState.File;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
-import arcomat.symbols.Outline;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.names.Outline;
 import arcomat.syntax.Parsed;
 import arcomat.syntax.Parser;
 import arcomat.tree.Recovered;

@@ -1,7 +1,7 @@
 package arcomat.pipeline.simulate;
 
 import arcomat.model.Letter;
-import arcomat.simulate.Choice;
+import arcomat.simulate.run.Choice;
 
 /** Somebody who is asked for decisions while a model runs, and told what happens meanwhile. */
 public interface Dialogue extends Choice.Asker {

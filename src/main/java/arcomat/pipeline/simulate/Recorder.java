@@ -6,7 +6,7 @@ import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.simulate.Recording;
+import arcomat.simulate.test.Recording;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Formatter;
 

@@ -19,14 +19,14 @@ import arcomat.pipeline.step.WrongUse;
 import arcomat.report.run.TraceColumns;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
-import arcomat.semantics.Network;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
-import arcomat.simulate.StreamTests;
-import arcomat.simulate.Watching;
-import arcomat.symbols.ComponentSymbol;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.simulate.test.StreamTests;
+import arcomat.simulate.watch.Watching;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.ArrayList;
 import java.util.Iterator;
@@ -132,7 +132,7 @@ public final class SimulateStep {
         if (input.isPresent()) {
             return input.get().components(models, names);
         }
-        return models.components().stream().filter(ComponentSymbol::isDeploy).toList();
+        return models.components().stream().filter(each -> each.signature().isDeploy()).toList();
     }
 
     private Optional<StreamTest> test(Model model, Optional<TestReference> input) throws WrongUse {

@@ -5,8 +5,8 @@ import arcomat.model.StreamTest;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.source.Nearest;
-import arcomat.symbols.ComponentSymbol;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.nio.file.Path;
 import java.util.List;

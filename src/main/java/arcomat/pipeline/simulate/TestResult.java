@@ -1,7 +1,7 @@
 package arcomat.pipeline.simulate;
 
 import arcomat.pipeline.check.CheckResult;
-import arcomat.simulate.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult;
 
 import java.util.List;
 

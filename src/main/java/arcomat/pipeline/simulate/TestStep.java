@@ -6,8 +6,8 @@ import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTests;
 
 import java.util.ArrayList;
 import java.util.List;

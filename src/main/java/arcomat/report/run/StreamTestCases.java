@@ -4,8 +4,8 @@ import arcomat.report.finding.Case;
 import arcomat.report.finding.Case.Outcome;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Style;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Verdict;
 
 import java.util.List;
 import java.util.Optional;

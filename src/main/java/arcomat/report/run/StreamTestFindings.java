@@ -2,8 +2,8 @@ package arcomat.report.run;
 
 import arcomat.report.finding.Reported;
 import arcomat.report.finding.Reported.Standing;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Verdict;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 

@@ -2,9 +2,9 @@ package arcomat.report.run;
 
 import arcomat.model.Value;
 import arcomat.report.text.Json;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTestResult.Cell;
-import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Cell;
+import arcomat.simulate.test.StreamTestResult.Verdict;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 

@@ -13,10 +13,10 @@ import arcomat.report.page.Tone;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.report.text.Style;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTestResult.Cell;
-import arcomat.simulate.StreamTestResult.Verdict;
-import arcomat.simulate.StreamTests;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Cell;
+import arcomat.simulate.test.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTests;
 
 import java.util.ArrayList;
 import java.util.EnumSet;

@@ -5,9 +5,9 @@ import arcomat.model.Value;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
-import arcomat.simulate.StreamTestResult;
-import arcomat.simulate.StreamTestResult.Cell;
-import arcomat.simulate.StreamTestResult.Verdict;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Cell;
+import arcomat.simulate.test.StreamTestResult.Verdict;
 
 import java.util.ArrayList;
 import java.util.List;

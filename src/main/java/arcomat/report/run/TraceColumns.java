@@ -4,7 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
-import arcomat.semantics.Network;
+import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

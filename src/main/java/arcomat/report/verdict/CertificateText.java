@@ -1,7 +1,7 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.engine.Certificate;
-import arcomat.analysis.engine.Certificate.Entry;
+import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.Certificate.Entry;
 import arcomat.report.text.OneLine;
 
 import java.util.ArrayList;

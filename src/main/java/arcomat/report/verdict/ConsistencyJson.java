@@ -1,10 +1,10 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Contradiction;
-import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
 import arcomat.analysis.game.Turn;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.model.Letter;
 import arcomat.report.text.Json;
 

@@ -1,12 +1,12 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Contradiction;
-import arcomat.analysis.Footprints;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
 import arcomat.analysis.game.Turn;
+import arcomat.analysis.refinement.Footprints;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
 import arcomat.model.Letter;
 import arcomat.report.page.Drawing;
@@ -154,7 +154,7 @@ public final class ConsistencyPage {
     }
 
     /** What is surely sent; where there are several answers, that is left open. */
-    private static Map<String, arcomat.semantics.Sent> sent(Contradiction.Step step) {
+    private static Map<String, arcomat.semantics.expression.Sent> sent(Contradiction.Step step) {
         return step.answers().size() == 1 ? step.answers().get(0).outputs() : Map.of();
     }
 

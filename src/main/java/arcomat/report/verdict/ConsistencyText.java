@@ -1,9 +1,9 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Consistency;
-import arcomat.analysis.Contradiction;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.contradiction.Consistency;
+import arcomat.analysis.contradiction.Contradiction;
 import arcomat.analysis.game.Turn;
+import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.model.Automaton;
 import arcomat.model.Letter;
 import arcomat.report.finding.FindingsText;

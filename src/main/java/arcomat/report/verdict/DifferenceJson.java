@@ -1,7 +1,7 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Difference;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Difference;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.report.text.Json;
 
 import com.fasterxml.jackson.core.JsonGenerator;

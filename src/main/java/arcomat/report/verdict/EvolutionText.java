@@ -1,9 +1,9 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Evolution;
-import arcomat.analysis.Evolution.Break;
-import arcomat.analysis.Evolution.Culprit;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.evolution.Evolution;
+import arcomat.analysis.evolution.Evolution.Break;
+import arcomat.analysis.evolution.Evolution.Culprit;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;

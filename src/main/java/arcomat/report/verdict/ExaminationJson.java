@@ -1,9 +1,9 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Moment;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
 import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;

@@ -1,10 +1,10 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict.Answer;
 import arcomat.analysis.automaton.Examination;
 import arcomat.analysis.automaton.Finding;
 import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;

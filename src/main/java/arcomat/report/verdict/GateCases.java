@@ -1,7 +1,7 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Change;
-import arcomat.analysis.Gate;
+import arcomat.analysis.evolution.Change;
+import arcomat.analysis.evolution.Gate;
 import arcomat.report.finding.Case;
 import arcomat.report.finding.Case.Outcome;
 import arcomat.report.text.Style;

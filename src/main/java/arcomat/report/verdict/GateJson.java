@@ -1,8 +1,8 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Change;
-import arcomat.analysis.Gate;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.evolution.Change;
+import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;
 import arcomat.source.Diagnostic;

@@ -1,9 +1,9 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Change;
-import arcomat.analysis.Change.Relation;
-import arcomat.analysis.Gate;
-import arcomat.analysis.Verdict.Answer;
+import arcomat.analysis.evolution.Change;
+import arcomat.analysis.evolution.Change.Relation;
+import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;

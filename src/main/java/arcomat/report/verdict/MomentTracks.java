@@ -1,16 +1,16 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Footprints;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Footprints;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
 import arcomat.report.page.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.report.run.AutomatonDrawing;
 import arcomat.report.run.TraceTracks;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;

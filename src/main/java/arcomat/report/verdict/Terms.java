@@ -1,7 +1,7 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict;
 
 /**
  * How a question is told.

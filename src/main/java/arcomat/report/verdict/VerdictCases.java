@@ -1,7 +1,7 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.report.finding.Case;
 import arcomat.report.finding.Case.Outcome;
 import arcomat.report.text.Style;

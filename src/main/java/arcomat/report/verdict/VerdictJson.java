@@ -1,14 +1,14 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.report.run.TraceJson;
 import arcomat.report.text.Json;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 

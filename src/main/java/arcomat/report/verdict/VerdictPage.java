@@ -1,10 +1,10 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.Moment;
 import arcomat.report.page.Page;
 import arcomat.report.page.Remark;
 import arcomat.report.page.Story;

@@ -1,10 +1,10 @@
 package arcomat.report.verdict;
 
-import arcomat.analysis.Answered;
-import arcomat.analysis.Moment;
-import arcomat.analysis.Verdict;
-import arcomat.analysis.Verdict.Answer;
-import arcomat.analysis.Verdict.Sentence;
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.run.TraceTable;
@@ -12,7 +12,7 @@ import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
-import arcomat.semantics.Sent;
+import arcomat.semantics.expression.Sent;
 import arcomat.source.Severity;
 
 import java.util.ArrayList;

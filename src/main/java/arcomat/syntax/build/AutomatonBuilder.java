@@ -28,15 +28,20 @@ import java.util.Optional;
 
 /** Automata and their elements. */
 final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
-    AutomatonBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+    private final BlockBuilder blocks;
+
+    AutomatonBuilder(Phrases phrases, BlockBuilder blocks) {
+        super(phrases.texts);
+        this.phrases = phrases;
+        this.blocks = blocks;
     }
 
     Automaton automaton(AutomatonContext context) {
         return new Automaton(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
-                builders.names.buildOptional(context.name()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
+                phrases.names.buildOptional(context.name()),
                 buildAll(context.automatonElement()));
     }
 
@@ -45,8 +50,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
         return new Declaration(
                 span(context),
                 kind(context.kind),
-                builders.types.build(context.type()),
-                builders.variables.buildAll(context.variable()));
+                phrases.types.build(context.type()),
+                phrases.variables.buildAll(context.variable()));
     }
 
     @Override
@@ -54,8 +59,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
         return new Declaration(
                 span(context),
                 Kind.VARIABLE,
-                builders.types.build(context.type()),
-                builders.variables.buildAll(context.variable()));
+                phrases.types.build(context.type()),
+                phrases.variables.buildAll(context.variable()));
     }
 
     @Override
@@ -65,8 +70,8 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
         return new Declaration(
                 span(context),
                 Kind.VARIABLE,
-                builders.types.build(context.plainType()),
-                builders.variables.buildAll(variables));
+                phrases.types.build(context.plainType()),
+                phrases.variables.buildAll(variables));
     }
 
     private static Kind kind(Token token) {
@@ -89,27 +94,27 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
     private State state(StateContext context) {
         return new State(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
-                builders.names.build(context.name()));
+                phrases.stereotypes.stereotypes(context.stereotypes()),
+                phrases.names.build(context.name()));
     }
 
     @Override
     public AutomatonElement visitInitial(InitialContext context) {
         return new Initial(
                 span(context),
-                builders.names.buildAll(context.name()),
-                builders.blocks.block(context.block()));
+                phrases.names.buildAll(context.name()),
+                blocks.block(context.block()));
     }
 
     @Override
     public AutomatonElement visitTransition(TransitionContext context) {
         return new Transition(
                 span(context),
-                builders.names.build(context.source),
-                builders.names.buildOptional(context.target),
+                phrases.names.build(context.source),
+                phrases.names.buildOptional(context.target),
                 guard(context.guard()),
-                builders.blocks.block(context.input),
-                builders.blocks.block(context.output));
+                blocks.block(context.input),
+                blocks.block(context.output));
     }
 
     private Optional<Guard> guard(GuardContext context) {
@@ -119,7 +124,7 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
         return Optional.of(
                 new Guard(
                         span(context),
-                        builders.names.buildOptional(context.name()),
-                        builders.expressions.build(context.expression())));
+                        phrases.names.buildOptional(context.name()),
+                        phrases.expressions.build(context.expression())));
     }
 }

@@ -18,26 +18,31 @@ import java.util.Optional;
 
 /** Behaviour languages embedded in components: one method each. */
 final class BehaviourBuilder extends TreeBuilder<Behaviour> {
-    BehaviourBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+    private final AutomatonBuilder automata;
+
+    BehaviourBuilder(Phrases phrases, AutomatonBuilder automata) {
+        super(phrases.texts);
+        this.phrases = phrases;
+        this.automata = automata;
     }
 
     @Override
     public Behaviour visitAutomaton(AutomatonContext context) {
-        return builders.automata.automaton(context);
+        return automata.automaton(context);
     }
 
     @Override
     public Behaviour visitIoTable(IoTableContext context) {
         return new IoTable(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
                 context.tableInputs() == null
                         ? List.of()
-                        : builders.names.buildAll(context.tableInputs().name()),
+                        : phrases.names.buildAll(context.tableInputs().name()),
                 context.tableOutputs() == null
                         ? List.of()
-                        : builders.names.buildAll(context.tableOutputs().name()),
+                        : phrases.names.buildAll(context.tableOutputs().name()),
                 rows(context.row()));
     }
 
@@ -47,8 +52,8 @@ final class BehaviourBuilder extends TreeBuilder<Behaviour> {
             rows.add(
                     new Row(
                             span(row),
-                            builders.values.buildAll(row.inputs),
-                            builders.values.buildAll(row.outputs)));
+                            phrases.values.buildAll(row.inputs),
+                            phrases.values.buildAll(row.outputs)));
         }
         return rows;
     }
@@ -56,23 +61,22 @@ final class BehaviourBuilder extends TreeBuilder<Behaviour> {
     @Override
     public Behaviour visitImplementation(ImplementationContext context) {
         return new Implementation(
-                span(context), builders.names.buildOptional(context.name()), automata(context));
+                span(context), phrases.names.buildOptional(context.name()), automata(context));
     }
 
     private List<Automaton> automata(ImplementationContext context) {
         if (!context.automatonElement().isEmpty()) {
             return List.of(bareAutomaton(context.automatonElement()));
         }
-        List<Automaton> automata = new ArrayList<>();
+        List<Automaton> all = new ArrayList<>();
         for (AutomatonContext automaton : context.automaton()) {
-            automata.add(builders.automata.automaton(automaton));
+            all.add(automata.automaton(automaton));
         }
-        return automata;
+        return all;
     }
 
     private Automaton bareAutomaton(List<AutomatonElementContext> elements) {
         Span span = span(elements.get(0).start, elements.get(elements.size() - 1).stop);
-        return new Automaton(
-                span, List.of(), Optional.empty(), builders.automata.buildAll(elements));
+        return new Automaton(span, List.of(), Optional.empty(), automata.buildAll(elements));
     }
 }

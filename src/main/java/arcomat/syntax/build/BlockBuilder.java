@@ -15,8 +15,11 @@ import java.util.Optional;
 
 /** Blocks and their items. */
 final class BlockBuilder extends TreeBuilder<Item> {
-    BlockBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+
+    BlockBuilder(Phrases phrases) {
+        super(phrases.texts);
+        this.phrases = phrases;
     }
 
     Optional<Block> block(BlockContext context) {
@@ -29,24 +32,24 @@ final class BlockBuilder extends TreeBuilder<Item> {
     public Item visitMessageItem(MessageItemContext context) {
         return new Message(
                 span(context),
-                builders.names.buildOptional(context.name()),
-                builders.values.build(context.value()));
+                phrases.names.buildOptional(context.name()),
+                phrases.values.build(context.value()));
     }
 
     @Override
     public Item visitUnnamedItem(UnnamedItemContext context) {
-        return new Message(span(context), Optional.empty(), builders.values.build(context.value()));
+        return new Message(span(context), Optional.empty(), phrases.values.build(context.value()));
     }
 
     @Override
     public Item visitCallItem(CallItemContext context) {
-        return new Call(span(context), builders.expressions.build(context.expression()));
+        return new Call(span(context), phrases.expressions.build(context.expression()));
     }
 
     @Override
     public Item visitIncrementItem(IncrementItemContext context) {
         boolean up = context.operator.getText().equals("++");
         return new Increment(
-                span(context), builders.qualifiedNames.build(context.qualifiedName()), up);
+                span(context), phrases.qualifiedNames.build(context.qualifiedName()), up);
     }
 }

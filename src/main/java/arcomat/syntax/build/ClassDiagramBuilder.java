@@ -15,14 +15,17 @@ import java.util.List;
 
 /** Class diagrams and their types. */
 final class ClassDiagramBuilder extends TreeBuilder<TypeDefinition> {
-    ClassDiagramBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+
+    ClassDiagramBuilder(Phrases phrases) {
+        super(phrases.texts);
+        this.phrases = phrases;
     }
 
     ClassDiagram classDiagram(ClassDiagramContext context) {
         return new ClassDiagram(
                 span(context),
-                builders.names.build(context.name()),
+                phrases.names.build(context.name()),
                 buildAll(context.typeDefinition()));
     }
 
@@ -30,8 +33,8 @@ final class ClassDiagramBuilder extends TreeBuilder<TypeDefinition> {
     public TypeDefinition visitEnumDefinition(EnumDefinitionContext context) {
         return new EnumDefinition(
                 span(context),
-                builders.names.build(context.name(0)),
-                builders.names.buildAll(context.constants));
+                phrases.names.build(context.name(0)),
+                phrases.names.buildAll(context.constants));
     }
 
     @Override
@@ -41,13 +44,13 @@ final class ClassDiagramBuilder extends TreeBuilder<TypeDefinition> {
             attributes.add(
                     new Attribute(
                             span(attribute),
-                            builders.types.build(attribute.type()),
-                            builders.names.build(attribute.name())));
+                            phrases.types.build(attribute.type()),
+                            phrases.names.build(attribute.name())));
         }
         return new ClassDefinition(
                 span(context),
-                builders.names.build(context.name()),
-                builders.types.buildOptional(context.type()),
+                phrases.names.build(context.name()),
+                phrases.types.buildOptional(context.type()),
                 attributes);
     }
 }

@@ -18,24 +18,29 @@ import java.util.Optional;
 
 /** Component types: the head here, the body by {@link ElementBuilder}. */
 final class ComponentBuilder extends TreeBuilder<Component> {
-    ComponentBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+    private final ElementBuilder elements;
+
+    ComponentBuilder(Phrases phrases, BehaviourBuilder behaviours) {
+        super(phrases.texts);
+        this.phrases = phrases;
+        this.elements = new ElementBuilder(phrases, behaviours, this);
     }
 
     @Override
     public Component visitComponent(ComponentContext context) {
         return new Component(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
                 hasModifier(context, "abstract"),
                 hasModifier(context, "deploy"),
-                builders.names.build(context.name()),
+                phrases.names.build(context.name()),
                 typeParameters(context.typeParameters()),
                 parameters(context.parameters()),
-                builders.types.buildOptional(context.superType),
-                builders.qualifiedNames.buildAll(context.refined),
+                phrases.types.buildOptional(context.superType),
+                phrases.qualifiedNames.buildAll(context.refined),
                 namedInstance(context.namedInstance()),
-                builders.elements.buildAll(context.element()));
+                elements.buildAll(context.element()));
     }
 
     private static boolean hasModifier(ComponentContext context, String word) {
@@ -56,8 +61,8 @@ final class ComponentBuilder extends TreeBuilder<Component> {
             parameters.add(
                     new TypeParameter(
                             span(parameter),
-                            builders.names.build(parameter.name()),
-                            builders.types.buildAll(parameter.type())));
+                            phrases.names.build(parameter.name()),
+                            phrases.types.buildAll(parameter.type())));
         }
         return parameters;
     }
@@ -71,9 +76,9 @@ final class ComponentBuilder extends TreeBuilder<Component> {
             parameters.add(
                     new Parameter(
                             span(parameter),
-                            builders.types.build(parameter.type()),
-                            builders.names.build(parameter.name()),
-                            builders.expressions.buildOptional(parameter.expression())));
+                            phrases.types.build(parameter.type()),
+                            phrases.names.build(parameter.name()),
+                            phrases.expressions.buildOptional(parameter.expression())));
         }
         return parameters;
     }
@@ -85,7 +90,7 @@ final class ComponentBuilder extends TreeBuilder<Component> {
         return Optional.of(
                 new NamedInstance(
                         span(context),
-                        builders.names.build(context.name()),
-                        builders.typeArguments.arguments(context.typeArguments())));
+                        phrases.names.build(context.name()),
+                        phrases.types.typeArguments.arguments(context.typeArguments())));
     }
 }

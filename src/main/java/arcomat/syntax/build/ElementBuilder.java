@@ -43,8 +43,15 @@ import java.util.Optional;
 
 /** What stands in the body of a component. */
 final class ElementBuilder extends TreeBuilder<Element> {
-    ElementBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+    private final BehaviourBuilder behaviours;
+    private final ComponentBuilder components;
+
+    ElementBuilder(Phrases phrases, BehaviourBuilder behaviours, ComponentBuilder components) {
+        super(phrases.texts);
+        this.phrases = phrases;
+        this.behaviours = behaviours;
+        this.components = components;
     }
 
     @Override
@@ -54,12 +61,12 @@ final class ElementBuilder extends TreeBuilder<Element> {
 
     @Override
     public Element visitComponent(ComponentContext context) {
-        return builders.components.build(context);
+        return components.build(context);
     }
 
     @Override
     public Element visitBehaviour(BehaviourContext context) {
-        return builders.behaviours.build((ParserRuleContext) context.getChild(0));
+        return behaviours.build((ParserRuleContext) context.getChild(0));
     }
 
     @Override
@@ -69,17 +76,17 @@ final class ElementBuilder extends TreeBuilder<Element> {
             ports.add(port(port));
         }
         return new Ports(
-                span(context), builders.stereotypes.stereotypes(context.stereotypes()), ports);
+                span(context), phrases.stereotypes.stereotypes(context.stereotypes()), ports);
     }
 
     private Port port(PortContext context) {
         boolean in = context.direction.getText().equals("in");
         return new Port(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
                 in ? Direction.IN : Direction.OUT,
-                builders.types.build(context.type()),
-                builders.names.buildAll(context.name()));
+                phrases.types.build(context.type()),
+                phrases.names.buildAll(context.name()));
     }
 
     @Override
@@ -90,9 +97,9 @@ final class ElementBuilder extends TreeBuilder<Element> {
         }
         return new Subcomponent(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
-                builders.types.build(context.type()),
-                builders.expressions.arguments(context.arguments()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
+                phrases.types.build(context.type()),
+                phrases.expressions.arguments(context.arguments()),
                 instances);
     }
 
@@ -102,27 +109,27 @@ final class ElementBuilder extends TreeBuilder<Element> {
             connectors.add(
                     new SimpleConnector(
                             span(connector),
-                            builders.stereotypes.stereotypes(connector.stereotypes()),
-                            builders.qualifiedNames.build(connector.source),
-                            builders.qualifiedNames.buildAll(connector.targets)));
+                            phrases.stereotypes.stereotypes(connector.stereotypes()),
+                            phrases.qualifiedNames.build(connector.source),
+                            phrases.qualifiedNames.buildAll(connector.targets)));
         }
-        return new Instance(span(context), builders.names.build(context.name()), connectors);
+        return new Instance(span(context), phrases.names.build(context.name()), connectors);
     }
 
     @Override
     public Element visitConnector(ConnectorContext context) {
         return new Connector(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
-                builders.qualifiedNames.build(context.source),
-                builders.qualifiedNames.buildAll(context.targets));
+                phrases.stereotypes.stereotypes(context.stereotypes()),
+                phrases.qualifiedNames.build(context.source),
+                phrases.qualifiedNames.buildAll(context.targets));
     }
 
     @Override
     public Element visitTiming(TimingContext context) {
         return new Timing(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
                 TimingKind.valueOf(context.kind.getText().toUpperCase(Locale.ROOT)));
     }
 
@@ -130,7 +137,7 @@ final class ElementBuilder extends TreeBuilder<Element> {
     public Element visitAutoconnect(AutoconnectContext context) {
         return new Autoconnect(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
                 AutoconnectKind.valueOf(context.kind.getText().toUpperCase(Locale.ROOT)));
     }
 
@@ -138,7 +145,7 @@ final class ElementBuilder extends TreeBuilder<Element> {
     public Element visitAutoinstantiate(AutoinstantiateContext context) {
         return new Autoinstantiate(
                 span(context),
-                builders.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes.stereotypes(context.stereotypes()),
                 context.kind.getText().equals("on"));
     }
 
@@ -148,10 +155,10 @@ final class ElementBuilder extends TreeBuilder<Element> {
                 span(context),
                 context.kind == null
                         ? Optional.empty()
-                        : Optional.of(builders.names.name(context.kind)),
-                builders.names.build(context.title),
+                        : Optional.of(phrases.names.name(context.kind)),
+                phrases.names.build(context.title),
                 span(context.invariantBody()).text(),
-                new InvariantBody(builders).condition(context.invariantBody()));
+                new InvariantBody(phrases.expressions).condition(context.invariantBody()));
     }
 
     @Override
@@ -169,7 +176,7 @@ final class ElementBuilder extends TreeBuilder<Element> {
             ParserRuleContext type,
             List<? extends ParserRuleContext> variables) {
         return new Variables(
-                span(context), builders.types.build(type), builders.variables.buildAll(variables));
+                span(context), phrases.types.build(type), phrases.variables.buildAll(variables));
     }
 
     @Override
@@ -178,7 +185,7 @@ final class ElementBuilder extends TreeBuilder<Element> {
         return new JavaPart(
                 span(context),
                 context.keyword.getText(),
-                builders.names.buildOptional(context.name()),
+                phrases.names.buildOptional(context.name()),
                 text.text());
     }
 }

@@ -45,8 +45,13 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     /** Longer ones would be deep trees. */
     private static final int LONG_ROW = 16;
 
-    ExpressionBuilder(Builders builders) {
-        super(builders);
+    final TypeBuilder types;
+    private final OperandBuilder operands;
+
+    ExpressionBuilder(SharedTexts texts, NameBuilder names, QualifiedNameBuilder qualifiedNames) {
+        super(texts);
+        this.types = new TypeBuilder(texts, qualifiedNames, this);
+        this.operands = new OperandBuilder(names, this);
     }
 
     List<Expression> arguments(ArgumentsContext context) {
@@ -65,7 +70,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     @Override
     public Expression visitOperand(OperandContext context) {
-        return builders.operands.operand(context);
+        return operands.operand(context);
     }
 
     @Override
@@ -76,12 +81,12 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     @Override
     public Expression visitLiteral(LiteralContext context) {
         Span span = span(context.kind);
-        return new Literal(span, Literals.kindOf(context.kind), builders.text(span));
+        return new Literal(span, Literals.kindOf(context.kind), texts.text(span));
     }
 
     @Override
     public Expression visitNamePrimary(NamePrimaryContext context) {
-        return builders.operands.name(context);
+        return operands.name(context);
     }
 
     @Override
@@ -131,7 +136,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     private Expression cast(
             ParserRuleContext context, ParserRuleContext type, ParserRuleContext operand) {
-        return new Cast(span(context), builders.types.build(type), build(operand));
+        return new Cast(span(context), types.build(type), build(operand));
     }
 
     @Override
@@ -161,9 +166,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     @Override
     public Expression visitInstanceOfExpression(InstanceOfExpressionContext context) {
         return new InstanceOf(
-                span(context),
-                build(context.expression()),
-                builders.types.build(context.instanceType()));
+                span(context), build(context.expression()), types.build(context.instanceType()));
     }
 
     @Override

@@ -22,10 +22,10 @@ import java.util.Optional;
  * tokens form an expression of models, it is one.
  */
 final class InvariantBody {
-    private final Builders builders;
+    private final ExpressionBuilder expressions;
 
-    InvariantBody(Builders builders) {
-        this.builders = builders;
+    InvariantBody(ExpressionBuilder expressions) {
+        this.expressions = expressions;
     }
 
     Optional<Expression> condition(InvariantBodyContext body) {
@@ -44,7 +44,7 @@ final class InvariantBody {
         parser.removeErrorListeners();
         parser.setErrorHandler(new BailErrorStrategy());
         try {
-            return Optional.of(builders.expressions.build(parser.expressionUnit().expression()));
+            return Optional.of(expressions.build(parser.expressionUnit().expression()));
         } catch (ParseCancellationException anotherLanguage) {
             return Optional.empty();
         }

@@ -22,7 +22,7 @@ final class Literals {
     }
 
     /** The text of a string literal without its quotes, of any other literal as written. */
-    static String unquoted(Token token) {
+    public static String unquoted(Token token) {
         String text = token.getText();
         return token.getType() == ArcomatLexer.STRING ? text.substring(1, text.length() - 1) : text;
     }

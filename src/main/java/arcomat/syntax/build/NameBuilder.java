@@ -8,8 +8,8 @@ import org.antlr.v4.runtime.Token;
 
 /** Names: one token each. */
 final class NameBuilder extends TreeBuilder<Name> {
-    NameBuilder(Builders builders) {
-        super(builders);
+    NameBuilder(SharedTexts texts) {
+        super(texts);
     }
 
     @Override
@@ -19,6 +19,6 @@ final class NameBuilder extends TreeBuilder<Name> {
 
     Name name(Token token) {
         Span span = span(token);
-        return new Name(span, builders.text(span));
+        return new Name(span, texts.text(span));
     }
 }

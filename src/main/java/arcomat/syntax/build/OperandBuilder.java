@@ -18,28 +18,30 @@ import java.util.Optional;
 
 /** Names, calls and what is joined to them by dots and brackets. */
 final class OperandBuilder {
-    private final Builders builders;
+    private final NameBuilder names;
+    private final ExpressionBuilder expressions;
 
-    OperandBuilder(Builders builders) {
-        this.builders = builders;
+    OperandBuilder(NameBuilder names, ExpressionBuilder expressions) {
+        this.names = names;
+        this.expressions = expressions;
     }
 
     Expression name(NamePrimaryContext context) {
-        Name name = builders.names.build(context.name());
+        Name name = names.build(context.name());
         if (context.arguments() == null) {
             return new Reference(name.span(), new QualifiedName(name.span(), List.of(name)));
         }
-        Span span = builders.expressions.span(context);
-        List<Expression> arguments = builders.expressions.arguments(context.arguments());
+        Span span = expressions.span(context);
+        List<Expression> arguments = expressions.arguments(context.arguments());
         return new Call(span, Optional.empty(), name, arguments);
     }
 
     Expression operand(OperandContext context) {
-        Expression result = builders.expressions.build(context.primary());
+        Expression result = expressions.build(context.primary());
         // "(a).b" is no qualified name, though its parentheses leave no node.
         boolean isName = context.primary() instanceof NamePrimaryContext;
         for (SuffixContext suffix : context.suffix()) {
-            Span span = builders.expressions.span(context.start, suffix.stop);
+            Span span = expressions.span(context.start, suffix.stop);
             result = join(span, result, isName, suffix);
         }
         return result;
@@ -49,9 +51,9 @@ final class OperandBuilder {
         if (!(suffix instanceof AccessSuffixContext access)) {
             return new JavaExpression(span, span.text());
         }
-        Name name = builders.names.build(access.name());
+        Name name = names.build(access.name());
         if (access.arguments() != null) {
-            List<Expression> arguments = builders.expressions.arguments(access.arguments());
+            List<Expression> arguments = expressions.arguments(access.arguments());
             return new Call(span, Optional.of(target), name, arguments);
         }
         return isName && target instanceof Reference reference

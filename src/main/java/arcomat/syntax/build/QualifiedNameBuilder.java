@@ -14,33 +14,36 @@ import java.util.List;
 
 /** Names joined by dots. */
 final class QualifiedNameBuilder extends TreeBuilder<QualifiedName> {
-    QualifiedNameBuilder(Builders builders) {
-        super(builders);
+    private final NameBuilder names;
+
+    QualifiedNameBuilder(SharedTexts texts, NameBuilder names) {
+        super(texts);
+        this.names = names;
     }
 
     @Override
     public QualifiedName visitQualifiedName(QualifiedNameContext context) {
-        return of(builders.names.buildAll(context.name()));
+        return of(names.buildAll(context.name()));
     }
 
     @Override
     public QualifiedName visitInstanceType(InstanceTypeContext context) {
-        return of(builders.names.buildAll(context.name()));
+        return of(names.buildAll(context.name()));
     }
 
     @Override
     public QualifiedName visitPlainName(PlainNameContext context) {
         List<Name> parts = new ArrayList<>();
-        parts.add(builders.names.name(context.start));
+        parts.add(names.name(context.start));
         for (NameContext name : context.name()) {
-            parts.add(builders.names.build(name));
+            parts.add(names.build(name));
         }
         return of(parts);
     }
 
     @Override
     public QualifiedName visitPrimitiveType(PrimitiveTypeContext context) {
-        return of(List.of(builders.names.name(context.start)));
+        return of(List.of(names.name(context.start)));
     }
 
     QualifiedName of(List<Name> parts) {

@@ -12,8 +12,11 @@ import java.util.Optional;
 
 /** Entries of {@code <<..>>} lists. */
 final class StereotypeBuilder extends TreeBuilder<Stereotype> {
-    StereotypeBuilder(Builders builders) {
-        super(builders);
+    private final NameBuilder names;
+
+    StereotypeBuilder(SharedTexts texts, NameBuilder names) {
+        super(texts);
+        this.names = names;
     }
 
     List<Stereotype> stereotypes(StereotypesContext context) {
@@ -22,12 +25,12 @@ final class StereotypeBuilder extends TreeBuilder<Stereotype> {
 
     @Override
     public Stereotype visitStereotype(StereotypeContext context) {
-        return new Stereotype(span(context), builders.names.build(context.name(0)), value(context));
+        return new Stereotype(span(context), names.build(context.name(0)), value(context));
     }
 
     private Optional<Name> value(StereotypeContext context) {
         if (context.literal() == null) {
-            return builders.names.buildOptional(context.word);
+            return names.buildOptional(context.word);
         }
         Token token = context.literal().kind;
         return Optional.of(new Name(span(token), Literals.unquoted(token)));

@@ -34,21 +34,24 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
     private static final String TICK = "Tk";
     private static final BigInteger LARGEST = BigInteger.valueOf(Integer.MAX_VALUE);
 
-    StreamBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+
+    StreamBuilder(Phrases phrases) {
+        super(phrases.texts);
+        this.phrases = phrases;
     }
 
     PortStream portStream(PortStreamContext context) {
         return new PortStream(
                 span(context),
-                builders.qualifiedNames.build(context.qualifiedName()),
+                phrases.qualifiedNames.build(context.qualifiedName()),
                 elements(context.stream()));
     }
 
     PortStream eventStream(EventStreamContext context) {
         return new PortStream(
                 span(context),
-                builders.qualifiedNames.build(context.qualifiedName()),
+                phrases.qualifiedNames.build(context.qualifiedName()),
                 context.stream() == null
                         ? List.of(build(context.streamElement()))
                         : elements(context.stream()));
@@ -80,7 +83,7 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
 
     @Override
     public StreamElement visitLiteralMessage(LiteralMessageContext context) {
-        Expression literal = builders.expressions.build(context.literal());
+        Expression literal = phrases.expressions.build(context.literal());
         return message(span(context), context.minus, literal);
     }
 
@@ -91,7 +94,7 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
 
     @Override
     public StreamElement visitNameMessage(NameMessageContext context) {
-        QualifiedName name = builders.qualifiedNames.build(context.qualifiedName());
+        QualifiedName name = phrases.qualifiedNames.build(context.qualifiedName());
         Span span = span(context);
         if (context.arguments() != null) {
             return message(span, context.minus, call(context, name));
@@ -105,14 +108,14 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
         List<Name> before = name.parts().subList(0, name.parts().size() - 1);
         Optional<Expression> target = Optional.empty();
         if (!before.isEmpty()) {
-            QualifiedName owner = builders.qualifiedNames.of(before);
+            QualifiedName owner = phrases.qualifiedNames.of(before);
             target = Optional.of(new Reference(owner.span(), owner));
         }
         return new Call(
                 span(context),
                 target,
                 name.last(),
-                builders.expressions.arguments(context.arguments()));
+                phrases.expressions.arguments(context.arguments()));
     }
 
     /** A count beyond all reason stays beyond all reason: it is cut to the largest int. */

@@ -25,16 +25,21 @@ import java.util.List;
 
 /** Suites of stream tests; the streams by {@link StreamBuilder}. */
 final class TestSuiteBuilder extends TreeBuilder<Member> {
-    TestSuiteBuilder(Builders builders) {
-        super(builders);
+    private final Phrases phrases;
+    private final StreamBuilder streamBuilder;
+
+    TestSuiteBuilder(Phrases phrases, StreamBuilder streamBuilder) {
+        super(phrases.texts);
+        this.phrases = phrases;
+        this.streamBuilder = streamBuilder;
     }
 
     TestSuite testSuite(TestSuiteContext context) {
         return new TestSuite(
                 span(context),
-                builders.names.build(context.name()),
-                builders.qualifiedNames.build(context.qualifiedName()),
-                builders.expressions.arguments(context.arguments()),
+                phrases.names.build(context.name()),
+                phrases.qualifiedNames.build(context.qualifiedName()),
+                phrases.expressions.arguments(context.arguments()),
                 buildAll(context.suiteMember()));
     }
 
@@ -53,13 +58,13 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
                 throw new AssertionError(part);
             }
         }
-        return new Test(span(context), builders.names.build(context.name()), streams, before);
+        return new Test(span(context), phrases.names.build(context.name()), streams, before);
     }
 
     private Streams streams(StreamsPartContext context) {
         List<PortStream> streams = new ArrayList<>();
         for (PortStreamContext stream : context.portStream()) {
-            streams.add(builders.streams.portStream(stream));
+            streams.add(streamBuilder.portStream(stream));
         }
         Kind kind = context.kind.getText().equals("input") ? Kind.INPUT : Kind.EXPECT;
         return new Streams(span(context), kind, streams);
@@ -68,7 +73,7 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
     private Streams events(EventsPartContext context) {
         List<PortStream> streams = new ArrayList<>();
         for (EventStreamContext stream : context.eventStream()) {
-            streams.add(builders.streams.eventStream(stream));
+            streams.add(streamBuilder.eventStream(stream));
         }
         return new Streams(span(context), Kind.EVENTS, streams);
     }
@@ -81,7 +86,7 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
     private Before before(BeforeContext context) {
         return new Before(
                 span(context),
-                builders.names.build(context.name()),
+                phrases.names.build(context.name()),
                 span(context.javaBlock()).text());
     }
 
@@ -89,7 +94,7 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
     public Member visitFieldMember(FieldMemberContext context) {
         return new Field(
                 span(context),
-                builders.types.build(context.plainType()),
-                builders.variables.buildAll(context.variable()));
+                phrases.types.build(context.plainType()),
+                phrases.variables.buildAll(context.variable()));
     }
 }

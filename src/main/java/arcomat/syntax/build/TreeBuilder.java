@@ -16,10 +16,10 @@ import java.util.Optional;
  * @param <T> the root of the family
  */
 abstract class TreeBuilder<T> extends ArcomatBaseVisitor<T> {
-    protected final Builders builders;
+    protected final SharedTexts texts;
 
-    protected TreeBuilder(Builders builders) {
-        this.builders = builders;
+    protected TreeBuilder(SharedTexts texts) {
+        this.texts = texts;
     }
 
     final T build(ParserRuleContext context) {
@@ -46,7 +46,7 @@ abstract class TreeBuilder<T> extends ArcomatBaseVisitor<T> {
     }
 
     protected final Span span(Token first, Token last) {
-        return builders.span(first.getStartIndex(), last.getStopIndex() + 1);
+        return texts.span(first.getStartIndex(), last.getStopIndex() + 1);
     }
 
     protected final Span span(Token token) {

@@ -11,8 +11,11 @@ import java.util.List;
 
 /** What stands between the angle brackets of a type. */
 final class TypeArgumentBuilder extends TreeBuilder<TypeArgument> {
-    TypeArgumentBuilder(Builders builders) {
-        super(builders);
+    private final TypeBuilder types;
+
+    TypeArgumentBuilder(SharedTexts texts, TypeBuilder types) {
+        super(texts);
+        this.types = types;
     }
 
     List<TypeArgument> arguments(TypeArgumentsContext context) {
@@ -21,12 +24,12 @@ final class TypeArgumentBuilder extends TreeBuilder<TypeArgument> {
 
     @Override
     public TypeArgument visitGivenArgument(GivenArgumentContext context) {
-        return new Given(span(context), builders.types.build(context.type()));
+        return new Given(span(context), types.build(context.type()));
     }
 
     @Override
     public TypeArgument visitWildcardArgument(WildcardArgumentContext context) {
         boolean upper = context.bound == null || context.bound.getText().equals("extends");
-        return new Wildcard(span(context), upper, builders.types.buildOptional(context.type()));
+        return new Wildcard(span(context), upper, types.buildOptional(context.type()));
     }
 }

@@ -20,8 +20,16 @@ import java.util.Optional;
 
 /** Types. */
 final class TypeBuilder extends TreeBuilder<TypeReference> {
-    TypeBuilder(Builders builders) {
-        super(builders);
+    final TypeArgumentBuilder typeArguments;
+    private final QualifiedNameBuilder qualifiedNames;
+    private final ExpressionBuilder expressions;
+
+    TypeBuilder(
+            SharedTexts texts, QualifiedNameBuilder qualifiedNames, ExpressionBuilder expressions) {
+        super(texts);
+        this.typeArguments = new TypeArgumentBuilder(texts, this);
+        this.qualifiedNames = qualifiedNames;
+        this.expressions = expressions;
     }
 
     @Override
@@ -50,7 +58,7 @@ final class TypeBuilder extends TreeBuilder<TypeReference> {
     }
 
     private TypeReference named(ParserRuleContext context) {
-        QualifiedName name = builders.qualifiedNames.build(context);
+        QualifiedName name = qualifiedNames.build(context);
         return new TypeReference(name.span(), name, List.of(), Optional.empty(), 0);
     }
 
@@ -58,8 +66,8 @@ final class TypeBuilder extends TreeBuilder<TypeReference> {
             ParserRuleContext context, TypeArgumentsContext arguments, TypeSuffixContext suffix) {
         return new TypeReference(
                 span(context),
-                builders.qualifiedNames.build((ParserRuleContext) context.getChild(0)),
-                builders.typeArguments.arguments(arguments),
+                qualifiedNames.build((ParserRuleContext) context.getChild(0)),
+                typeArguments.arguments(arguments),
                 suffix instanceof RangeSuffixContext range
                         ? Optional.of(range(range))
                         : Optional.empty(),
@@ -68,8 +76,6 @@ final class TypeBuilder extends TreeBuilder<TypeReference> {
 
     private Range range(RangeSuffixContext context) {
         return new Range(
-                span(context),
-                builders.expressions.build(context.low),
-                builders.expressions.build(context.high));
+                span(context), expressions.build(context.low), expressions.build(context.high));
     }
 }

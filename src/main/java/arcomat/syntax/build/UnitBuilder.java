@@ -23,10 +23,20 @@ import java.util.Optional;
 /** Whole files: the way into this package. */
 public final class UnitBuilder extends TreeBuilder<Unit> {
     private final List<Comment> comments;
+    private final Phrases phrases;
+    private final AutomatonBuilder automata;
+    private final ComponentBuilder components;
+    private final ClassDiagramBuilder classDiagrams;
+    private final TestSuiteBuilder testSuites;
 
-    private UnitBuilder(SourceFile file, List<Comment> comments) {
-        super(new Builders(file));
+    private UnitBuilder(SharedTexts texts, List<Comment> comments) {
+        super(texts);
         this.comments = comments;
+        this.phrases = new Phrases(texts);
+        this.automata = new AutomatonBuilder(phrases, new BlockBuilder(phrases));
+        this.components = new ComponentBuilder(phrases, new BehaviourBuilder(phrases, automata));
+        this.classDiagrams = new ClassDiagramBuilder(phrases);
+        this.testSuites = new TestSuiteBuilder(phrases, new StreamBuilder(phrases));
     }
 
     /**
@@ -34,29 +44,29 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
      * @param comments every comment of the file in text order
      */
     public static Unit unit(SourceFile file, ParserRuleContext context, List<Comment> comments) {
-        return new UnitBuilder(file, comments).build(context);
+        return new UnitBuilder(new SharedTexts(file), comments).build(context);
     }
 
     @Override
     public Unit visitArcUnit(ArcUnitContext context) {
         return context.component() == null
-                ? unit(context.header(), builders.automata.automaton(context.automaton()))
-                : unit(context.header(), builders.components.build(context.component()));
+                ? unit(context.header(), automata.automaton(context.automaton()))
+                : unit(context.header(), components.build(context.component()));
     }
 
     @Override
     public Unit visitAutomatonUnit(AutomatonUnitContext context) {
-        return unit(context.header(), builders.automata.automaton(context.automaton()));
+        return unit(context.header(), automata.automaton(context.automaton()));
     }
 
     @Override
     public Unit visitClassDiagramUnit(ClassDiagramUnitContext context) {
-        return unit(context.header(), builders.classDiagrams.classDiagram(context.classDiagram()));
+        return unit(context.header(), classDiagrams.classDiagram(context.classDiagram()));
     }
 
     @Override
     public Unit visitTestSuiteUnit(TestSuiteUnitContext context) {
-        return unit(context.header(), builders.testSuites.testSuite(context.testSuite()));
+        return unit(context.header(), testSuites.testSuite(context.testSuite()));
     }
 
     private Unit unit(HeaderContext header, Definition definition) {
@@ -65,7 +75,7 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
             imports.add(importOf(declaration));
         }
         return new Unit(
-                builders.file.span(0, builders.file.text().length()),
+                texts.whole(),
                 packageName(header.packageDeclaration()),
                 imports,
                 definition,
@@ -75,11 +85,11 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
     private Optional<QualifiedName> packageName(PackageDeclarationContext context) {
         return context == null
                 ? Optional.empty()
-                : builders.qualifiedNames.buildOptional(context.qualifiedName());
+                : phrases.qualifiedNames.buildOptional(context.qualifiedName());
     }
 
     private Import importOf(ImportDeclarationContext context) {
-        QualifiedName name = builders.qualifiedNames.of(builders.names.buildAll(context.name()));
+        QualifiedName name = phrases.qualifiedNames.of(phrases.names.buildAll(context.name()));
         return new Import(span(context), name, context.wildcard != null);
     }
 }

@@ -17,8 +17,11 @@ import arcomat.tree.Block.Value;
 
 /** Values of items and cells of I/O tables. */
 final class ValueBuilder extends TreeBuilder<Value> {
-    ValueBuilder(Builders builders) {
-        super(builders);
+    private final ExpressionBuilder expressions;
+
+    ValueBuilder(SharedTexts texts, ExpressionBuilder expressions) {
+        super(texts);
+        this.expressions = expressions;
     }
 
     @Override
@@ -28,7 +31,7 @@ final class ValueBuilder extends TreeBuilder<Value> {
 
     @Override
     public Value visitSequenceValue(SequenceValueContext context) {
-        return new Sequence(span(context), builders.expressions.buildAll(context.expression()));
+        return new Sequence(span(context), expressions.buildAll(context.expression()));
     }
 
     @Override
@@ -43,7 +46,7 @@ final class ValueBuilder extends TreeBuilder<Value> {
 
     @Override
     public Value visitSingleValue(SingleValueContext context) {
-        return new Single(span(context), builders.expressions.build(context.expression()));
+        return new Single(span(context), expressions.build(context.expression()));
     }
 
     @Override

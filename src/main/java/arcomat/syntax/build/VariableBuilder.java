@@ -6,23 +6,28 @@ import arcomat.tree.Variable;
 
 /** Declared variables. */
 final class VariableBuilder extends TreeBuilder<Variable> {
-    VariableBuilder(Builders builders) {
-        super(builders);
+    private final NameBuilder names;
+    private final ExpressionBuilder expressions;
+
+    VariableBuilder(SharedTexts texts, NameBuilder names, ExpressionBuilder expressions) {
+        super(texts);
+        this.names = names;
+        this.expressions = expressions;
     }
 
     @Override
     public Variable visitVariable(VariableContext context) {
         return new Variable(
                 span(context),
-                builders.names.build(context.name()),
-                builders.expressions.buildOptional(context.expression()));
+                names.build(context.name()),
+                expressions.buildOptional(context.expression()));
     }
 
     @Override
     public Variable visitValuedVariable(ValuedVariableContext context) {
         return new Variable(
                 span(context),
-                builders.names.build(context.name()),
-                builders.expressions.buildOptional(context.expression()));
+                names.build(context.name()),
+                expressions.buildOptional(context.expression()));
     }
 }

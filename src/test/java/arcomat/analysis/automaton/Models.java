@@ -1,7 +1,7 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.FirstValue;

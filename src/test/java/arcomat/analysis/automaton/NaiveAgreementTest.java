@@ -2,15 +2,15 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Budget;
 import arcomat.analysis.automaton.NaiveExploration.Overlapping;
+import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.Outcome;
 import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.SymbolicSearch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.models.ReadModels;
-import arcomat.semantics.Fault;
+import arcomat.semantics.expression.Fault;
 import arcomat.source.SourceFile;
 
 import net.jqwik.api.Arbitraries;

@@ -2,20 +2,20 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Moment;
+import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
-import arcomat.semantics.Behaviour;
-import arcomat.semantics.Configuration;
-import arcomat.semantics.Fault;
-import arcomat.semantics.Input;
-import arcomat.semantics.Output;
-import arcomat.semantics.Reaction;
-import arcomat.semantics.Sent;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -2,7 +2,7 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Budget;
+import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.Outcome;
 import arcomat.analysis.smt.Question;
 import arcomat.analysis.smt.SymbolicSearch;

@@ -7,11 +7,11 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.Attention.Compared;
-import arcomat.semantics.Behaviour;
 import arcomat.semantics.ComponentBuilder;
-import arcomat.semantics.Input;
-import arcomat.semantics.StepRelation;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.value.Attention.Compared;
 
 import org.junit.jupiter.api.Test;
 

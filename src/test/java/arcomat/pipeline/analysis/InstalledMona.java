@@ -1,7 +1,7 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.Promise;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
 

@@ -59,7 +59,7 @@ class DamagedJarTest {
                 .isInstanceOf(WrongUse.class)
                 .hasMessage(
                         "'bomb.jar' is no robot's jar: it holds more than 64 MB when it is"
-                            + " unpacked");
+                                + " unpacked");
     }
 
     private static boolean isRefused(Path jar) {

@@ -20,11 +20,11 @@ import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.Program;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
-import arcomat.simulate.Watch;
-import arcomat.simulate.Watched;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
+import arcomat.simulate.watch.Watch;
+import arcomat.simulate.watch.Watched;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;

@@ -11,9 +11,9 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
-import arcomat.semantics.Network;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
 
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -3,7 +3,7 @@ package arcomat.pipeline.compile;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.generate.SampleComponents;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;

@@ -8,7 +8,7 @@ import static arcomat.semantics.ComponentBuilder.component;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.generate.Choosing;
 import arcomat.generate.SampleComponents;
 import arcomat.lower.Lowering;

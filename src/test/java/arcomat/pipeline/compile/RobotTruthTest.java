@@ -20,9 +20,9 @@ import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
 import arcomat.sim.script.ScriptParser;
 import arcomat.sim.script.Step;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
 
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;

@@ -2,8 +2,8 @@ package arcomat.pipeline.gate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.Change.Relation;
-import arcomat.analysis.Gate;
+import arcomat.analysis.evolution.Change.Relation;
+import arcomat.analysis.evolution.Gate;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.analysis.AnalysisLimits;
 import arcomat.pipeline.step.WrongUse;

@@ -3,12 +3,12 @@ package arcomat.pipeline.step;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Promise;
-import arcomat.analysis.Refinement;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.pipeline.check.CheckedModels;

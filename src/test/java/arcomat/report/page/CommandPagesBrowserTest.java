@@ -3,7 +3,7 @@ package arcomat.report.page;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.cli.Cli;
-import arcomat.cli.Console;
+import arcomat.cli.terminal.Console;
 
 import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;

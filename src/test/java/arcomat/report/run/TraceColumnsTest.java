@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Trace;
-import arcomat.semantics.Network;
-import arcomat.simulate.Choice;
-import arcomat.simulate.Interpreter;
-import arcomat.simulate.Simulation;
+import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Choice;
+import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.run.Simulation;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.DynamicTest;

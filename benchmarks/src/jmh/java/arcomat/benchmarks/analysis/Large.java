@@ -1,8 +1,8 @@
 package arcomat.benchmarks.analysis;
 
-import arcomat.analysis.Budget;
-import arcomat.analysis.Refinement;
-import arcomat.analysis.Verdict;
+import arcomat.analysis.refinement.Refinement;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.search.Budget;
 
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,6 +1,6 @@
 package arcomat.benchmarks.analysis;
 
-import arcomat.analysis.Promise;
+import arcomat.analysis.refinement.Promise;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.source.SourceFile;

@@ -1,7 +1,7 @@
 package arcomat.benchmarks.frontend;
 
 import arcomat.check.Checks;
-import arcomat.check.Profile;
+import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;

@@ -1,0 +1,55 @@
+package arcomat.analysis.contradiction;
+
+import arcomat.analysis.game.Turn;
+import arcomat.analysis.refinement.Explanation;
+import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.product.Comparison.Allowed;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Says what requirements ask for where they contradict each other. */
+final class Demands {
+    private Demands() {}
+
+    static Contradiction.Step step(Turn turn, List<Promise> requirements) {
+        List<Sentence> sentences = new ArrayList<>();
+        boolean errors = turn.demands().stream().anyMatch(each -> errs(each.allowed()));
+        for (Turn.Demand demand : turn.demands()) {
+            Promise requirement = requirements.get(demand.requirement());
+            boolean errs = errs(demand.allowed());
+            boolean only = demand.allowed().stream().allMatch(Allowed::error);
+            for (Allowed allowed : demand.allowed()) {
+                String words =
+                        allowed.error()
+                                ? only ? "only an error" : "an error"
+                                : words(allowed, errors && !errs);
+                sentences.add(
+                        new Sentence(
+                                requirement.title()
+                                        + " allows "
+                                        + words
+                                        + Explanation.by(
+                                                requirement,
+                                                allowed.configuration(),
+                                                allowed.causes()),
+                                Explanation.place(requirement, allowed.causes())));
+            }
+        }
+        return new Contradiction.Step(turn.input(), turn.answers(), sentences);
+    }
+
+    private static boolean errs(List<Allowed> allowed) {
+        return allowed.stream().anyMatch(Allowed::error);
+    }
+
+    /**
+     * @param beside whether others allow an error, and the requirement does not
+     */
+    private static String words(Allowed allowed, boolean beside) {
+        String words = Explanation.words(allowed.sent());
+        words = words.equals("nothing") ? Explanation.silence(allowed.sent()) : words;
+        return words.equals("anything") && beside ? "any output, but no error" : words;
+    }
+}

@@ -1,0 +1,69 @@
+package arcomat.analysis.refinement;
+
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.product.Certificate;
+import arcomat.analysis.search.product.CertificateCheck;
+import arcomat.semantics.value.GivenUp;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A verdict with its reasons: where a refinement holds, a certificate for each automaton of the
+ * right side, by its title. It can be verified later, by whoever doubts the search.
+ */
+public record Certification(Verdict verdict, List<Certificate> certificates) {
+
+    /** As {@link Refinement#check}, but without the short cut part by part. */
+    public static Certification of(Promise left, Promise right, Budget budget) {
+        List<Certificate> found = new ArrayList<>();
+        Optional<Verdict> known = Refinement.comparable(left, right);
+        if (known.isPresent()) {
+            return new Certification(known.get(), List.of());
+        }
+        List<Verdict> verdicts = new ArrayList<>();
+        for (Promise each : right.each()) {
+            verdicts.add(Refinement.compare(left, each, budget, proof -> found.add(proof.get())));
+        }
+        Verdict verdict = Refinement.all(verdicts);
+        return new Certification(verdict, verdict.answer() == Answer.HOLDS ? found : List.of());
+    }
+
+    /**
+     * What is wrong with certificates for a refinement; empty where they prove it.
+     *
+     * @throws GivenUp where the refinement could not be decided either
+     */
+    public static Optional<String> problem(
+            Promise left, Promise right, List<Certificate> certificates, Budget budget) {
+        Optional<Verdict> interfaces = Interfaces.compare(left, right);
+        if (interfaces.isPresent()) {
+            return Optional.of(interfaces.get().explanation().get(0).text());
+        }
+        List<Promise> promises = right.each();
+        if (certificates.size() != promises.size()) {
+            return Optional.of(
+                    "it is about %d automata, and there are %d"
+                            .formatted(certificates.size(), promises.size()));
+        }
+        for (int i = 0; i < promises.size(); i++) {
+            Promise each = promises.get(i);
+            Sides sides = Sides.of(left, each, budget);
+            CertificateCheck check =
+                    new CertificateCheck(
+                            sides.left(),
+                            sides.right(),
+                            sides.observed(),
+                            sides.outputs(),
+                            certificates.get(i),
+                            budget);
+            Optional<String> problem = check.problem();
+            if (problem.isPresent()) {
+                return problem;
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,199 @@
+package arcomat.analysis.refinement;
+
+import arcomat.analysis.refinement.Verdict.Explored;
+import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.product.Comparison;
+import arcomat.analysis.search.product.Inclusion;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Invariant;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.invariant.InvariantWatch;
+import arcomat.semantics.invariant.InvariantWatch.Truth;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whether an invariant is true in every slice of every run. The component is put beside an observer
+ * that speaks where it is not; so the question is whether both together refine a component that
+ * never speaks, and whose run may end in an error at any time: an error breaks no invariant.
+ */
+public final class InvariantProof {
+    private final Promise asked;
+    private final Invariant invariant;
+    private final InvariantWatch watch;
+    private final Budget budget;
+
+    private InvariantProof(Promise asked, Invariant invariant, Budget budget) {
+        this.asked = asked;
+        this.invariant = invariant;
+        this.watch = new InvariantWatch(asked.component(), invariant);
+        this.budget = budget;
+    }
+
+    /**
+     * @param component with the invariant; it works in slices
+     * @param arguments one per parameter
+     */
+    public static Verdict check(
+            Component component, List<Value> arguments, Invariant invariant, Budget budget) {
+        Promise asked = Promise.of(component, arguments);
+        return Budget.within(
+                () -> new InvariantProof(asked, invariant, budget).verdict(), Verdict::unknown);
+    }
+
+    private Verdict verdict() {
+        Optional<String> obstacle = Beginning.obstacle(asked, budget::insist);
+        if (obstacle.isPresent()) {
+            return Verdict.unknown(obstacle.get());
+        }
+        return atTheStart().orElseGet(this::search);
+    }
+
+    /** Before the first slice no port shows anything, but variables have values. */
+    private Optional<Verdict> atTheStart() {
+        if (asked.isComposition() || !watch.mentionsNoPort()) {
+            return Optional.empty();
+        }
+        Behaviour behaviour = asked.behaviour();
+        for (Behaviour.JointStart start : behaviour.starts(budget::insist)) {
+            List<Value> values = new ArrayList<>();
+            for (InvariantWatch.Seen each : watch.seen()) {
+                values.add(value(behaviour, start.configurations(), each.input().name()));
+            }
+            Truth truth = watch.judge(asked.arguments(), values);
+            if (truth != Truth.TRUE) {
+                String text =
+                        "Before the first slice invariant '%s' is %s"
+                                .formatted(invariant.name(), InvariantStory.word(truth));
+                return Optional.of(
+                        Verdict.breaks(
+                                List.of(), List.of(sentence(text, values)), Explored.NOTHING));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static Value value(
+            Behaviour behaviour, List<Configuration> configurations, String variable) {
+        for (int i = 0; i < configurations.size(); i++) {
+            StepRelation relation = behaviour.relations().get(i);
+            List<Variable> variables = relation.automaton().variables();
+            for (int slot = 0; slot < variables.size(); slot++) {
+                if (variables.get(slot).name().equals(variable)) {
+                    return configurations.get(i).variables().get(slot);
+                }
+            }
+        }
+        throw new IllegalArgumentException(variable + " is no variable");
+    }
+
+    private Sentence sentence(String text, List<Value> values) {
+        List<String> words = new ArrayList<>();
+        for (int i = 0; i < values.size(); i++) {
+            words.add(watch.seen().get(i).input().name() + " = " + values.get(i));
+        }
+        String with = words.isEmpty() ? "" : ": " + String.join(", ", words);
+        return new Sentence(text + with, Optional.of(invariant.condition().span()));
+    }
+
+    private Verdict search() {
+        Promise together = Promise.of(watch.together(), asked.arguments());
+        Sides sides = Sides.of(together, Promise.of(silent(), List.of()), budget);
+        Comparison comparison = sides.comparison(budget);
+        return Budget.within(
+                () -> verdict(together, sides, comparison),
+                reason -> Verdict.unknown(reason, explored(sides, comparison.pairs())));
+    }
+
+    private Verdict verdict(Promise together, Sides sides, Comparison comparison) {
+        Inclusion.Result result = comparison.run();
+        Explored explored = explored(sides, result.pairs());
+        if (result.failure().isPresent()) {
+            InvariantStory story = new InvariantStory(asked.component(), together, watch);
+            List<Moment> slices = story.slices(comparison.moments(result.failure().get()));
+            return Verdict.breaks(
+                    slices,
+                    story.explanation(
+                            invariant, comparison.forbidden(result.failure().get()), slices),
+                    explored);
+        }
+        Optional<String> stopped = result.stopped().or(sides.left()::leftOut);
+        return stopped.isPresent()
+                ? Verdict.unknown(stopped.get(), explored)
+                : Verdict.holds(Optional.empty(), List.of(), explored);
+    }
+
+    private static Explored explored(Sides sides, long pairs) {
+        return new Explored(pairs, sides.left().size(), 1);
+    }
+
+    /** Never sends on the observer's port, and may end in an error whenever it likes. */
+    private Component silent() {
+        Type one = new Type.IntegerType(Type.Width.INT, 0, 0, true);
+        Variable variable = new Variable("error", one, number(0), invariant.span());
+        List<Automaton.Transition> transitions =
+                List.of(
+                        transition(List.of()),
+                        transition(List.of(new Automaton.Assignment(variable, number(1)))));
+        Automaton automaton =
+                new Automaton(
+                        "",
+                        Automaton.Completion.IGNORE,
+                        Automaton.Omitted.SILENT,
+                        List.of("true"),
+                        List.of(variable),
+                        List.of(new Automaton.Initial(0, List.of(), List.of(), invariant.span())),
+                        transitions,
+                        invariant.span());
+        Port port =
+                new Port(
+                        InvariantWatch.BROKEN,
+                        Port.Direction.OUT,
+                        new Type.BooleanType(),
+                        false,
+                        0,
+                        false,
+                        invariant.span());
+        Component c = asked.component();
+        return new Component(
+                "",
+                invariant.name(),
+                Component.Layer.LOGIC,
+                false,
+                false,
+                c.profile(),
+                c.queueCapacity(),
+                c.cycle(),
+                List.of(),
+                List.of(),
+                List.of(port),
+                new Component.Atomic(List.of(automaton)),
+                List.of(),
+                List.of(),
+                invariant.span());
+    }
+
+    private Expression number(long value) {
+        return new Expression.Constant(
+                new Value.IntegerValue(value),
+                Type.IntegerType.of(Type.Width.INT),
+                invariant.span());
+    }
+
+    private Automaton.Transition transition(List<Automaton.Assignment> assignments) {
+        return new Automaton.Transition(
+                0, 0, Optional.empty(), List.of(), List.of(), assignments, invariant.span());
+    }
+}

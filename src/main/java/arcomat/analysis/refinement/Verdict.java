@@ -1,0 +1,134 @@
+package arcomat.analysis.refinement;
+
+import arcomat.analysis.search.Moment;
+import arcomat.analysis.search.product.Certificate;
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/**
+ * The answer to a question about models.
+ *
+ * @param reason of a failure {@code behaviour}, {@code interface}, {@code delay} or {@code
+ *     invariant}; of an unknown what stood in the way; else empty
+ * @param simulation whether a simulation was found; empty where that was not asked or not decided
+ * @param trace a shortest run that the right side forbids, the initial outputs first; of an
+ *     invariant, slice by slice what can be seen, the last one breaks it; only of a failure
+ * @param explanation why it fails, in sentences, each with the place that it is about
+ * @param notes what else a reader should know: that it holds because nothing is promised, or fails
+ *     only because outputs come late, say
+ */
+public record Verdict(
+        Answer answer,
+        String reason,
+        Optional<Boolean> simulation,
+        List<Moment> trace,
+        List<Sentence> explanation,
+        List<String> notes,
+        Explored explored) {
+    public Verdict {
+        trace = List.copyOf(trace);
+        explanation = List.copyOf(explanation);
+        notes = List.copyOf(notes);
+    }
+
+    /** Whether a question is answered with yes, no, or not at all. */
+    public enum Answer {
+        HOLDS,
+        FAILS,
+        UNKNOWN;
+
+        /** For both questions at once: fails if one does, else unknown if one is. */
+        public Answer and(Answer other) {
+            return this == FAILS || other == HOLDS
+                    ? this
+                    : other == FAILS || this == HOLDS ? other : this;
+        }
+    }
+
+    /** How far a search went: pairs that were compared and configurations of both sides. */
+    public record Explored(long pairs, int left, int right) {
+        public static final Explored NOTHING = new Explored(0, 0, 0);
+
+        /** Whether the answer was found without any search. */
+        public boolean isNothing() {
+            return equals(NOTHING);
+        }
+    }
+
+    /** A sentence about a place in a model. */
+    public record Sentence(String text, Optional<Span> place) {}
+
+    public static Verdict holds(
+            Optional<Boolean> simulation, List<String> notes, Explored explored) {
+        return new Verdict(Answer.HOLDS, "", simulation, List.of(), List.of(), notes, explored);
+    }
+
+    /** Holds by certificates that have been verified. */
+    public static Verdict proved(List<Certificate> certificates) {
+        long pairs = certificates.stream().mapToLong(c -> c.entries().size()).sum();
+        return holds(
+                Optional.empty(),
+                List.of("verified: a certificate with %d pairs".formatted(pairs)),
+                Explored.NOTHING);
+    }
+
+    /** By its behaviour, as a trace shows. */
+    public static Verdict fails(List<Moment> trace, List<Sentence> explanation, Explored explored) {
+        return new Verdict(
+                Answer.FAILS,
+                "behaviour",
+                Optional.of(false),
+                trace,
+                explanation,
+                List.of(),
+                explored);
+    }
+
+    /** An invariant, by a slice in which it is not true. */
+    static Verdict breaks(List<Moment> slices, List<Sentence> explanation, Explored explored) {
+        return new Verdict(
+                Answer.FAILS,
+                "invariant",
+                Optional.empty(),
+                slices,
+                explanation,
+                List.of(),
+                explored);
+    }
+
+    /** With one more note. */
+    Verdict with(String note) {
+        List<String> more = Stream.concat(notes.stream(), Stream.of(note)).toList();
+        return new Verdict(answer, reason, simulation, trace, explanation, more, explored);
+    }
+
+    public static Verdict fails(String reason, List<Sentence> explanation) {
+        return new Verdict(
+                Answer.FAILS,
+                reason,
+                Optional.empty(),
+                List.of(),
+                explanation,
+                List.of(),
+                Explored.NOTHING);
+    }
+
+    /** Not even begun. */
+    public static Verdict unknown(String reason) {
+        return unknown(reason, Explored.NOTHING);
+    }
+
+    static Verdict unknown(String reason, Explored explored) {
+        return new Verdict(
+                Answer.UNKNOWN,
+                reason,
+                Optional.empty(),
+                List.of(),
+                List.of(),
+                List.of(),
+                explored);
+    }
+}

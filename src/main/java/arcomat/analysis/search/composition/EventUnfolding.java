@@ -1,0 +1,312 @@
+package arcomat.analysis.search.composition;
+
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.letter.StandIns;
+import arcomat.model.Component;
+import arcomat.model.FirstValue;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Look;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * An event-driven network, event by event, as {@link Network} says how it runs: a step is an event
+ * and all that follows from it until every queue is empty. The beginning is the initial outputs and
+ * what they cause. Runs that never end, and queues that overflow, are errors.
+ *
+ * <p>A letter has one event, and what latched external ports hold at that time. One without an
+ * event stands for an event that only others have a port for.
+ */
+public final class EventUnfolding implements Unfolding {
+    /** Longer runs are not followed. */
+    private static final int LONGEST = 5_000;
+
+    /** As many reactions to one event are tried, all its runs together. */
+    private static final int MOST_REACTIONS = 50_000;
+
+    private final Budget budget;
+    private final Network network;
+    private final Wiring wiring;
+    private final EventParts parts;
+    private final List<Port> inputs;
+    private final Look[] firstLooks;
+
+    /** Latched ports of parts whose messages come from inside, or as events from outside. */
+    private final List<Wiring.Reader> registers = new ArrayList<>();
+
+    /**
+     * @param compared names of the outputs that the outside looks at
+     */
+    public EventUnfolding(Network network, List<String> compared, Budget budget) {
+        this.budget = budget;
+        this.network = network;
+        this.wiring = new Wiring(network, compared);
+        this.parts = new EventParts(network, wiring, budget);
+        this.inputs = network.inputs().stream().map(Network.External::port).toList();
+        this.firstLooks = firstLooks();
+        for (int part = 0; part < network.instances().size(); part++) {
+            List<Port> ports = network.instances().get(part).component().inputs();
+            for (int port = 0; port < ports.size(); port++) {
+                if (ports.get(port).latched() && parts.held(part, port) == EventRun.INSIDE) {
+                    registers.add(new Wiring.Reader(part, port));
+                }
+            }
+        }
+    }
+
+    /** Why a network cannot be unfolded so; empty if it can. */
+    public static Optional<String> obstacle(Network network) {
+        Wiring wiring = new Wiring(network, List.of());
+        for (Network.External input : network.inputs()) {
+            boolean triggers =
+                    wiring.readers.get(input.signal()).stream()
+                            .anyMatch(reader -> !wiring.port(reader).latched());
+            if (input.port().latched() && (triggers || isShown(network, input))) {
+                return Optional.of(
+                        "'%s' of %s keeps a value for its surroundings, but is an event inside"
+                                .formatted(input.name(), network.component().qualifiedName()));
+            }
+        }
+        return Optional.empty();
+    }
+
+    private static boolean isShown(Network network, Network.External input) {
+        return network.outputs().stream().anyMatch(output -> output.signal() == input.signal());
+    }
+
+    /** An event is seen at least; all of it matters where it is stored or passes through. */
+    private Look[] firstLooks() {
+        Look[] looks = new Look[inputs.size()];
+        for (int i = 0; i < looks.length; i++) {
+            Network.External input = network.inputs().get(i);
+            boolean stored =
+                    wiring.readers.get(input.signal()).stream()
+                            .anyMatch(reader -> wiring.port(reader).latched());
+            if (input.port().latched()) {
+                looks[i] = new Attention.Unseen();
+            } else {
+                looks[i] =
+                        stored || isShown(network, input)
+                                ? new Attention.Copied()
+                                : new Attention.Compared(List.of(), false);
+            }
+        }
+        return looks;
+    }
+
+    @Override
+    public List<Behaviour> behaviours() {
+        return parts.behaviours();
+    }
+
+    @Override
+    public int signal(int register) {
+        Wiring.Reader reader = registers.get(register);
+        return network.instances().get(reader.part()).inputSignals().get(reader.port());
+    }
+
+    @Override
+    public boolean postpones() {
+        return false;
+    }
+
+    @Override
+    public Optional<String> leftOut() {
+        return parts.leftOut();
+    }
+
+    /** The parts begin one after the other, and only then the first of them takes an event. */
+    @Override
+    public List<Outcome> beginnings() {
+        return inOrder(new EventRun(List.of(), nothingLatched()), parts::start);
+    }
+
+    /** What a part does when it is its turn, once. */
+    private interface Turn {
+        void take(EventRun run, int part, List<EventRun> next, List<Outcome> errors);
+    }
+
+    /** The parts have their turn one after the other; then what they have caused is worked off. */
+    private List<Outcome> inOrder(EventRun beginning, Turn turn) {
+        List<Outcome> outcomes = new ArrayList<>();
+        List<EventRun> runs = List.of(beginning);
+        for (int part = 0; part < network.instances().size(); part++) {
+            List<EventRun> longer = new ArrayList<>();
+            for (EventRun run : runs) {
+                turn.take(run, part, longer, outcomes);
+            }
+            runs = longer;
+        }
+        complete(runs, null, outcomes);
+        return outcomes;
+    }
+
+    private Value[][] nothingLatched() {
+        return network.instances().stream()
+                .map(instance -> new Value[instance.inputSignals().size()])
+                .toArray(Value[][]::new);
+    }
+
+    /** Found by running: what a run looks at is known when it has looked. */
+    @Override
+    public Attention attention(Whole whole, StandIns standIns) {
+        Look[] looks = firstLooks.clone();
+        List<Look> before;
+        do {
+            before = List.of(looks);
+            for (Value[] letter :
+                    standIns.letters(Component.Profile.EVENT_DRIVEN, inputs, before)) {
+                run(whole, letter, looks);
+            }
+            standIns.copyWhatMeetsStrangers(looks);
+        } while (!before.equals(Arrays.asList(looks)));
+        return new Attention(before);
+    }
+
+    @Override
+    public List<Outcome> reactions(Whole before, Value[] letter) {
+        return run(before, letter, null);
+    }
+
+    private List<Outcome> run(Whole before, Value[] letter, Look[] looks) {
+        EventRun run = new EventRun(before.parts(), latched(before, letter));
+        if (isEmpty(letter)) {
+            // No port is there for the event: as in an empty slice, each part is completed.
+            return inOrder(run, parts::idle);
+        }
+        for (int i = 0; i < letter.length; i++) {
+            if (letter[i] != null && !inputs.get(i).latched()) {
+                int signal = network.inputs().get(i).signal();
+                Optional<String> problem = parts.deliver(run, signal, List.of(letter[i]), i);
+                if (problem.isPresent()) {
+                    return List.of(Outcome.error(problem.get(), List.of()));
+                }
+            }
+        }
+        List<Outcome> outcomes = new ArrayList<>();
+        complete(List.of(run), looks, outcomes);
+        return outcomes;
+    }
+
+    private boolean isEmpty(Value[] letter) {
+        for (int i = 0; i < letter.length; i++) {
+            if (letter[i] != null && !inputs.get(i).latched()) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private Value[][] latched(Whole before, Value[] letter) {
+        Value[][] latched = nothingLatched();
+        for (int part = 0; part < latched.length; part++) {
+            for (int port = 0; port < latched[part].length; port++) {
+                int input = parts.held(part, port);
+                latched[part][port] = input == EventRun.INSIDE ? null : letter[input];
+            }
+        }
+        for (int i = 0; i < registers.size(); i++) {
+            List<Value> values = ((Sent.Messages) before.registers().get(i)).values();
+            Wiring.Reader register = registers.get(i);
+            latched[register.part()][register.port()] = values.isEmpty() ? null : values.get(0);
+        }
+        return latched;
+    }
+
+    /** Follows runs in all ways until every queue is empty, first alternatives first. */
+    private void complete(List<EventRun> runs, Look[] looks, List<Outcome> outcomes) {
+        Deque<EventRun> open = new ArrayDeque<>(runs);
+        int reactions = 0;
+        while (!open.isEmpty()) {
+            budget.insist();
+            EventRun run = open.pop();
+            if (run.isComplete()) {
+                outcomes.add(outcome(run));
+            } else if (run.length() > LONGEST) {
+                parts.leaveOut("one event causes more than %d reactions".formatted(LONGEST));
+            } else if (reactions > MOST_REACTIONS) {
+                parts.leaveOut("what one event causes can go too many ways");
+            } else if (!circles(run, outcomes)) {
+                List<EventRun> next = new ArrayList<>();
+                parts.react(run, looks, next, outcomes);
+                reactions++;
+                for (int i = next.size() - 1; i >= 0; i--) {
+                    open.push(next.get(i));
+                }
+            }
+        }
+    }
+
+    /**
+     * Whether a run has come back to where it was, and so may go on for ever. Where it leaves the
+     * circle, it has done so before; but if it sends something each time, not with as much sent.
+     */
+    private boolean circles(EventRun run, List<Outcome> outcomes) {
+        EventRun earlier = run.circleBeginning();
+        if (earlier == null) {
+            return false;
+        }
+        outcomes.add(Outcome.error("messages circle without end", run.causes()));
+        boolean shows =
+                run.emissionsSince(earlier).stream()
+                        .anyMatch(emission -> wiring.observed[emission.signal()]);
+        if (shows && run.hasAlternativesSince(earlier)) {
+            parts.leaveOut("messages circle, as often as they like, and send more each time");
+        }
+        return true;
+    }
+
+    private Outcome outcome(EventRun run) {
+        List<Sent> kept = new ArrayList<>(registers.size());
+        for (Wiring.Reader register : registers) {
+            kept.add(Sent.of(run.latched(register.part(), register.port())));
+        }
+        List<List<Sent>> signals = new ArrayList<>();
+        for (int signal = 0; signal < network.signals(); signal++) {
+            signals.add(new ArrayList<>(1));
+        }
+        run.emissions().forEach(emission -> signals.get(emission.signal()).add(emission.sent()));
+        List<Sent> sent = new ArrayList<>();
+        for (Network.External output : network.outputs()) {
+            sent.add(output.signal() < 0 ? Sent.SILENCE : joined(output, signals));
+        }
+        return new Outcome(new Whole(run.parts(), kept), sent, run.causes());
+    }
+
+    /** What is sent on a port one after the other, as one. */
+    private Sent joined(Network.External output, List<List<Sent>> signals) {
+        List<Sent> all = signals.get(output.signal());
+        if (all.size() == 1) {
+            return all.get(0);
+        }
+        if (!all.isEmpty() && all.stream().allMatch(Sent.Anything.class::isInstance)) {
+            return all.get(0);
+        }
+        List<Value> messages = new ArrayList<>();
+        for (Sent each : all) {
+            if (each instanceof Sent.Messages closed) {
+                messages.addAll(closed.values());
+            } else {
+                if (wiring.observed[output.signal()]) {
+                    parts.leaveOut(
+                            "'%s' carries messages that are left open beside others"
+                                    .formatted(output.name()));
+                }
+                if (each instanceof Sent.AnyMessage) {
+                    messages.add(FirstValue.of(output.port().type()));
+                }
+            }
+        }
+        return new Sent.Messages(messages);
+    }
+}

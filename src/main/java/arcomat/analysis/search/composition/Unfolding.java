@@ -1,0 +1,41 @@
+package arcomat.analysis.search.composition;
+
+import arcomat.analysis.search.letter.StandIns;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.value.Attention;
+
+import java.util.List;
+import java.util.Optional;
+
+/** How a network of parts goes on, slice by slice or event by event. */
+public interface Unfolding {
+    /** One per instance of the network. */
+    List<Behaviour> behaviours();
+
+    /** All ways to begin. */
+    List<Outcome> beginnings();
+
+    /**
+     * What the reactions look at, external input by external input.
+     *
+     * @param standIns for data of this side of which it only matters which are the same
+     */
+    Attention attention(Whole whole, StandIns standIns);
+
+    /**
+     * All ways to react.
+     *
+     * @param letter messages by position of the external input, null for silence
+     */
+    List<Outcome> reactions(Whole before, Value[] letter);
+
+    /** The signal whose message a register of a {@link Whole} keeps. */
+    int signal(int register);
+
+    /** Whether a message has been left open until it was read in a later slice. */
+    boolean postpones();
+
+    /** Why some ways have been left out; empty where none has been so far. */
+    Optional<String> leftOut();
+}

@@ -1,0 +1,40 @@
+package arcomat.check.behaviour.automaton;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.tree.AutomatonElement.Declaration;
+import arcomat.tree.AutomatonElement.Kind;
+
+import java.util.Locale;
+
+/** ARC0324: an automaton inside a component declares neither inputs nor outputs. */
+public final class EmbeddedAutomatonInterface implements Check.OnAutomaton {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0324");
+    }
+
+    @Override
+    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
+        if (context.component().isEmpty()) {
+            return;
+        }
+        for (Declaration declaration : automaton.node().elements(Declaration.class)) {
+            if (declaration.kind() != Kind.VARIABLE) {
+                findings.report(declaration, message(declaration, context));
+            }
+        }
+    }
+
+    private static String message(Declaration declaration, Context context) {
+        return "an automaton inside a component uses the component's ports; move this "
+                + declaration.kind().name().toLowerCase(Locale.ROOT)
+                + " to the ports of '"
+                + context.component().orElseThrow().name()
+                + "'";
+    }
+}

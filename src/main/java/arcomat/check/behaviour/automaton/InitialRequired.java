@@ -1,0 +1,34 @@
+package arcomat.check.behaviour.automaton;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.StateSymbol;
+
+import java.util.List;
+
+/** ARC0302: an automaton has at least one initial state (Wor16 AC4). */
+public final class InitialRequired implements Check.OnAutomaton {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0302").needing(Law.Needs.ALL);
+    }
+
+    /** An automaton without states has a finding already. */
+    @Override
+    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
+        List<StateSymbol> states = automaton.states();
+        if (!states.isEmpty() && automaton.initials().isEmpty()) {
+            findings.report(
+                    Automata.head(automaton),
+                    Automata.subject(automaton)
+                            + " has no initial state; say where it starts, for example with"
+                            + " 'initial "
+                            + states.get(0).name()
+                            + ";'");
+        }
+    }
+}

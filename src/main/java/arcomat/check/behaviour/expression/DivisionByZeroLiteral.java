@@ -1,0 +1,52 @@
+package arcomat.check.behaviour.expression;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.expressions.ConstantFolding;
+import arcomat.symbols.expressions.ExpressionProblem.Kind;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.TypedExpression;
+import arcomat.tree.Expression.BinaryOperator;
+import arcomat.tree.TestSuite;
+
+import java.util.EnumSet;
+import java.util.Set;
+
+/**
+ * ARC0323: no whole number is divided by a zero that is written or computed from what is written.
+ * Messages and arguments of tests are computed before anything runs: there, every divisor has to be
+ * known.
+ */
+public final class DivisionByZeroLiteral implements Check.OnExpression {
+    private static final Set<Kind> KINDS = EnumSet.of(Kind.DIVISION_BY_ZERO);
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0323");
+    }
+
+    @Override
+    public void check(Typed typed, Context context, Findings findings) {
+        Expressions.report(typed, KINDS, findings);
+        if (context.unit().definition() instanceof TestSuite) {
+            typed.expression().walk(part -> checkDivisor(part, findings));
+        }
+    }
+
+    private static void checkDivisor(TypedExpression expression, Findings findings) {
+        if (expression instanceof TypedExpression.Binary binary
+                && isDivision(binary.node().operator())
+                && binary.operandType().isIntegral()
+                && ConstantFolding.computed(binary.right()).isEmpty()) {
+            findings.report(
+                    binary.right().node(),
+                    "whether this divisor is zero shows only in a run; write the number");
+        }
+    }
+
+    private static boolean isDivision(BinaryOperator operator) {
+        return operator == BinaryOperator.DIVIDE || operator == BinaryOperator.REMAINDER;
+    }
+}

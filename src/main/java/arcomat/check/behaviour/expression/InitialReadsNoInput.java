@@ -1,0 +1,74 @@
+package arcomat.check.behaviour.expression;
+
+import arcomat.check.behaviour.item.Items;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.source.Span;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.expressions.ExpressionProblem;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.TypedExpression;
+import arcomat.symbols.expressions.ValueSymbol;
+
+import java.util.Optional;
+
+/** ARC0309: initial outputs and initial values do not depend on input. */
+public final class InitialReadsNoInput implements Check.OnExpression {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0309");
+    }
+
+    @Override
+    public void check(Typed expression, Context context, Findings findings) {
+        if (context.side().filter(ItemSymbol.Side.INITIAL::equals).isPresent()) {
+            expression.expression().walk(part -> checkPart(part, findings));
+        }
+        for (ExpressionProblem problem : expression.problems()) {
+            readTooEarly(problem, context)
+                    .ifPresent(value -> report(problem.span(), value, findings));
+        }
+    }
+
+    private static void checkPart(TypedExpression part, Findings findings) {
+        Expressions.portRead(part)
+                .filter(PortSymbol::isInput)
+                .ifPresent(port -> report(part.node().span(), port, findings));
+    }
+
+    /**
+     * What an unknown name in an initial value means once the automaton runs. Initial values are
+     * the only expressions of an automaton that stand outside of blocks and transitions.
+     */
+    static Optional<ValueSymbol> readTooEarly(ExpressionProblem problem, Context context) {
+        boolean initialValue =
+                context.automaton().isPresent()
+                        && context.transition().isEmpty()
+                        && context.side().isEmpty();
+        if (!initialValue || problem.kind() != ExpressionProblem.Kind.UNKNOWN_NAME) {
+            return Optional.empty();
+        }
+        String name = problem.span().text();
+        int dot = name.indexOf('.');
+        String first = dot < 0 ? name : name.substring(0, dot);
+        return context.automaton().get().scope().value(first);
+    }
+
+    private static void report(Span place, ValueSymbol value, Findings findings) {
+        String reason =
+                value instanceof PortSymbol
+                        ? " before the first slice"
+                        : " where initial values are set";
+        findings.report(
+                        place,
+                        Items.words(value)
+                                + " cannot be read"
+                                + reason
+                                + "; write a constant or a parameter")
+                .related(value.nameSpan(), "declared here");
+    }
+}

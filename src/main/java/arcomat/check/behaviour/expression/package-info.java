@@ -1,0 +1,2 @@
+/** Laws about expressions and ranges: ARC03. */
+package arcomat.check.behaviour.expression;

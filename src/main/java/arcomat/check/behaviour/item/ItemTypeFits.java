@@ -1,0 +1,37 @@
+package arcomat.check.behaviour.item;
+
+import arcomat.check.facts.Wording;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.ValueSymbol;
+
+/** ARC0316: each message of an item has the type of its port or variable. (Wor16 AT2) */
+public final class ItemTypeFits implements Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0316").needing(Law.Needs.NAMES);
+    }
+
+    /** What stands on the wrong side has a finding already. */
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        if (Items.isOnItsSide(item)) {
+            ValueSymbol target = item.target().found().orElseThrow();
+            for (Typed typed : item.value().expressions()) {
+                if (!typed.isAssignableTo(target.type())) {
+                    findings.report(
+                                    typed.expression().node(),
+                                    Items.words(target)
+                                            + " takes "
+                                            + Wording.mismatch(target.type(), typed))
+                            .related(target.nameSpan(), "declared here");
+                }
+            }
+        }
+    }
+}

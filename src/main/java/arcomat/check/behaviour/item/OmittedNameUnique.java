@@ -1,0 +1,75 @@
+package arcomat.check.behaviour.item;
+
+import arcomat.check.facts.Wording;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.expressions.ValueSymbol;
+
+import java.util.List;
+
+/** ARC0318: where the name is left out, exactly one port or variable fits. (Wor16 AR5) */
+public final class OmittedNameUnique implements Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0318").needing(Law.Needs.ALL);
+    }
+
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        if (item.hasName()) {
+            return;
+        }
+        if (item.target().isUnknown()) {
+            findings.report(
+                    item.node(),
+                    "no "
+                            + side(item)
+                            + " port or variable takes '"
+                            + text(item)
+                            + "'; correct the message, or write the name that is meant before it");
+        } else if (item.target().isAmbiguous()) {
+            reportAmbiguous(item, item.target().candidates(), findings);
+        }
+    }
+
+    private static void reportAmbiguous(
+            ItemSymbol item, List<ValueSymbol> candidates, Findings findings) {
+        List<String> names = candidates.stream().map(ValueSymbol::name).toList();
+        String relation = item.side() == ItemSymbol.Side.INPUT ? " == " : " = ";
+        findings.report(
+                item.node(),
+                "'"
+                        + text(item)
+                        + "' could be meant for "
+                        + Wording.quoted(names)
+                        + "; write the name before it, as in '"
+                        + example(candidates, relation, text(item))
+                        + "'");
+        for (ValueSymbol candidate : candidates) {
+            findings.related(candidate.nameSpan(), "could be meant");
+        }
+    }
+
+    /** A port in the place of a message: nobody means to compare it with itself. */
+    private static String example(List<ValueSymbol> candidates, String relation, String message) {
+        ValueSymbol meant =
+                candidates.stream()
+                        .filter(each -> each.name().equals(message))
+                        .findFirst()
+                        .orElse(candidates.get(0));
+        String fitting = meant.type().isBoolean() ? "true" : "..";
+        return meant.name() + relation + (meant.name().equals(message) ? fitting : message);
+    }
+
+    private static String side(ItemSymbol item) {
+        return item.side() == ItemSymbol.Side.INPUT ? "input" : "output";
+    }
+
+    private static String text(ItemSymbol item) {
+        return Wording.shortened(item.node().value());
+    }
+}

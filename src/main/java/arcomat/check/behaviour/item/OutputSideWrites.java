@@ -1,0 +1,40 @@
+package arcomat.check.behaviour.item;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.ValueSymbol;
+
+/** ARC0307: the output side sends on output ports and stores in variables. (Wor16 AR2) */
+public final class OutputSideWrites implements Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0307");
+    }
+
+    /** Constants of the component are the business of ARC0128. */
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        if (item.side() != ItemSymbol.Side.INPUT
+                && Items.variable(item).isEmpty()
+                && !Items.isOnItsSide(item)) {
+            item.target().found().ifPresent(target -> report(item, target, findings));
+        }
+    }
+
+    private static void report(ItemSymbol item, ValueSymbol target, Findings findings) {
+        String advice =
+                target instanceof PortSymbol
+                        ? "it only receives; name an output port or a variable"
+                        : "it keeps its value; declare a 'variable' in the automaton for what"
+                                + " changes";
+        findings.report(
+                        Items.place(item),
+                        "nothing can be written to " + Items.words(target) + ": " + advice)
+                .related(target.nameSpan(), "declared here");
+    }
+}

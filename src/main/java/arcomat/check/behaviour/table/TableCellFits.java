@@ -1,0 +1,78 @@
+package arcomat.check.behaviour.table;
+
+import arcomat.check.behaviour.item.Items;
+import arcomat.check.facts.Wording;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.TableSymbol;
+import arcomat.symbols.expressions.ItemValue;
+import arcomat.symbols.expressions.Typed;
+import arcomat.tree.Block;
+
+import java.util.List;
+
+/** ARC0336: a cell of a table has the type of its column and a form that its side allows. */
+public final class TableCellFits implements Check.OnTable {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0336");
+    }
+
+    @Override
+    public void check(TableSymbol table, Context context, Findings findings) {
+        for (TableSymbol.Row row : table.rows()) {
+            check(row.inputs(), table.inputs(), findings);
+            check(row.outputs(), table.outputs(), findings);
+        }
+    }
+
+    /** Cells without a column are the business of {@link TableRowWidth}. */
+    private static void check(
+            List<ItemValue> cells, List<TableSymbol.Column> columns, Findings findings) {
+        for (int i = 0; i < Math.min(cells.size(), columns.size()); i++) {
+            TableSymbol.Column column = columns.get(i);
+            String complaint = complaintAboutForm(cells.get(i), column.input());
+            if (!complaint.isEmpty()) {
+                findings.report(cells.get(i).node(), complaint);
+            } else {
+                checkTypes(cells.get(i), column, findings);
+            }
+        }
+    }
+
+    private static String complaintAboutForm(ItemValue cell, boolean input) {
+        boolean sequence =
+                Items.parts(cell).stream()
+                        .anyMatch(part -> part instanceof ItemValue.Sequence s && isLong(s));
+        if (sequence) {
+            return "a cell is about one message; write a single one";
+        }
+        if (!input && cell instanceof ItemValue.Alternatives) {
+            return "an output cell sends one message; 'alt' is for input cells";
+        }
+        if (!input && cell.node() instanceof Block.DontCare) {
+            return "'*' is for input cells; write the message that is sent, or '--' for none";
+        }
+        return "";
+    }
+
+    private static boolean isLong(ItemValue.Sequence sequence) {
+        return sequence.expressions().size() > 1;
+    }
+
+    private static void checkTypes(ItemValue cell, TableSymbol.Column column, Findings findings) {
+        for (Typed typed : cell.expressions()) {
+            if (!typed.isAssignableTo(column.type())) {
+                findings.report(
+                        typed.expression().node(),
+                        "column '"
+                                + column.node()
+                                + "' takes "
+                                + Wording.mismatch(column.type(), typed));
+            }
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Laws about I/O tables: ARC03. */
+package arcomat.check.behaviour.table;

@@ -1,0 +1,50 @@
+package arcomat.check.behaviour.total;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.TableSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.tree.Stereotype;
+
+import java.util.List;
+
+/** ARC0328: the completion {@code ignore} and a total output exclude each other. */
+public final class IgnoreExcludesTotalOutput implements Check.OnAutomaton, Check.OnTable {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0328");
+    }
+
+    @Override
+    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
+        check(automaton.node().stereotypes(), TotalOutputs.of(automaton), findings);
+    }
+
+    @Override
+    public void check(TableSymbol table, Context context, Findings findings) {
+        check(table.node().stereotypes(), TotalOutputs.of(table.component()), findings);
+    }
+
+    private static void check(
+            List<Stereotype> stereotypes, List<PortSymbol> total, Findings findings) {
+        if (total.isEmpty()) {
+            return;
+        }
+        Stereotype.find(stereotypes, "completion")
+                .filter(each -> each.value().filter(v -> v.text().equals("ignore")).isPresent())
+                .ifPresent(completion -> report(completion, total.get(0), findings));
+    }
+
+    private static void report(Stereotype completion, PortSymbol port, Findings findings) {
+        findings.report(
+                        completion,
+                        "'ignore' sends nothing where no transition is enabled, but '"
+                                + port.name()
+                                + "' carries a message in every slice; use \"output\" or \"error\"")
+                .related(port.nameSpan(), "declared <<total>>");
+    }
+}

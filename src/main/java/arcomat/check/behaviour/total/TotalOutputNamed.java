@@ -1,0 +1,107 @@
+package arcomat.check.behaviour.total;
+
+import arcomat.check.behaviour.item.Items;
+import arcomat.check.facts.Wording;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.InitialSymbol;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.bodies.TableSymbol;
+import arcomat.symbols.bodies.TransitionSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.tree.Block;
+import arcomat.tree.Node;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** ARC0327: every block, and every row of a table, sends a message on each total output. */
+public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0327").needing(Law.Needs.ALL);
+    }
+
+    @Override
+    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
+        List<PortSymbol> total = TotalOutputs.of(automaton);
+        if (total.isEmpty()) {
+            return;
+        }
+        List<PortSymbol> delayed =
+                Items.isRequirement(automaton)
+                        ? List.of()
+                        : total.stream().filter(port -> port.delay() == 1).toList();
+        for (InitialSymbol initial : automaton.initials()) {
+            check(initial.items(), initial.node().output(), initial.node(), delayed, findings);
+        }
+        for (TransitionSymbol transition : automaton.transitions()) {
+            check(
+                    transition.output(),
+                    transition.node().output(),
+                    transition.node(),
+                    total,
+                    findings);
+        }
+    }
+
+    /** An item that does not resolve may be meant for any port; it has a finding already. */
+    private static void check(
+            List<ItemSymbol> items,
+            Optional<Block> block,
+            Node clause,
+            List<PortSymbol> total,
+            Findings findings) {
+        List<PortSymbol> missing = new ArrayList<>(total);
+        for (ItemSymbol item : items) {
+            if (item.target().found().isEmpty()) {
+                return;
+            }
+            if (!Items.isSilence(item.value())) {
+                Items.port(item).ifPresent(missing::remove);
+            }
+        }
+        if (!missing.isEmpty()) {
+            report(block.<Node>map(each -> each).orElse(clause), missing, findings);
+        }
+    }
+
+    @Override
+    public void check(TableSymbol table, Context context, Findings findings) {
+        List<PortSymbol> total = TotalOutputs.of(table.component());
+        List<String> columns = table.outputs().stream().map(c -> c.node().text()).toList();
+        for (TableSymbol.Row row : table.rows()) {
+            List<PortSymbol> missing = new ArrayList<>();
+            for (PortSymbol port : total) {
+                int column = columns.indexOf(port.name());
+                boolean silent = column >= row.outputs().size() || column < 0;
+                if (silent || Items.isSilence(row.outputs().get(column))) {
+                    missing.add(port);
+                }
+            }
+            boolean complete = row.outputs().size() == columns.size();
+            if (!missing.isEmpty() && complete) {
+                report(row.node(), missing, findings);
+            }
+        }
+    }
+
+    private static void report(Node place, List<PortSymbol> missing, Findings findings) {
+        List<String> names = missing.stream().map(PortSymbol::name).toList();
+        findings.report(
+                place,
+                "no message is sent here on "
+                        + Wording.quoted(names)
+                        + ", which "
+                        + (names.size() == 1 ? "carries" : "carry")
+                        + " one in every slice (<<total>>); say which one");
+        for (PortSymbol port : missing) {
+            findings.related(port.nameSpan(), "declared <<total>>");
+        }
+    }
+}

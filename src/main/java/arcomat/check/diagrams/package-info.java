@@ -1,0 +1,2 @@
+/** Laws about class diagrams: ARC06. */
+package arcomat.check.diagrams;

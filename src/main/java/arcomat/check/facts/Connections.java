@@ -1,0 +1,90 @@
+package arcomat.check.facts;
+
+import arcomat.source.Span;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.ConnectorSymbol.Status;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.signatures.ComponentReference;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/** Questions about the connectors of a component that several laws ask. */
+public final class Connections {
+    private Connections() {}
+
+    /** The connectors written in a component itself: findings about inherited ones belong there. */
+    public static List<ConnectorSymbol> own(ComponentSymbol component) {
+        List<ConnectorSymbol> own = new ArrayList<>();
+        for (ConnectorSymbol connector : component.connectors()) {
+            if (isOwn(connector, component)) {
+                own.add(connector);
+            }
+        }
+        return own;
+    }
+
+    public static boolean isOwn(ConnectorSymbol connector, ComponentSymbol component) {
+        return connector.origin() != ConnectorSymbol.Origin.AUTOMATIC
+                && contains(component.node().span(), connector.span());
+    }
+
+    private static boolean contains(Span outer, Span inner) {
+        return outer.file().equals(inner.file())
+                && outer.start() <= inner.start()
+                && inner.end() <= outer.end();
+    }
+
+    /** The keys of all ports at which a connector ends. */
+    public static Set<String> usedKeys(ComponentSymbol component) {
+        Set<String> used = new HashSet<>();
+        for (ConnectorSymbol connector : component.connectors()) {
+            used.add(connector.source().key());
+            used.add(connector.target().key());
+        }
+        return used;
+    }
+
+    /**
+     * Whether some end is misspelled or some part unknown. Then it cannot be told which ports are
+     * connected, and nothing should be said about those that seem not to be.
+     */
+    public static boolean areUnclear(ComponentSymbol component) {
+        if (lacksAncestor(component) || lacksPart(component)) {
+            return true;
+        }
+        for (ConnectorSymbol connector : component.connectors()) {
+            if (isWrong(connector.source()) || isWrong(connector.target())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static boolean isWrong(End end) {
+        return end.status() != Status.RESOLVED && end.status() != Status.EXCUSED;
+    }
+
+    /** Whether the component of some part does not resolve. */
+    public static boolean lacksPart(ComponentSymbol component) {
+        for (InstanceSymbol instance : component.instances()) {
+            if (instance.component().isEmpty()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a component further up does not resolve, so that ports may be missing. */
+    public static boolean lacksAncestor(ComponentSymbol component) {
+        List<ComponentSymbol> lineage = component.lineage();
+        Optional<ComponentReference> top =
+                lineage.get(lineage.size() - 1).signature().superComponent();
+        return top.isPresent() && top.get().component().isEmpty();
+    }
+}

@@ -1,0 +1,103 @@
+package arcomat.check.facts;
+
+import arcomat.check.law.Context;
+import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.Outline;
+import arcomat.symbols.names.TypeVariable;
+import arcomat.tree.Import;
+import arcomat.tree.QualifiedName;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The simple names that can be written at some place, to guess what a misspelled one was meant to
+ * be. Computed for findings only.
+ */
+public final class VisibleNames {
+    private VisibleNames() {}
+
+    /** Components: those inside the ones around, those of the package, imported ones. */
+    public static List<String> components(ComponentSymbol place, Context context) {
+        List<String> names = new ArrayList<>();
+        for (ComponentSymbol c = place; c != null; c = c.enclosing().orElse(null)) {
+            for (ComponentSymbol inner : c.innerComponents()) {
+                names.add(inner.name());
+            }
+        }
+        for (Outline file : context.workspace().outlines()) {
+            file.topLevelComponent()
+                    .filter(component -> isReached(component, context))
+                    .ifPresent(component -> names.add(Outline.simple(component)));
+        }
+        return names;
+    }
+
+    /** Full names of message types of a simple name, in whatever package. */
+    public static List<String> typesElsewhere(QualifiedName name, Context context) {
+        return context.workspace().outlines().stream()
+                .flatMap(file -> file.types().stream())
+                .filter(type -> name.isSimple() && Outline.simple(type).equals(name.text()))
+                .distinct()
+                .toList();
+    }
+
+    /** Full names of top-level components of a simple name, in whatever package. */
+    public static List<String> componentsElsewhere(QualifiedName name, Context context) {
+        return context.workspace().outlines().stream()
+                .filter(file -> !file.packageName().isEmpty())
+                .flatMap(file -> file.topLevelComponent().stream())
+                .filter(each -> name.isSimple() && Outline.simple(each).equals(name.text()))
+                .distinct()
+                .toList();
+    }
+
+    /** Message types: type parameters, built-in ones, those of the package, imported ones. */
+    public static List<String> types(Context context) {
+        List<String> names = new ArrayList<>();
+        ComponentSymbol place = context.component().orElse(null);
+        for (ComponentSymbol c = place; c != null; c = c.enclosing().orElse(null)) {
+            for (TypeVariable parameter : c.signature().typeParameters()) {
+                names.add(parameter.text());
+            }
+        }
+        for (BuiltinType type : BuiltinType.values()) {
+            names.add(type.text());
+        }
+        for (Outline file : context.workspace().outlines()) {
+            for (String type : file.types()) {
+                if (isReached(type, context)) {
+                    names.add(Outline.simple(type));
+                }
+            }
+        }
+        return names;
+    }
+
+    /** What an import could name: packages do not count. */
+    public static List<String> qualified(Workspace workspace) {
+        List<String> names = new ArrayList<>();
+        for (Outline file : workspace.outlines()) {
+            file.topLevelComponent().ifPresent(names::add);
+            file.diagram().ifPresent(names::add);
+            names.addAll(file.types());
+        }
+        return names;
+    }
+
+    private static boolean isReached(String qualifiedName, Context context) {
+        int dot = qualifiedName.lastIndexOf('.');
+        String qualifier = dot < 0 ? "" : qualifiedName.substring(0, dot);
+        if (qualifier.equals(context.unit().packageText())) {
+            return true;
+        }
+        for (Import each : context.unit().imports()) {
+            if (each.name().text().equals(each.wildcard() ? qualifier : qualifiedName)) {
+                return true;
+            }
+        }
+        return false;
+    }
+}

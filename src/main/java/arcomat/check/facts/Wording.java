@@ -1,0 +1,46 @@
+package arcomat.check.facts;
+
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.tree.Node;
+
+import java.util.Collection;
+import java.util.stream.Collectors;
+
+/** Pieces of sentences that several messages share. */
+public final class Wording {
+    private static final int LONGEST = 40;
+
+    private Wording() {}
+
+    /** {@code 1 cell}, {@code 2 cells}. */
+    public static String count(int number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
+    }
+
+    /** {@code 'a', 'b', 'c'}. */
+    public static String quoted(Collection<String> names) {
+        return names.stream().map(name -> "'" + name + "'").collect(Collectors.joining(", "));
+    }
+
+    /** {@code out Boolean drive}. */
+    public static String declaration(PortSymbol port) {
+        return (port.isInput() ? "in " : "out ") + port.type().text() + " " + port.name();
+    }
+
+    /** {@code Integer, but '"slow"' is of type String}. */
+    public static String mismatch(TypeSymbol wanted, Typed typed) {
+        return Types.distinct(wanted, typed.type())
+                + ", but '"
+                + shortened(typed.expression().node())
+                + "' is of type "
+                + Types.distinct(typed.type(), wanted);
+    }
+
+    /** The text of a node, cut where it would burst the sentence. */
+    public static String shortened(Node node) {
+        String text = node.span().text().strip().replaceAll("\\s+", " ");
+        return text.length() <= LONGEST ? text : text.substring(0, LONGEST - 2) + "..";
+    }
+}

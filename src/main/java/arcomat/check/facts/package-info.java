@@ -1,0 +1,2 @@
+/** What several laws ask of a model, and how they word it. */
+package arcomat.check.facts;

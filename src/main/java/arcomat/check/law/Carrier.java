@@ -1,0 +1,26 @@
+package arcomat.check.law;
+
+/** The kinds of element that carry stereotypes, by the words of the language. */
+public enum Carrier {
+    COMPONENT("a component"),
+    PORT("a port"),
+    SUBCOMPONENT("a subcomponent"),
+    CONNECTOR("a connector"),
+    TIMING("a timing clause"),
+    AUTOCONNECT("an autoconnect clause"),
+    AUTOINSTANTIATE("an autoinstantiate clause"),
+    AUTOMATON("an automaton"),
+    TABLE("an I/O table"),
+    STATE("a state");
+
+    private final String words;
+
+    Carrier(String words) {
+        this.words = words;
+    }
+
+    /** The place with its article, as messages name it. */
+    public String words() {
+        return words;
+    }
+}

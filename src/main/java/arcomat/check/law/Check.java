@@ -1,0 +1,140 @@
+package arcomat.check.law;
+
+import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.bodies.StateSymbol;
+import arcomat.symbols.bodies.StreamTestSymbol;
+import arcomat.symbols.bodies.TableSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.bodies.TransitionSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.DiagramSymbol;
+import arcomat.tree.AutomatonElement;
+import arcomat.tree.Block;
+import arcomat.tree.Node;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.Stereotype;
+import arcomat.tree.TypeReference;
+import arcomat.tree.Unit;
+
+import java.util.List;
+
+/**
+ * A context condition. A check implements the interfaces of the things that it wants to see; one
+ * walk over the workspace shows each thing to the checks that asked for its kind, once and where it
+ * is declared, not where it is inherited. A check has no state: what it needs to know beyond the
+ * thing is in the context.
+ */
+public interface Check {
+
+    Law law();
+
+    /** Called once, for laws about all files together. */
+    interface OnWorkspace extends Check {
+        void check(Workspace workspace, Findings findings);
+    }
+
+    interface OnUnit extends Check {
+        void check(Unit unit, Context context, Findings findings);
+    }
+
+    /** Called for top-level and inner components; the context's component is the visited one. */
+    interface OnComponent extends Check {
+        void check(ComponentSymbol component, Context context, Findings findings);
+    }
+
+    /** Called for the ports of components, and for the inputs and outputs of automata. */
+    interface OnPort extends Check {
+        void check(PortSymbol port, Context context, Findings findings);
+    }
+
+    interface OnInstance extends Check {
+        void check(InstanceSymbol instance, Context context, Findings findings);
+    }
+
+    interface OnAutomaton extends Check {
+        void check(AutomatonSymbol automaton, Context context, Findings findings);
+    }
+
+    interface OnState extends Check {
+        void check(StateSymbol state, Context context, Findings findings);
+    }
+
+    /** Called once for a clause, however many states it names. */
+    interface OnInitial extends Check {
+        void check(AutomatonElement.Initial initial, Context context, Findings findings);
+    }
+
+    interface OnTransition extends Check {
+        void check(TransitionSymbol transition, Context context, Findings findings);
+    }
+
+    /**
+     * Called for the blocks of transitions and initial states; the context knows the side. Calls
+     * and increments are in the block, but not among the items.
+     */
+    interface OnBlock extends Check {
+        void check(Block block, List<ItemSymbol> items, Context context, Findings findings);
+    }
+
+    interface OnItem extends Check {
+        void check(ItemSymbol item, Context context, Findings findings);
+    }
+
+    interface OnTable extends Check {
+        void check(TableSymbol table, Context context, Findings findings);
+    }
+
+    /**
+     * Called for every expression as a whole, with the problems of its parts: guards, item values,
+     * cells, initial values, arguments, messages of tests.
+     */
+    interface OnExpression extends Check {
+        void check(Typed expression, Context context, Findings findings);
+    }
+
+    /** Called for every message type as written, also as the type argument of a component. */
+    interface OnType extends Check {
+        void check(TypeReference type, Context context, Findings findings);
+    }
+
+    /** Called for variables of components and of automata. */
+    interface OnVariable extends Check {
+        void check(VariableSymbol variable, Context context, Findings findings);
+    }
+
+    /** Called for every node that carries stereotypes. */
+    interface OnStereotypes extends Check {
+        void check(
+                List<Stereotype> stereotypes,
+                Carrier carrier,
+                Node owner,
+                Context context,
+                Findings findings);
+    }
+
+    /**
+     * Called behind a file with imports, with every name in it that an import may explain: of
+     * types, of components, and those in expressions.
+     */
+    interface OnNames extends Check {
+        void check(Unit unit, List<QualifiedName> names, Context context, Findings findings);
+    }
+
+    interface OnClassDiagram extends Check {
+        void check(DiagramSymbol diagram, Context context, Findings findings);
+    }
+
+    interface OnTestSuite extends Check {
+        void check(TestSuiteSymbol suite, Context context, Findings findings);
+    }
+
+    interface OnStreamTest extends Check {
+        void check(StreamTestSymbol test, Context context, Findings findings);
+    }
+}

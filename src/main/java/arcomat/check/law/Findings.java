@@ -1,0 +1,91 @@
+package arcomat.check.law;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.Fix;
+import arcomat.source.Nearest;
+import arcomat.source.Severity;
+import arcomat.source.Span;
+import arcomat.tree.Node;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+
+/** Collects what one check finds, under the code and the severity of its law. */
+public final class Findings {
+    private final String code;
+    private final Severity severity;
+    private final List<Diagnostic> diagnostics = new ArrayList<>();
+
+    public Findings(String code, Severity severity) {
+        this.code = code;
+        this.severity = severity;
+    }
+
+    /**
+     * Reports a finding. The message names the thing and says what to do; it starts with a small
+     * letter, puts names in single quotes and ends without a full stop.
+     */
+    public Findings report(Node place, String message) {
+        return report(place.span(), message);
+    }
+
+    public Findings report(Span place, String message) {
+        diagnostics.add(
+                new Diagnostic(code, severity, place, message, List.of(), Optional.empty()));
+        return this;
+    }
+
+    /**
+     * Reports a name that nothing has. If one of the candidates is close, the message asks for it
+     * and a fix puts it in place.
+     *
+     * @param otherwise what to do where none is close
+     */
+    public Findings reportUnknown(
+            Span place,
+            String message,
+            String name,
+            Collection<String> candidates,
+            String otherwise) {
+        Optional<String> nearest = Nearest.to(name, candidates);
+        if (nearest.isEmpty()) {
+            return report(place, message + "; " + otherwise);
+        }
+        report(place, message + "; did you mean '" + nearest.get() + "'?");
+        String title = "Replace '" + name + "' by '" + nearest.get() + "'";
+        return fix(Fix.replace(title, place, nearest.get()));
+    }
+
+    /** Adds a related place to the latest finding. */
+    public Findings related(Node place, String note) {
+        return related(place.span(), note);
+    }
+
+    public Findings related(Span place, String note) {
+        return replaceLatest(latest().withRelated(place, note));
+    }
+
+    /** Adds a safe repair to the latest finding. */
+    public Findings fix(Fix fix) {
+        return replaceLatest(latest().withFix(fix));
+    }
+
+    public void addAll(Findings other) {
+        diagnostics.addAll(other.diagnostics);
+    }
+
+    public List<Diagnostic> diagnostics() {
+        return diagnostics;
+    }
+
+    private Diagnostic latest() {
+        return diagnostics.get(diagnostics.size() - 1);
+    }
+
+    private Findings replaceLatest(Diagnostic diagnostic) {
+        diagnostics.set(diagnostics.size() - 1, diagnostic);
+        return this;
+    }
+}

@@ -1,0 +1,43 @@
+package arcomat.check.naming;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.tree.Unit;
+
+/** ARC0207: a file is named after what it defines, so that it can be found. */
+public final class ComponentNameIsFileName implements Check.OnUnit {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0207");
+    }
+
+    @Override
+    public void check(Unit unit, Context context, Findings findings) {
+        String file = fileName(unit.file().path());
+        int dot = file.lastIndexOf('.');
+        String expected = dot < 0 ? file : file.substring(0, dot);
+        Definitions.name(unit.definition())
+                .filter(name -> !name.text().equals(expected))
+                .ifPresent(
+                        name ->
+                                findings.report(
+                                        name,
+                                        "'"
+                                                + name
+                                                + "' stands in the file '"
+                                                + file
+                                                + "'; rename the file to '"
+                                                + name
+                                                + (dot < 0 ? "" : file.substring(dot))
+                                                + "' or this to '"
+                                                + expected
+                                                + "'"));
+    }
+
+    private static String fileName(String path) {
+        return path.substring(path.lastIndexOf('/') + 1);
+    }
+}

@@ -1,0 +1,110 @@
+package arcomat.check.naming;
+
+import arcomat.check.facts.Connections;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.source.Span;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * ARC0201: ports, parameters, variables and instances of a component differ in name, inherited ones
+ * included. A port or parameter that is inherited may be declared again. (Wor16 MU1)
+ */
+public final class MemberNamesUnique implements Check.OnComponent {
+
+    private record Member(String kind, String name, Span place, String advice) {
+        boolean mayReplace(Member inherited) {
+            return kind.equals(inherited.kind) && (kind.equals("port") || kind.equals("parameter"));
+        }
+    }
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0201");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        Map<String, Member> inherited = new HashMap<>();
+        for (ComponentSymbol ancestor : component.lineage()) {
+            if (ancestor != component) {
+                for (Member member : members(ancestor)) {
+                    inherited.putIfAbsent(member.name(), member);
+                }
+            }
+        }
+        Map<String, Member> own = new HashMap<>();
+        for (Member member : members(component)) {
+            Member other = inherited.get(member.name());
+            if (other == null || member.mayReplace(other)) {
+                other = own.putIfAbsent(member.name(), member);
+            }
+            if (other != null) {
+                report(component, member, other, findings);
+            }
+        }
+    }
+
+    private static void report(
+            ComponentSymbol component, Member member, Member other, Findings findings) {
+        findings.report(
+                        member.place(),
+                        "component '"
+                                + component.name()
+                                + "' has a "
+                                + other.kind()
+                                + " '"
+                                + member.name()
+                                + "' already; "
+                                + member.advice())
+                .related(other.place(), "the " + other.kind() + " '" + other.name() + "'");
+    }
+
+    private static List<Member> members(ComponentSymbol component) {
+        List<Member> members = new ArrayList<>();
+        for (ParameterSymbol parameter : component.signature().ownParameters()) {
+            members.add(named("parameter", parameter.name(), parameter.nameSpan()));
+        }
+        for (PortSymbol port : component.signature().ownPorts()) {
+            members.add(
+                    port.implicit()
+                            ? unnamed("port", port.name(), port.nameSpan())
+                            : named("port", port.name(), port.nameSpan()));
+        }
+        for (VariableSymbol variable : component.signature().ownVariables()) {
+            members.add(named("variable", variable.name(), variable.nameSpan()));
+        }
+        // A misspelled part may be meant to use an inner component that seems unused.
+        boolean lacksPart = Connections.lacksPart(component);
+        for (InstanceSymbol instance : component.ownInstances()) {
+            if (lacksPart && instance.origin() == InstanceSymbol.Origin.AUTOMATIC) {
+                continue;
+            }
+            members.add(
+                    instance.origin() == InstanceSymbol.Origin.NAMED
+                            ? named("part", instance.name(), instance.nameSpan())
+                            : unnamed("part", instance.name(), instance.nameSpan()));
+        }
+        return members;
+    }
+
+    private static Member named(String kind, String name, Span place) {
+        return new Member(kind, name, place, "rename this " + kind);
+    }
+
+    private static Member unnamed(String kind, String name, Span place) {
+        return new Member(
+                kind, name, place, "give this " + kind + " a name, or it is named after its type");
+    }
+}

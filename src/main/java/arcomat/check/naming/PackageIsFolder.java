@@ -1,0 +1,63 @@
+package arcomat.check.naming;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.tree.Name;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.Unit;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * ARC0208: a file lies in the folder that its package names. Of a path as the user wrote it only
+ * the folders that it names can be compared.
+ */
+public final class PackageIsFolder implements Check.OnUnit {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0208");
+    }
+
+    @Override
+    public void check(Unit unit, Context context, Findings findings) {
+        List<String> folders = folders(unit.file().path());
+        unit.packageName()
+                .filter(name -> !endsWith(folders, name.parts()))
+                .ifPresent(name -> report(name, folders, findings));
+    }
+
+    private static void report(QualifiedName name, List<String> folders, Findings findings) {
+        int depth = Math.min(folders.size(), name.parts().size());
+        String lies = String.join("/", folders.subList(folders.size() - depth, folders.size()));
+        findings.report(
+                name,
+                "package '"
+                        + name
+                        + "' belongs in the folder '"
+                        + name.text().replace('.', '/')
+                        + "', but the file lies in '"
+                        + lies
+                        + "'; move the file or change the package");
+    }
+
+    private static boolean endsWith(List<String> folders, List<Name> parts) {
+        for (int i = 1; i <= Math.min(folders.size(), parts.size()); i++) {
+            if (!folders.get(folders.size() - i).equals(parts.get(parts.size() - i).text())) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    /** The folders of a path whose names are known: those behind the last dots. */
+    private static List<String> folders(String path) {
+        List<String> parts = Arrays.asList(path.split("/+"));
+        List<String> folders = parts.subList(0, parts.size() - 1);
+        int unknown = Math.max(folders.lastIndexOf("."), folders.lastIndexOf(".."));
+        return folders.subList(unknown + 1, folders.size());
+    }
+}

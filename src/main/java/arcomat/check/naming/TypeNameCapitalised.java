@@ -1,0 +1,42 @@
+package arcomat.check.naming;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.names.DiagramSymbol;
+import arcomat.tree.ClassDiagram;
+import arcomat.tree.Name;
+import arcomat.tree.TypeParameter;
+
+/** ARC0209: names of components and message types start with a capital letter. (Hab16 CV1) */
+public final class TypeNameCapitalised implements Check.OnComponent, Check.OnClassDiagram {
+
+    @Override
+    public Law law() {
+        return Law.warning("ARC0209");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        check("component", component.node().name(), findings);
+        for (TypeParameter parameter : component.node().typeParameters()) {
+            check("type parameter", parameter.name(), findings);
+        }
+    }
+
+    @Override
+    public void check(DiagramSymbol diagram, Context context, Findings findings) {
+        for (ClassDiagram.TypeDefinition type : diagram.node().types()) {
+            check("type", type.name(), findings);
+        }
+    }
+
+    private static void check(String kind, Name name, Findings findings) {
+        if (Character.isLowerCase(name.text().charAt(0))) {
+            findings.report(
+                    name, kind + " '" + name + "' should start with a capital letter; rename it");
+        }
+    }
+}

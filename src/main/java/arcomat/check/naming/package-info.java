@@ -1,0 +1,2 @@
+/** Laws about names: ARC02. */
+package arcomat.check.naming;

@@ -1,0 +1,67 @@
+package arcomat.check.stereotypes;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.signatures.Layer;
+import arcomat.tree.Stereotype;
+
+import java.util.List;
+
+/**
+ * ARC0504: the logic of a robot neither is a platform component nor contains one. A platform
+ * component without a layer would count as logic; a composite without one joins the layers.
+ */
+public final class LogicWithoutPlatform implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0504");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        if (component.signature().layer() != Layer.LOGIC || hasUnknownLayer(component)) {
+            return;
+        }
+        if (component.isPlatform()) {
+            findings.report(
+                    component.nameSpan(),
+                    "platform component '"
+                            + component.name()
+                            + "' cannot belong to the logic; add <<layer = \"sensors\">> or"
+                            + " <<layer = \"actuators\">>");
+            return;
+        }
+        List<InstanceSymbol> path =
+                Layers.isWritten(component) ? Layers.pathToPlatform(component) : List.of();
+        if (!path.isEmpty()) {
+            InstanceSymbol device = path.get(path.size() - 1);
+            findings.report(
+                            path.get(0).nameSpan(),
+                            "'"
+                                    + component.name()
+                                    + "' is logic, but contains the platform component '"
+                                    + text(path)
+                                    + "'; connect the device from outside")
+                    .related(device.component().orElseThrow().nameSpan(), "the platform component");
+        }
+    }
+
+    private static boolean hasUnknownLayer(ComponentSymbol component) {
+        return Stereotype.find(component.stereotypes(), "layer")
+                .filter(s -> s.value().flatMap(v -> Layer.named(v.text())).isEmpty())
+                .isPresent();
+    }
+
+    private static String text(List<InstanceSymbol> path) {
+        StringBuilder text = new StringBuilder();
+        for (InstanceSymbol instance : path) {
+            text.append(text.isEmpty() ? "" : ".").append(instance.name());
+        }
+        return text.toString();
+    }
+}

@@ -1,0 +1,140 @@
+package arcomat.check.stereotypes;
+
+import arcomat.check.law.Carrier;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.source.Fix;
+import arcomat.source.Nearest;
+import arcomat.source.Span;
+import arcomat.tree.Name;
+import arcomat.tree.Node;
+import arcomat.tree.Stereotype;
+
+import java.util.List;
+import java.util.Optional;
+
+/** ARC0502: a stereotype has a value that it knows, or none if it takes none. */
+public final class StereotypeValue implements Check.OnStereotypes {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0502");
+    }
+
+    @Override
+    public void check(
+            List<Stereotype> stereotypes,
+            Carrier carrier,
+            Node owner,
+            Context context,
+            Findings findings) {
+        for (Stereotype stereotype : stereotypes) {
+            Optional<KnownStereotype> known = KnownStereotype.find(stereotype.name().text());
+            if (known.isPresent() && known.get().carriers().contains(carrier)) {
+                check(stereotype, known.get(), findings);
+            }
+        }
+    }
+
+    private static void check(Stereotype stereotype, KnownStereotype known, Findings findings) {
+        switch (known.form()) {
+            case FLAG -> checkFlag(stereotype, findings);
+            case CHOICE -> checkChoice(stereotype, known, findings);
+            case COUNT -> checkCount(stereotype, findings);
+            case REASON ->
+                    checkText(
+                            stereotype,
+                            "\\s*\\S.*",
+                            "a reason, as in <<%s = \"reason\">>",
+                            findings);
+            case NAME_AND_REASON ->
+                    checkText(
+                            stereotype,
+                            "\\s*[^:\\s]+\\s*:\\s*\\S.*",
+                            "the name of a component that is gone and a reason, as in"
+                                    + " <<%s = \"p.Robot: reason\">>",
+                            findings);
+            case MESSAGE, TEXT -> {}
+        }
+    }
+
+    private static void checkFlag(Stereotype stereotype, Findings findings) {
+        if (stereotype.value().isPresent()) {
+            Span name = stereotype.name().span();
+            Span all = stereotype.span();
+            findings.report(
+                            stereotype.value().get(),
+                            "stereotype '" + stereotype.name() + "' takes no value; delete it")
+                    .fix(
+                            Fix.replace(
+                                    "Delete the value",
+                                    new Span(all.file(), name.end(), all.end()),
+                                    ""));
+        }
+    }
+
+    private static void checkChoice(
+            Stereotype stereotype, KnownStereotype known, Findings findings) {
+        if (stereotype.value().isEmpty()) {
+            findings.report(
+                    stereotype,
+                    "stereotype '" + known.name() + "' needs a value: " + list(known.values()));
+        } else if (!known.values().contains(stereotype.value().get().text())) {
+            reportUnknown(stereotype.value().get(), known, findings);
+        }
+    }
+
+    private static void reportUnknown(Name value, KnownStereotype known, Findings findings) {
+        findings.report(
+                value,
+                "stereotype '"
+                        + known.name()
+                        + "' has no value '"
+                        + value
+                        + "'; it can be "
+                        + list(known.values()));
+        Nearest.to(value.text(), known.values())
+                .ifPresent(
+                        nearest ->
+                                findings.fix(
+                                        Fix.replace(
+                                                "Replace '" + value + "' by '" + nearest + "'",
+                                                value.span(),
+                                                '"' + nearest + '"')));
+    }
+
+    private static void checkCount(Stereotype stereotype, Findings findings) {
+        String value = stereotype.value().map(Name::text).orElse("");
+        if (!value.matches("[1-9][0-9]{0,5}")) {
+            findings.report(
+                    stereotype,
+                    "stereotype '"
+                            + stereotype.name()
+                            + "' needs a whole number from 1 to 999999 as its value");
+        }
+    }
+
+    private static void checkText(
+            Stereotype stereotype, String form, String example, Findings findings) {
+        if (!stereotype.value().map(Name::text).orElse("").matches(form)) {
+            findings.report(
+                    stereotype,
+                    "stereotype '"
+                            + stereotype.name()
+                            + "' needs "
+                            + example.formatted(stereotype.name()));
+        }
+    }
+
+    /** {@code "chaos", "output" or "ignore"}. */
+    private static String list(List<String> values) {
+        StringBuilder text = new StringBuilder();
+        for (int i = 0; i < values.size(); i++) {
+            String separator = i == 0 ? "" : i == values.size() - 1 ? " or " : ", ";
+            text.append(separator).append('"').append(values.get(i)).append('"');
+        }
+        return text.toString();
+    }
+}

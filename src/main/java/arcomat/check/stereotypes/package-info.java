@@ -1,0 +1,2 @@
+/** Laws about stereotypes, layers among them: ARC05. */
+package arcomat.check.stereotypes;

@@ -1,0 +1,54 @@
+package arcomat.check.structure;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ItemSymbol;
+import arcomat.symbols.bodies.ItemSymbol.Side;
+import arcomat.symbols.expressions.ValueSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.expressions.VariableSymbol.Kind;
+
+/**
+ * ARC0128: a variable beside the automata of a component is a constant that they share: it has a
+ * value, and nobody assigns it.
+ */
+public final class ComponentVariableConstant implements Check.OnVariable, Check.OnItem {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0128");
+    }
+
+    @Override
+    public void check(VariableSymbol variable, Context context, Findings findings) {
+        if (variable.kind() == Kind.COMPONENT
+                && variable.node().initial().isEmpty()
+                && !variable.type().isErroneous()) {
+            findings.report(
+                    variable.nameSpan(),
+                    "'"
+                            + variable.name()
+                            + "' is a constant and needs a value; if it changes, declare it as a"
+                            + " 'variable' of the automaton");
+        }
+    }
+
+    @Override
+    public void check(ItemSymbol item, Context context, Findings findings) {
+        ValueSymbol target = item.target().found().orElse(null);
+        if (item.hasName()
+                && context.side().orElseThrow() != Side.INPUT
+                && target instanceof VariableSymbol variable
+                && variable.kind() == Kind.COMPONENT) {
+            findings.report(
+                            item.node().name().orElseThrow(),
+                            "'"
+                                    + variable.name()
+                                    + "' is a constant of the component and cannot be assigned;"
+                                    + " declare it as a 'variable' of the automaton")
+                    .related(variable.nameSpan(), "the constant");
+        }
+    }
+}

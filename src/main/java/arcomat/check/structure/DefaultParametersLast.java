@@ -1,0 +1,39 @@
+package arcomat.check.structure;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.tree.Parameter;
+
+/**
+ * ARC0119: parameters with a default value stand behind those without, because arguments are
+ * matched from the left. (Wor16 MR)
+ */
+public final class DefaultParametersLast implements Check.OnComponent {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0119");
+    }
+
+    @Override
+    public void check(ComponentSymbol component, Context context, Findings findings) {
+        Parameter withDefault = null;
+        for (Parameter parameter : component.node().parameters()) {
+            if (parameter.initial().isPresent()) {
+                withDefault = withDefault == null ? parameter : withDefault;
+            } else if (withDefault != null) {
+                findings.report(
+                                parameter.name(),
+                                "parameter '"
+                                        + parameter.name()
+                                        + "' has no default value but '"
+                                        + withDefault.name()
+                                        + "' before it has; move it to the front or give it one")
+                        .related(withDefault, "has a default value");
+            }
+        }
+    }
+}

@@ -1,0 +1,89 @@
+package arcomat.check.tests;
+
+import arcomat.check.behaviour.item.Items;
+import arcomat.check.facts.Wording;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.Typed;
+
+import java.util.List;
+
+/** ARC0705: a tested component gets a value for each of its parameters, and needs no types. */
+public final class TestArguments implements Check.OnTestSuite {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0705");
+    }
+
+    @Override
+    public void check(TestSuiteSymbol suite, Context context, Findings findings) {
+        suite.component().found().ifPresent(component -> check(suite, component, findings));
+    }
+
+    private static void check(TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
+        if (component.signature().isGeneric()) {
+            findings.report(
+                            suite.node().component(),
+                            "component '"
+                                    + component.name()
+                                    + "' needs type arguments, which a suite cannot give; test a"
+                                    + " component that uses it with given types")
+                    .related(component.nameSpan(), "declared with type parameters");
+            return;
+        }
+        List<ParameterSymbol> parameters = component.parameters();
+        List<Typed> arguments = suite.arguments();
+        reportMissing(suite, component, findings);
+        for (int i = 0; i < arguments.size(); i++) {
+            if (i >= parameters.size()) {
+                findings.report(
+                        arguments.get(i).expression().node(),
+                        "component '"
+                                + component.name()
+                                + "' has "
+                                + (parameters.isEmpty()
+                                        ? "no parameters"
+                                        : Wording.count(parameters.size(), "parameter"))
+                                + "; remove this argument");
+            } else if (!arguments.get(i).isAssignableTo(parameters.get(i).type())) {
+                reportType(arguments.get(i), parameters.get(i), findings);
+            }
+        }
+    }
+
+    private static void reportMissing(
+            TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
+        List<ParameterSymbol> parameters = component.parameters();
+        int given = Math.min(suite.node().arguments().size(), parameters.size());
+        List<String> missing =
+                parameters.subList(given, parameters.size()).stream()
+                        .filter(parameter -> parameter.node().initial().isEmpty())
+                        .map(ParameterSymbol::name)
+                        .toList();
+        if (!missing.isEmpty()) {
+            findings.report(
+                            suite.node().component(),
+                            "component '"
+                                    + component.name()
+                                    + "' needs a value for "
+                                    + Wording.quoted(missing)
+                                    + "; write it in parentheses behind the name")
+                    .related(component.nameSpan(), "declared with parameters");
+        }
+    }
+
+    private static void reportType(Typed argument, ParameterSymbol parameter, Findings findings) {
+        findings.report(
+                        argument.expression().node(),
+                        Items.words(parameter)
+                                + " takes "
+                                + Wording.mismatch(parameter.type(), argument))
+                .related(parameter.nameSpan(), "declared here");
+    }
+}

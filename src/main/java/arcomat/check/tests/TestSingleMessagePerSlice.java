@@ -1,0 +1,47 @@
+package arcomat.check.tests;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.tree.TestSuite;
+
+import java.util.Optional;
+
+/** ARC0706: a stream of a component that works slice by slice has one message in a slice. */
+public final class TestSingleMessagePerSlice implements Check.OnTestSuite {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0706");
+    }
+
+    @Override
+    public void check(TestSuiteSymbol suite, Context context, Findings findings) {
+        Optional<ComponentSymbol> component = suite.component().found();
+        if (component.isEmpty() || component.get().isEventDriven()) {
+            return;
+        }
+        for (TestSuite.Test test : Tests.of(suite.node())) {
+            for (TestSuite.Streams streams : test.streams()) {
+                if (streams.kind() != TestSuite.Kind.EVENTS) {
+                    streams.streams().forEach(stream -> check(stream, findings));
+                }
+            }
+        }
+    }
+
+    private static void check(TestSuite.PortStream stream, Findings findings) {
+        StreamSlices.read(
+                stream.elements(),
+                message ->
+                        findings.report(
+                                message.expression(),
+                                "this slice of '"
+                                        + stream.port()
+                                        + "' has a message already; write 'Tk' between two"
+                                        + " messages"));
+    }
+}

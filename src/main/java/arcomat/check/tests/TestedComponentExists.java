@@ -1,0 +1,27 @@
+package arcomat.check.tests;
+
+import arcomat.check.facts.ComponentNames;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.check.law.Law;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+
+/** ARC0701: the component that a suite is for exists and is unambiguous. */
+public final class TestedComponentExists implements Check.OnTestSuite {
+
+    @Override
+    public Law law() {
+        return Law.error("ARC0701");
+    }
+
+    @Override
+    public void check(TestSuiteSymbol suite, Context context, Findings findings) {
+        ComponentNames.check(
+                suite.node().component(),
+                suite.component().map(ComponentSymbol::signature),
+                context,
+                findings);
+    }
+}

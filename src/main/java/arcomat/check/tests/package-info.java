@@ -1,0 +1,2 @@
+/** Laws about stream tests: ARC07. */
+package arcomat.check.tests;

@@ -1,0 +1,131 @@
+package arcomat.check.walk;
+
+import arcomat.check.law.Carrier;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.walk.Listeners.Listener;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.bodies.InvariantSymbol;
+import arcomat.symbols.bodies.TableSymbol;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.tree.Component;
+import arcomat.tree.Element;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.TypeParameter;
+import arcomat.tree.TypeReference;
+
+/** The part of the walk that goes through components and their parts. */
+final class ComponentWalk {
+    private final Listeners listeners;
+    private final StereotypeWalk stereotypes;
+    private final ExpressionWalk expressions;
+    private final BehaviourWalk behaviours;
+
+    ComponentWalk(
+            Listeners listeners,
+            StereotypeWalk stereotypes,
+            ExpressionWalk expressions,
+            BehaviourWalk behaviours) {
+        this.listeners = listeners;
+        this.stereotypes = stereotypes;
+        this.expressions = expressions;
+        this.behaviours = behaviours;
+    }
+
+    void component(ComponentSymbol component, Context around) {
+        Context context = around.in(component);
+        stereotypes.visit(component.stereotypes(), Carrier.COMPONENT, component.node(), context);
+        for (Listener<Check.OnComponent> each : listeners.onComponent) {
+            each.check().check(component, context, each.findings());
+        }
+        head(component, context);
+        for (Element element : component.node().elements()) {
+            element(element, context);
+        }
+        members(component, context);
+    }
+
+    private void head(ComponentSymbol component, Context context) {
+        Component node = component.node();
+        for (TypeParameter parameter : node.typeParameters()) {
+            for (TypeReference bound : parameter.bounds()) {
+                expressions.type(bound, context);
+            }
+        }
+        node.superComponent().ifPresent(type -> expressions.componentType(type, context));
+        for (QualifiedName refined : node.refines()) {
+            expressions.name(refined);
+        }
+        node.instance().ifPresent(i -> expressions.typeArguments(i.arguments(), context));
+        for (ParameterSymbol parameter : component.signature().ownParameters()) {
+            expressions.type(parameter.node().type(), context);
+            expressions.optional(parameter.initial(), context);
+        }
+    }
+
+    /** Types and stereotypes, which stand on declarations that may declare several things. */
+    private void element(Element element, Context context) {
+        if (element instanceof Element.Ports ports) {
+            stereotypes.visit(ports.stereotypes(), Carrier.PORT, ports, context);
+            for (Element.Port port : ports.ports()) {
+                stereotypes.visit(port.stereotypes(), Carrier.PORT, port, context);
+                expressions.type(port.type(), context);
+            }
+        } else if (element instanceof Element.Subcomponent subcomponent) {
+            subcomponent(subcomponent, context);
+        } else if (element instanceof Element.Connector connector) {
+            stereotypes.visit(connector.stereotypes(), Carrier.CONNECTOR, connector, context);
+        } else if (element instanceof Element.Variables variables) {
+            expressions.type(variables.type(), context);
+        } else if (element instanceof Element.Timing timing) {
+            stereotypes.visit(timing.stereotypes(), Carrier.TIMING, timing, context);
+        } else if (element instanceof Element.Autoconnect clause) {
+            stereotypes.visit(clause.stereotypes(), Carrier.AUTOCONNECT, clause, context);
+        } else if (element instanceof Element.Autoinstantiate clause) {
+            stereotypes.visit(clause.stereotypes(), Carrier.AUTOINSTANTIATE, clause, context);
+        }
+    }
+
+    private void subcomponent(Element.Subcomponent subcomponent, Context context) {
+        stereotypes.visit(subcomponent.stereotypes(), Carrier.SUBCOMPONENT, subcomponent, context);
+        expressions.componentType(subcomponent.type(), context);
+        for (Element.Instance instance : subcomponent.instances()) {
+            for (Element.SimpleConnector connector : instance.connectors()) {
+                stereotypes.visit(connector.stereotypes(), Carrier.CONNECTOR, connector, context);
+            }
+        }
+    }
+
+    private void members(ComponentSymbol component, Context context) {
+        for (PortSymbol port : component.signature().ownPorts()) {
+            for (Listener<Check.OnPort> each : listeners.onPort) {
+                each.check().check(port, context, each.findings());
+            }
+        }
+        for (VariableSymbol variable : component.signature().ownVariables()) {
+            expressions.variable(variable, context);
+        }
+        for (InstanceSymbol instance : component.ownInstances()) {
+            for (Listener<Check.OnInstance> each : listeners.onInstance) {
+                each.check().check(instance, context, each.findings());
+            }
+            expressions.all(instance.arguments(), context);
+        }
+        for (InvariantSymbol invariant : component.ownInvariants()) {
+            invariant.condition().ifPresent(condition -> expressions.mentioned(condition, context));
+        }
+        for (AutomatonSymbol automaton : component.ownAutomata()) {
+            behaviours.automaton(automaton, context);
+        }
+        for (TableSymbol table : component.ownTables()) {
+            behaviours.table(table, context);
+        }
+        for (ComponentSymbol inner : component.innerComponents()) {
+            component(inner, context);
+        }
+    }
+}

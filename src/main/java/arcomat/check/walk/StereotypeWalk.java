@@ -1,0 +1,32 @@
+package arcomat.check.walk;
+
+import arcomat.check.law.Carrier;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Suppressions;
+import arcomat.check.walk.Listeners.Listener;
+import arcomat.tree.Node;
+import arcomat.tree.Stereotype;
+
+import java.util.List;
+
+/** The part of the walk that looks at stereotypes, and notes what they suppress. */
+final class StereotypeWalk {
+    private final Listeners listeners;
+    private final Suppressions suppressions;
+
+    StereotypeWalk(Listeners listeners, Suppressions suppressions) {
+        this.listeners = listeners;
+        this.suppressions = suppressions;
+    }
+
+    void visit(List<Stereotype> stereotypes, Carrier carrier, Node owner, Context context) {
+        if (stereotypes.isEmpty()) {
+            return;
+        }
+        suppressions.add(stereotypes, owner);
+        for (Listener<Check.OnStereotypes> each : listeners.onStereotypes) {
+            each.check().check(stereotypes, carrier, owner, context, each.findings());
+        }
+    }
+}

@@ -1,7 +1,0 @@
-package arcomat.cli;
-
-/** How results are written. */
-enum OutputFormat {
-    text,
-    json
-}

@@ -1,0 +1,87 @@
+package arcomat.cli.command;
+
+import arcomat.cli.terminal.Console;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.cli.terminal.ProgressLines;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.check.Aside;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.text.Printable;
+
+import picocli.CommandLine.Option;
+
+import java.util.concurrent.Callable;
+
+/** What the commands have in common: a console, a pipeline, and help. */
+public abstract class Command implements Callable<Integer> {
+    final Console console;
+
+    @Option(
+            names = {"-h", "--help"},
+            usageHelp = true,
+            description = "Show this help and exit.")
+    private boolean help;
+
+    @Option(
+            names = "--progress",
+            description =
+                    "Tell what long work is at, also where nobody looks on; default: on a"
+                            + " terminal.")
+    private boolean progress;
+
+    Command(Console console) {
+        this.console = console;
+    }
+
+    @Override
+    public final Integer call() throws WrongUse {
+        if (!progress && !console.watched()) {
+            return run(new Pipeline(console.directory(), limited(Progress.NONE)));
+        }
+        try (ProgressLines lines = new ProgressLines(console.err())) {
+            return run(new Pipeline(console.directory(), limited(lines)));
+        }
+    }
+
+    /** Work that ends when it has to. */
+    Progress limited(Progress progress) throws WrongUse {
+        return progress;
+    }
+
+    /** Does the work and returns the exit status. */
+    abstract int run(Pipeline pipeline) throws WrongUse;
+
+    /** Prints findings that keep a command from doing its work. */
+    final int reportErrors(CheckResult check) {
+        print(FindingsText.render(check.findings(), console.style()));
+        printLine(FindingsText.summary(check.findings(), check.files(), console.style()));
+        return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
+    }
+
+    /** Tells what a command went on without; what it found out is for the standard output. */
+    final void tellAside(CheckResult check) {
+        tellAside(check.aside());
+    }
+
+    /** The same of files from several places. */
+    final void tellAside(Aside aside) {
+        if (!aside.isEmpty()) {
+            console.err().print(FindingsText.render(aside.findings(), console.style()));
+            console.err()
+                    .println(
+                            "left out, with errors in its syntax or in need of a file that has: "
+                                    + Printable.escape(String.join(", ", aside.files())));
+        }
+    }
+
+    final void print(String text) {
+        console.out().print(text);
+    }
+
+    final void printLine(String text) {
+        console.out().print(text + "\n");
+    }
+}

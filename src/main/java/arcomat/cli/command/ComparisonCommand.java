@@ -1,0 +1,111 @@
+package arcomat.cli.command;
+
+import arcomat.analysis.refinement.Answered;
+import arcomat.cli.terminal.Console;
+import arcomat.model.Automaton.Completion;
+import arcomat.pipeline.analysis.RefinesRequest;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.verdict.VerdictJson;
+import arcomat.report.verdict.VerdictText;
+
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What the commands about two sides have in common. */
+abstract class ComparisonCommand extends AnalysisCommand {
+    @Option(
+            names = "--completion",
+            paramLabel = "LEFT,RIGHT",
+            description = {
+                "What A and B do where no transition fits, instead of what the models say:",
+                "chaos, output, ignore or error."
+            })
+    private String completion;
+
+    @Parameters(index = "0", paramLabel = "A", description = "A component, or component#automaton.")
+    private String left;
+
+    @Parameters(index = "1", paramLabel = "B", description = "What A is to keep.")
+    private String right;
+
+    @Parameters(
+            index = "2..*",
+            arity = "1..*",
+            paramLabel = "PATH",
+            description = "Model files and model roots.")
+    private List<String> paths;
+
+    ComparisonCommand(Console console) {
+        super(console);
+    }
+
+    final List<String> paths() {
+        return paths;
+    }
+
+    /**
+     * @param mona the program to ask; empty for the engine
+     */
+    final RefinesRequest request(Optional<String> mona) throws WrongUse {
+        String[] sides = completion == null ? new String[0] : completion.split(",", -1);
+        if (completion != null && sides.length != 2) {
+            throw new WrongUse("--completion '" + completion + "' is no pair such as chaos,output");
+        }
+        return new RefinesRequest(
+                left,
+                right,
+                completion(sides, 0),
+                completion(sides, 1),
+                mona,
+                certificate(),
+                doubted(),
+                diagram(),
+                limits());
+    }
+
+    /** Prints what was found out about both. */
+    final void print(Answered answered) {
+        print(
+                isJson()
+                        ? VerdictJson.render(answered.verdict())
+                        : VerdictText.render(answered, console.style()));
+    }
+
+    /** Where to write a proof. */
+    Optional<String> certificate() {
+        return Optional.empty();
+    }
+
+    /** A proof that is to be verified. */
+    Optional<String> doubted() {
+        return Optional.empty();
+    }
+
+    /** A picture of a failure. */
+    Optional<String> diagram() {
+        return Optional.empty();
+    }
+
+    private static Optional<Completion> completion(String[] sides, int side) throws WrongUse {
+        if (sides.length == 0) {
+            return Optional.empty();
+        }
+        String name = sides[side].strip();
+        return Optional.of(
+                Arrays.stream(Completion.values())
+                        .filter(c -> c.name().toLowerCase(Locale.ROOT).equals(name))
+                        .findFirst()
+                        .orElseThrow(
+                                () ->
+                                        new WrongUse(
+                                                "'"
+                                                        + name
+                                                        + "' is no completion; there are chaos,"
+                                                        + " output, ignore and error")));
+    }
+}

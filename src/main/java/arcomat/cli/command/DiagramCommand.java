@@ -1,0 +1,117 @@
+package arcomat.cli.command;
+
+import arcomat.cli.terminal.Console;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.diagram.DiagramRequest;
+import arcomat.pipeline.diagram.DiagramResult;
+import arcomat.pipeline.picture.PictureFormat;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.finding.FindingsText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** {@code arcomat diagram}: pictures of models. */
+@CommandLine.Command(
+        name = "diagram",
+        description = "Draws components with their parts, automata and class diagrams.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat diagram --out build/pictures models/coffee",
+            "  arcomat diagram --component coffee.fetcher.Fetcher --out build/fetcher"
+                    + " models/coffee",
+            "  arcomat diagram --format png --out build/pictures models/coffee",
+            "  arcomat diagram --highlight analysis --out build/pictures models/coffee",
+            "",
+            "The output folder is replaced as a whole. It may hold nothing that arcomat did not",
+            "write. Each picture is a file by the name of what it shows; index.html shows them"
+                    + " all.",
+            "",
+            "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
+                    + " read."
+        })
+public final class DiagramCommand extends LimitedCommand {
+    enum Highlight {
+        analysis
+    }
+
+    private static final int DEEPEST = 1000;
+
+    @Option(
+            names = "--component",
+            paramLabel = "QNAME",
+            description =
+                    "Only this component or class diagram; may be given again. All if absent.")
+    private List<String> components = new ArrayList<>();
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            defaultValue = "svg",
+            description = "How to write pictures: ${COMPLETION-CANDIDATES}; default svg.")
+    private PictureFormat format;
+
+    @Option(
+            names = "--highlight",
+            paramLabel = "WHAT",
+            description = {
+                "Mark what is found: ${COMPLETION-CANDIDATES} (overlaps, inputs that are not"
+                        + " handled,",
+                "states never reached, and all else that 'analyze' finds)."
+            })
+    private Highlight highlight;
+
+    @Option(
+            names = "--depth",
+            paramLabel = "N",
+            description = "Show N levels of parts inside a component; all if absent.")
+    private int depth = DEEPEST;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            required = true,
+            description = "The folder to write, which is replaced as a whole.")
+    private String out;
+
+    @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
+    private List<String> paths;
+
+    public DiagramCommand(Console console) {
+        super(console);
+    }
+
+    /** What is found until then is drawn. */
+    @Override
+    boolean isTimeOfAll() {
+        return false;
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        if (depth < 0) {
+            throw new WrongUse("--depth " + depth + " is no number of levels");
+        }
+        DiagramResult result =
+                pipeline.diagram(
+                        new DiagramRequest(components, format, out, depth, sought()), paths);
+        tellAside(result.check());
+        if (result.check().hasErrors()) {
+            return reportErrors(result.check());
+        }
+        print(FindingsText.render(result.check().findings(), console.style()));
+        printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
+        return ExitStatus.FINE;
+    }
+
+    private Optional<AnalysisLimits> sought() throws WrongUse {
+        return highlight == null ? Optional.empty() : Optional.of(limits());
+    }
+}

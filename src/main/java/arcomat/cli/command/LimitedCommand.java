@@ -1,0 +1,70 @@
+package arcomat.cli.command;
+
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.cli.terminal.Console;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.cli.terminal.LastMoment;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.step.LimitedProgress;
+import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.step.WrongUse;
+
+import picocli.CommandLine.Option;
+
+import java.util.Optional;
+
+/** A command that may search for long, and gives up where it is told to. */
+abstract class LimitedCommand extends Command {
+    @Option(
+            names = "--timeout",
+            paramLabel = "SECONDS",
+            description = "Give up after that time: the answer is then unknown.")
+    private Integer timeout;
+
+    @Option(
+            names = "--max-states",
+            paramLabel = "N",
+            description = "Give up after that many states; default: what memory holds.")
+    private Long maxStates;
+
+    /** A command is made to be run at once. */
+    private final long begun = System.nanoTime();
+
+    LimitedCommand(Console console) {
+        super(console);
+    }
+
+    /** What comes before the search is over by then, too. */
+    @Override
+    final Progress limited(Progress progress) throws WrongUse {
+        Optional<Long> end = limits().end(begun);
+        if (isTimeOfAll()) {
+            end.ifPresent(moment -> LastMoment.await(moment, console));
+        }
+        return end.isPresent() ? new LimitedProgress(progress, end.get()) : progress;
+    }
+
+    /** Whether the time is that of the whole command, and not of each search in it alone. */
+    boolean isTimeOfAll() {
+        return true;
+    }
+
+    final AnalysisLimits limits() throws WrongUse {
+        if (timeout != null && timeout < 1) {
+            throw new WrongUse("--timeout " + timeout + " is less than 1");
+        }
+        if (maxStates != null && maxStates < 1) {
+            throw new WrongUse("--max-states " + maxStates + " is less than 1");
+        }
+        return new AnalysisLimits(
+                Optional.ofNullable(timeout), Optional.ofNullable(maxStates), Optional.of(begun));
+    }
+
+    static int status(Answer answer) {
+        return switch (answer) {
+            case HOLDS -> ExitStatus.FINE;
+            case FAILS -> ExitStatus.FINDINGS;
+            case UNKNOWN -> ExitStatus.UNKNOWN;
+        };
+    }
+}

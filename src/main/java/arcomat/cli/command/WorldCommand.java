@@ -1,0 +1,123 @@
+package arcomat.cli.command;
+
+import arcomat.cli.option.LimitsOption;
+import arcomat.cli.option.PatienceOption;
+import arcomat.cli.terminal.Console;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.world.PreparedWorld;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.world.WorldText;
+import arcomat.sim.time.OutOfPatience;
+import arcomat.world.Recording;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code arcomat world}: robots on a floor. */
+@CommandLine.Command(
+        name = "world",
+        description =
+                "Runs the robots of a world: their programs on simulated bricks, on one floor.",
+        footerHeading = "%nExamples:%n",
+        footer = {
+            "  arcomat world models/coffee/world/meeting.world",
+            "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
+            "  arcomat world models/coffee/world/meeting.world --runs 100",
+            "",
+            "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
+                    + " was not reached, or there are errors in the world or its models; 3 a run"
+                    + " was given up; 2 wrong use."
+        })
+public final class WorldCommand extends Command {
+    @Parameters(
+            paramLabel = "FILE.world",
+            description = "The world; docs/world.md tells how to write one.")
+    private String world;
+
+    @Option(
+            names = "--seed",
+            paramLabel = "N",
+            defaultValue = "1",
+            description =
+                    "Of what is drawn: noise, offsets of sensors, where robots really stand;"
+                            + " default 1. The same seed gives the same run.")
+    private long seed;
+
+    @Option(
+            names = "--report",
+            paramLabel = "DIR",
+            description =
+                    "Write a page that plays the run again, DIR/index.html, and the recording.")
+    private String report;
+
+    @Option(
+            names = "--runs",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Run with N seeds, this one and the next; tell only how each ended.")
+    private int runs;
+
+    @Mixin private PatienceOption timeout = new PatienceOption();
+
+    @Mixin private LimitsOption limits = new LimitsOption();
+
+    public WorldCommand(Console console) {
+        super(console);
+    }
+
+    @Override
+    int run(Pipeline pipeline) throws WrongUse {
+        if (runs < 1) {
+            throw new WrongUse("--runs " + runs + " is less than 1");
+        }
+        if (runs > 1 && report != null) {
+            throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
+        }
+        if (report != null) {
+            pipeline.requireReportFolder(report);
+        }
+        PreparedWorld prepared = pipeline.prepareWorld(world);
+        tellAside(prepared.aside());
+        print(FindingsText.render(prepared.findings(), console.style()));
+        if (!prepared.canRun()) {
+            printLine(FindingsText.summary(prepared.findings(), prepared.files(), console.style()));
+            return ExitStatus.FINDINGS;
+        }
+        try {
+            return runs == 1 ? runOnce(prepared, pipeline) : runOften(prepared);
+        } catch (OutOfPatience e) {
+            return PatienceOption.gaveUp(e, console);
+        }
+    }
+
+    private int runOnce(PreparedWorld prepared, Pipeline pipeline) throws WrongUse {
+        Recording recording = prepared.run(seed, timeout.patience(), limits.limits());
+        print(WorldText.events(recording, console.style()));
+        printLine("");
+        printLine(WorldText.summary(recording));
+        if (report != null) {
+            pipeline.writeReplay(recording, world + ", seed " + seed, report);
+            printLine("wrote " + report + "/index.html");
+        }
+        return status(recording.succeeded());
+    }
+
+    private int runOften(PreparedWorld prepared) throws WrongUse {
+        int good = 0;
+        for (long each = seed; each < seed + runs; each++) {
+            Recording recording = prepared.run(each, timeout.patience(), limits.limits());
+            good += recording.succeeded() ? 1 : 0;
+            printLine("seed " + each + ": " + WorldText.summary(recording));
+        }
+        printLine(good + " of " + runs + " runs succeeded");
+        return status(good == runs);
+    }
+
+    private static int status(boolean succeeded) {
+        return succeeded ? ExitStatus.FINE : ExitStatus.FINDINGS;
+    }
+}

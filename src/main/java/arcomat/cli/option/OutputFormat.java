@@ -1,0 +1,7 @@
+package arcomat.cli.option;
+
+/** How results are written. */
+public enum OutputFormat {
+    text,
+    json
+}

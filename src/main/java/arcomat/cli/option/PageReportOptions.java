@@ -1,0 +1,46 @@
+package arcomat.cli.option;
+
+import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.step.WrongUse;
+import arcomat.report.page.Page;
+
+import picocli.CommandLine.Option;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+
+/** Of commands that show their results as a page, too. */
+public final class PageReportOptions extends ResultOptions {
+    @Option(
+            names = "--report",
+            paramLabel = "FORMAT=FILE|DIR",
+            converter = ReportFile.ReaderOfPages.class,
+            description =
+                    "Also write a file in that format, or a page to look at and to step through,"
+                            + " DIR/index.html; may be repeated.")
+    private List<ReportFile> files = new ArrayList<>();
+
+    @Override
+    List<ReportFile> files() {
+        return files;
+    }
+
+    /** Complains before any work is done in vain. */
+    public void prepare(Pipeline pipeline) throws WrongUse {
+        for (ReportFile each : files) {
+            if (each.format().isEmpty()) {
+                pipeline.requireReportFolder(each.file());
+            }
+        }
+    }
+
+    /** Writes the page, if one is wanted. */
+    public void writePage(Supplier<Page> page, Pipeline pipeline) throws WrongUse {
+        for (ReportFile each : files) {
+            if (each.format().isEmpty()) {
+                pipeline.writeReport(each.file(), page.get());
+            }
+        }
+    }
+}

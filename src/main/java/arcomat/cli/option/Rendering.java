@@ -1,0 +1,11 @@
+package arcomat.cli.option;
+
+import arcomat.report.text.Style;
+
+/** A result of a command that can be written in every format. */
+public interface Rendering {
+    /**
+     * @param style of the formats for people
+     */
+    String text(ReportFormat format, Style style);
+}

@@ -1,0 +1,5 @@
+/**
+ * Directed graphs over numbers: their strongly connected components, shortest cycles, order and
+ * reachability, one copy each. Knows nothing of what the numbers stand for.
+ */
+package arcomat.graph;

@@ -1,0 +1,173 @@
+package arcomat.semantics.expression;
+
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+/**
+ * Java's arithmetic on values: 32 or 64 bit integers that wrap around, single or double precision.
+ * The operands decide which; both have one type.
+ */
+final class Arithmetic {
+    private Arithmetic() {}
+
+    /** Whether an operand is calculated with in 64 bits. */
+    private static boolean isLong(Type type) {
+        return type instanceof Type.IntegerType integer && integer.width() == Type.Width.LONG;
+    }
+
+    private static boolean isSingle(Type type) {
+        return type instanceof Type.RealType real && real.single();
+    }
+
+    static long integer(Value value) {
+        return value instanceof Value.CharacterValue character
+                ? character.value()
+                : ((Value.IntegerValue) value).value();
+    }
+
+    private static double real(Value value) {
+        return value instanceof Value.RealValue real ? real.value() : integer(value);
+    }
+
+    static Value calculate(BinaryOperator operator, Value left, Value right, Type type) {
+        if (type instanceof Type.RealType) {
+            double result = onReals(operator, real(left), real(right));
+            if (isSingle(type)) {
+                result = onSingles(operator, (float) real(left), (float) real(right));
+            }
+            return new Value.RealValue(result);
+        }
+        long result = onIntegers(operator, integer(left), integer(right));
+        return new Value.IntegerValue(isLong(type) ? result : (int) result);
+    }
+
+    private static long onIntegers(BinaryOperator operator, long a, long b) {
+        return switch (operator) {
+            case MULTIPLY -> a * b;
+            case DIVIDE -> a / nonZero(b);
+            case REMAINDER -> a % nonZero(b);
+            case PLUS -> a + b;
+            case MINUS -> a - b;
+            default -> throw new AssertionError(operator);
+        };
+    }
+
+    private static long nonZero(long divisor) {
+        if (divisor == 0) {
+            throw Fault.divisionByZero();
+        }
+        return divisor;
+    }
+
+    private static double onReals(BinaryOperator operator, double a, double b) {
+        return switch (operator) {
+            case MULTIPLY -> a * b;
+            case DIVIDE -> a / b;
+            case REMAINDER -> a % b;
+            case PLUS -> a + b;
+            case MINUS -> a - b;
+            default -> throw new AssertionError(operator);
+        };
+    }
+
+    private static float onSingles(BinaryOperator operator, float a, float b) {
+        return switch (operator) {
+            case MULTIPLY -> a * b;
+            case DIVIDE -> a / b;
+            case REMAINDER -> a % b;
+            case PLUS -> a + b;
+            case MINUS -> a - b;
+            default -> throw new AssertionError(operator);
+        };
+    }
+
+    static boolean compare(BinaryOperator operator, Value left, Value right) {
+        if (left instanceof Value.RealValue || right instanceof Value.RealValue) {
+            double a = real(left);
+            double b = real(right);
+            return switch (operator) {
+                case LESS -> a < b;
+                case LESS_OR_EQUAL -> a <= b;
+                case GREATER -> a > b;
+                case GREATER_OR_EQUAL -> a >= b;
+                default -> throw new AssertionError(operator);
+            };
+        }
+        int order = Long.compare(integer(left), integer(right));
+        return switch (operator) {
+            case LESS -> order < 0;
+            case LESS_OR_EQUAL -> order <= 0;
+            case GREATER -> order > 0;
+            case GREATER_OR_EQUAL -> order >= 0;
+            default -> throw new AssertionError(operator);
+        };
+    }
+
+    /** Numbers as Java's {@code ==} has them, everything else by content. */
+    static boolean equal(Value left, Value right) {
+        if (left instanceof Value.RealValue || right instanceof Value.RealValue) {
+            return real(left) == real(right);
+        }
+        if (left instanceof Value.CharacterValue || right instanceof Value.CharacterValue) {
+            return integer(left) == integer(right);
+        }
+        return left.equals(right);
+    }
+
+    static Value negate(Value value, Type type) {
+        if (value instanceof Value.RealValue real) {
+            return new Value.RealValue(-real.value());
+        }
+        long negated = -integer(value);
+        return new Value.IntegerValue(isLong(type) ? negated : (int) negated);
+    }
+
+    static Value complement(Value value) {
+        return new Value.IntegerValue(~integer(value));
+    }
+
+    /** A numeric conversion with Java's rules; a range does not narrow. */
+    static Value cast(Value value, Type target) {
+        if (target instanceof Type.RealType real) {
+            if (value instanceof Value.RealValue from) {
+                return new Value.RealValue(real.single() ? (float) from.value() : from.value());
+            }
+            long whole = integer(value);
+            return new Value.RealValue(real.single() ? (float) whole : (double) whole);
+        }
+        if (target instanceof Type.CharacterType) {
+            return new Value.CharacterValue((char) whole(value, Type.Width.INT));
+        }
+        if (target instanceof Type.IntegerType integer) {
+            return new Value.IntegerValue(whole(value, integer.width()));
+        }
+        return value;
+    }
+
+    private static long whole(Value value, Type.Width width) {
+        if (width == Type.Width.LONG) {
+            return value instanceof Value.RealValue real ? (long) real.value() : integer(value);
+        }
+        int number =
+                value instanceof Value.RealValue real ? (int) real.value() : (int) integer(value);
+        return switch (width) {
+            case BYTE -> (byte) number;
+            case SHORT -> (short) number;
+            case INT, LONG -> number;
+        };
+    }
+
+    /** As Java's string concatenation has it. */
+    static String text(Value value, Type type) {
+        if (value instanceof Value.StringValue string) {
+            return string.value();
+        }
+        if (value instanceof Value.CharacterValue character) {
+            return String.valueOf(character.value());
+        }
+        return isSingle(type)
+                ? String.valueOf((float) ((Value.RealValue) value).value())
+                : value.toString();
+    }
+}

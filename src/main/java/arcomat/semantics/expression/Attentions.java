@@ -1,0 +1,221 @@
+package arcomat.semantics.expression;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.Attention.Copied;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.Attention.Whole;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Reads off the transitions out of one state what they look at. Comparisons of a port with a value
+ * that no port has a say in divide its messages; anything else takes the whole message.
+ */
+public final class Attentions {
+
+    /**
+     * What a port is compared with.
+     *
+     * @param always how the port is looked at whatever the variables are; null where it is compared
+     * @param value that it is compared with
+     * @param fixed whether the value is the same in all configurations
+     */
+    private record Probe(Port port, Look always, Term value, boolean ordered, boolean fixed) {}
+
+    private final Scope scope;
+    private final int ports;
+    private final List<Probe> probes = new ArrayList<>();
+    private final List<Integer> seen = new ArrayList<>();
+    private Attention constant;
+
+    public Attentions(Component component, Scope scope) {
+        this.scope = scope;
+        this.ports = component.inputs().size();
+    }
+
+    /** Adds what a transition looks at. */
+    public void add(Expression enabledWhen, Automaton.Transition transition) {
+        condition(enabledWhen);
+        for (Automaton.Send send : transition.sends()) {
+            if (send.emission() instanceof Automaton.Messages messages) {
+                messages.values().forEach(this::copy);
+            }
+        }
+        transition.assignments().forEach(assignment -> copy(assignment.value()));
+    }
+
+    /** What is looked at with certain values of the variables. */
+    public Attention with(Value[] variables) {
+        if (constant != null) {
+            return constant;
+        }
+        Look[] looks = new Look[ports];
+        java.util.Arrays.fill(looks, new Unseen());
+        for (int port : seen) {
+            looks[port] = new Compared(List.of(), false);
+        }
+        boolean fixed = true;
+        Value[] nothing = new Value[ports];
+        for (Probe probe : probes) {
+            fixed &= probe.fixed;
+            int port = scope.port(probe.port);
+            looks[port] = looks[port].and(look(probe, nothing, variables));
+        }
+        Attention attention = new Attention(List.of(looks));
+        if (fixed || variables.length == 0) {
+            constant = attention;
+        }
+        return attention;
+    }
+
+    private static Look look(Probe probe, Value[] nothing, Value[] variables) {
+        if (probe.always != null) {
+            return probe.always;
+        }
+        try {
+            Value value = probe.value.evaluate(nothing, variables);
+            return new Compared(Comparand.in(probe.port.type(), value), probe.ordered);
+        } catch (Fault divisionByZero) {
+            return new Whole();
+        }
+    }
+
+    public void condition(Expression e) {
+        if (e instanceof Expression.PortMatches matches) {
+            matches(matches);
+        } else if (e instanceof Expression.Unary unary) {
+            condition(unary.operand());
+        } else if (e instanceof Expression.Conditional choice && isTruth(choice)) {
+            condition(choice.condition());
+            condition(choice.then());
+            condition(choice.otherwise());
+        } else if (e instanceof Expression.IsIn isIn
+                && Comparand.port(isIn.element()).isPresent()) {
+            Port port = Comparand.port(isIn.element()).get();
+            isIn.set().forEach(value -> compare(port, value, false));
+        } else if (e instanceof Expression.Binary binary) {
+            binary(binary);
+        } else {
+            whole(e);
+        }
+    }
+
+    private void binary(Expression.Binary binary) {
+        switch (binary.operator()) {
+            case AND, OR, IMPLIES -> {
+                condition(binary.left());
+                condition(binary.right());
+            }
+            case EQUAL, NOT_EQUAL -> comparison(binary, false);
+            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL -> comparison(binary, true);
+            default -> whole(binary);
+        }
+    }
+
+    private void comparison(Expression.Binary binary, boolean ordered) {
+        Optional<Port> left = Comparand.port(binary.left());
+        Optional<Port> right = Comparand.port(binary.right());
+        if (left.isPresent() && left.equals(right)) {
+            withItself(left.get());
+        } else if (left.isPresent()) {
+            compare(left.get(), binary.right(), ordered);
+        } else if (right.isPresent()) {
+            compare(right.get(), binary.left(), ordered);
+        } else {
+            whole(binary);
+        }
+    }
+
+    /**
+     * That tells nothing of a message, but whether it is a number: only NaN differs from itself.
+     */
+    private void withItself(Port port) {
+        seen.add(scope.port(port));
+        if (port.type() instanceof Type.RealType) {
+            Value zero = new Value.RealValue(0);
+            probes.add(new Probe(port, null, (ports, variables) -> zero, true, true));
+        }
+    }
+
+    private void matches(Expression.PortMatches matches) {
+        seen.add(scope.port(matches.port()));
+        if (matches.pattern() instanceof Automaton.OneOf oneOf) {
+            oneOf.values().forEach(value -> compare(matches.port(), value, false));
+        }
+    }
+
+    private void compare(Port port, Expression value, boolean ordered) {
+        List<Port> others = reads(value);
+        if (others.isEmpty()) {
+            Term term = Evaluation.compile(value, scope);
+            probes.add(new Probe(port, null, term, ordered, isFixed(value)));
+        } else if (ordered) {
+            whole(port);
+            others.forEach(this::whole);
+        } else {
+            copy(port);
+            copy(value);
+        }
+    }
+
+    /** Each message may give another value, but not more than copies of messages. */
+    private void copy(Expression e) {
+        if (e instanceof Expression.PortRead read) {
+            copy(read.port());
+        } else if (e instanceof Expression.Cast cast && Comparand.isCopy(cast)) {
+            copy(cast.operand());
+        } else if (e instanceof Expression.Conditional choice && !isTruth(choice)) {
+            condition(choice.condition());
+            copy(choice.then());
+            copy(choice.otherwise());
+        } else if (isTruth(e)) {
+            condition(e);
+        } else {
+            whole(e);
+        }
+    }
+
+    private void copy(Port port) {
+        probes.add(new Probe(port, new Copied(), null, false, true));
+    }
+
+    private void whole(Expression e) {
+        reads(e).forEach(this::whole);
+    }
+
+    private void whole(Port port) {
+        probes.add(new Probe(port, new Whole(), null, false, true));
+    }
+
+    /** Whether a value is the same in all configurations. */
+    private boolean isFixed(Expression value) {
+        boolean[] fixed = {true};
+        Rewriting.visit(
+                value,
+                e ->
+                        fixed[0] &=
+                                !(e instanceof Expression.VariableRead read
+                                        && scope.variable(read.variable()) >= 0));
+        return fixed[0];
+    }
+
+    private static boolean isTruth(Expression e) {
+        return e.type() instanceof arcomat.model.Type.BooleanType;
+    }
+
+    private static List<Port> reads(Expression e) {
+        List<Port> found = new ArrayList<>();
+        Readings.collect(e, found);
+        return found;
+    }
+}

@@ -1,0 +1,251 @@
+package arcomat.semantics.expression;
+
+import arcomat.model.Automaton;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import java.util.List;
+
+/**
+ * Makes expressions ready to run. Boolean connectives follow Kleene: undefined, unless the defined
+ * operand decides. Everything else is undefined when an operand is.
+ */
+public final class Evaluation {
+    private static final Value TRUE = new Value.BooleanValue(true);
+    private static final Value FALSE = new Value.BooleanValue(false);
+
+    private final Scope scope;
+
+    private Evaluation(Scope scope) {
+        this.scope = scope;
+    }
+
+    public static Term compile(Expression expression, Scope scope) {
+        return new Evaluation(scope).term(expression);
+    }
+
+    private static Value truth(boolean value) {
+        return value ? TRUE : FALSE;
+    }
+
+    private static boolean isTrue(Value value) {
+        return value != null && ((Value.BooleanValue) value).value();
+    }
+
+    private static boolean isFalse(Value value) {
+        return value != null && !((Value.BooleanValue) value).value();
+    }
+
+    private Term term(Expression e) {
+        if (e instanceof Expression.Constant constant) {
+            Value value = constant.value();
+            return (ports, variables) -> value;
+        }
+        if (e instanceof Expression.PortRead read) {
+            int port = scope.port(read.port());
+            return (ports, variables) -> ports[port];
+        }
+        if (e instanceof Expression.VariableRead read) {
+            return variable(read);
+        }
+        if (e instanceof Expression.ParameterRead read) {
+            Value value = scope.parameter(read.parameter());
+            return (ports, variables) -> value;
+        }
+        if (e instanceof Expression.PortMatches matches) {
+            return matches(matches);
+        }
+        if (e instanceof Expression.Binary binary) {
+            return binary(binary);
+        }
+        return other(e);
+    }
+
+    private Term other(Expression e) {
+        if (e instanceof Expression.Unary unary) {
+            return unary(unary);
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return conditional(choice);
+        }
+        if (e instanceof Expression.IsIn isIn) {
+            return isIn(isIn);
+        }
+        if (e instanceof Expression.Cast cast) {
+            Term operand = term(cast.operand());
+            return (ports, variables) -> {
+                Value value = operand.evaluate(ports, variables);
+                return value == null ? null : Arithmetic.cast(value, cast.type());
+            };
+        }
+        if (e instanceof Expression.AttributeRead read) {
+            Term object = term(read.object());
+            return (ports, variables) -> {
+                Value value = object.evaluate(ports, variables);
+                return value == null
+                        ? null
+                        : ((Value.ObjectValue) value).attributes().get(read.index());
+            };
+        }
+        throw new AssertionError(e);
+    }
+
+    private Term variable(Expression.VariableRead read) {
+        int slot = scope.variable(read.variable());
+        if (slot >= 0) {
+            return (ports, variables) -> variables[slot];
+        }
+        Value value = scope.constantOf(read.variable());
+        return (ports, variables) -> value;
+    }
+
+    private Term matches(Expression.PortMatches matches) {
+        int port = scope.port(matches.port());
+        if (matches.pattern() instanceof Automaton.Absent) {
+            return (ports, variables) -> truth(ports[port] == null);
+        }
+        if (matches.pattern() instanceof Automaton.Present) {
+            return (ports, variables) -> truth(ports[port] != null);
+        }
+        List<Term> values =
+                ((Automaton.OneOf) matches.pattern()).values().stream().map(this::term).toList();
+        if (values.size() == 1) {
+            Term value = values.get(0);
+            return (ports, variables) ->
+                    truth(ports[port] != null && equals(ports[port], value, ports, variables));
+        }
+        return (ports, variables) -> truth(isAmong(ports[port], values, ports, variables));
+    }
+
+    private static boolean equals(Value found, Term asked, Value[] ports, Value[] variables) {
+        Value value = asked.evaluate(ports, variables);
+        return value != null && Arithmetic.equal(found, value);
+    }
+
+    private static boolean isAmong(
+            Value found, List<Term> values, Value[] ports, Value[] variables) {
+        if (found != null) {
+            for (Term value : values) {
+                if (equals(found, value, ports, variables)) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    private Term unary(Expression.Unary unary) {
+        Term operand = term(unary.operand());
+        return (ports, variables) -> {
+            Value value = operand.evaluate(ports, variables);
+            if (value == null) {
+                return null;
+            }
+            return switch (unary.operator()) {
+                case NOT -> truth(isFalse(value));
+                case NEGATE -> Arithmetic.negate(value, unary.type());
+                case COMPLEMENT -> Arithmetic.complement(value);
+            };
+        };
+    }
+
+    private Term conditional(Expression.Conditional choice) {
+        Term condition = term(choice.condition());
+        Term then = term(choice.then());
+        Term otherwise = term(choice.otherwise());
+        return (ports, variables) -> {
+            Value value = condition.evaluate(ports, variables);
+            if (value == null) {
+                return null;
+            }
+            return (isTrue(value) ? then : otherwise).evaluate(ports, variables);
+        };
+    }
+
+    private Term isIn(Expression.IsIn isIn) {
+        Term element = term(isIn.element());
+        List<Term> set = isIn.set().stream().map(this::term).toList();
+        return (ports, variables) -> {
+            Value found = element.evaluate(ports, variables);
+            boolean contained = false;
+            for (Term term : set) {
+                Value value = term.evaluate(ports, variables);
+                if (value == null || found == null) {
+                    return null;
+                }
+                contained |= Arithmetic.equal(found, value);
+            }
+            return found == null ? null : truth(contained);
+        };
+    }
+
+    private Term binary(Expression.Binary binary) {
+        Term left = term(binary.left());
+        Term right = term(binary.right());
+        return switch (binary.operator()) {
+            case AND -> (ports, variables) -> and(left, right, ports, variables);
+            case OR -> (ports, variables) -> or(left, right, ports, variables);
+            case IMPLIES ->
+                    (ports, variables) -> {
+                        Term negated = (p, v) -> negation(left.evaluate(p, v));
+                        return or(negated, right, ports, variables);
+                    };
+            default -> strict(binary, left, right);
+        };
+    }
+
+    private static Value negation(Value value) {
+        return value == null ? null : truth(isFalse(value));
+    }
+
+    private static Value and(Term left, Term right, Value[] ports, Value[] variables) {
+        Value first = left.evaluate(ports, variables);
+        if (isFalse(first)) {
+            return FALSE;
+        }
+        Value second = right.evaluate(ports, variables);
+        return isFalse(second) ? FALSE : first == null ? null : second;
+    }
+
+    private static Value or(Term left, Term right, Value[] ports, Value[] variables) {
+        Value first = left.evaluate(ports, variables);
+        if (isTrue(first)) {
+            return TRUE;
+        }
+        Value second = right.evaluate(ports, variables);
+        return isTrue(second) ? TRUE : first == null ? null : second;
+    }
+
+    private static Term strict(Expression.Binary binary, Term left, Term right) {
+        return (ports, variables) -> {
+            Value first = left.evaluate(ports, variables);
+            Value second = right.evaluate(ports, variables);
+            return first == null || second == null ? null : apply(binary, first, second);
+        };
+    }
+
+    private static Value apply(Expression.Binary binary, Value left, Value right) {
+        BinaryOperator operator = binary.operator();
+        return switch (operator) {
+            case EQUAL, EQUIVALENT -> truth(Arithmetic.equal(left, right));
+            case NOT_EQUAL -> truth(!Arithmetic.equal(left, right));
+            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL ->
+                    truth(Arithmetic.compare(operator, left, right));
+            case PLUS -> plus(binary, left, right);
+            case MULTIPLY, DIVIDE, REMAINDER, MINUS ->
+                    Arithmetic.calculate(operator, left, right, binary.type());
+            case AND, OR, IMPLIES -> throw new AssertionError(operator);
+        };
+    }
+
+    private static Value plus(Expression.Binary binary, Value left, Value right) {
+        if (binary.type() instanceof Type.StringType) {
+            return new Value.StringValue(
+                    Arithmetic.text(left, binary.left().type())
+                            + Arithmetic.text(right, binary.right().type()));
+        }
+        return Arithmetic.calculate(BinaryOperator.PLUS, left, right, binary.type());
+    }
+}

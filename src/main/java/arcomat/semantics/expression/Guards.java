@@ -1,0 +1,187 @@
+package arcomat.semantics.expression;
+
+import static arcomat.semantics.expression.Formulas.FALSE;
+import static arcomat.semantics.expression.Formulas.TRUE;
+import static arcomat.semantics.expression.Formulas.and;
+import static arcomat.semantics.expression.Formulas.not;
+import static arcomat.semantics.expression.Formulas.or;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Type;
+
+import java.util.List;
+
+/**
+ * Turns Kleene's three values into Java's two. An expression that reads an absent port is
+ * undefined, and a transition needs its guard to be true for certain; the conditions made here are
+ * always defined and say just that. Interpreter and generated code evaluate these conditions and
+ * nothing else, from left to right with {@code &&} and {@code ||} as in Java, so that they cannot
+ * differ.
+ *
+ * <p>Two-valued conditions read a port only where an {@link Expression.PortMatches} on their left
+ * has found a message on it. Ports that always carry one ({@code <<total>>}) need no such test.
+ */
+public final class Guards {
+    private final Formulas formulas;
+
+    public Guards(Component.Profile profile) {
+        formulas = new Formulas(profile);
+    }
+
+    /** When a transition out of the present state may be taken: its input block and its guard. */
+    public Expression enabledWhen(Automaton.Transition transition) {
+        Expression condition = TRUE;
+        for (Automaton.Match match : transition.matches()) {
+            Expression matches =
+                    new Expression.PortMatches(match.port(), match.pattern(), transition.span());
+            condition = and(condition, and(formulas.present(matches), matches));
+        }
+        if (transition.guard().isPresent()) {
+            condition = and(condition, certainlyTrue(transition.guard().get()));
+        }
+        for (Automaton.Send send : transition.sends()) {
+            if (send.emission() instanceof Automaton.Messages messages) {
+                for (Expression value : messages.values()) {
+                    condition = and(condition, formulas.present(value));
+                }
+            }
+        }
+        for (Automaton.Assignment assignment : transition.assignments()) {
+            condition = and(condition, formulas.present(assignment.value()));
+        }
+        return formulas.simplify(condition);
+    }
+
+    /** True where the expression is true; false where it is false or undefined. */
+    public Expression trueWhen(Expression expression) {
+        return formulas.simplify(certainlyTrue(expression));
+    }
+
+    /** True where the expression is false; false where it is true or undefined. */
+    public Expression falseWhen(Expression expression) {
+        return formulas.simplify(certainlyFalse(expression));
+    }
+
+    private Expression certainlyTrue(Expression e) {
+        if (e instanceof Expression.PortMatches matches) {
+            return twoValued(matches);
+        }
+        if (formulas.isStrict(e)) {
+            return and(formulas.present(e), Formulas.folded(e));
+        }
+        if (e instanceof Expression.Unary unary) {
+            return certainlyFalse(unary.operand());
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return or(
+                    and(certainlyTrue(choice.condition()), certainlyTrue(choice.then())),
+                    and(certainlyFalse(choice.condition()), certainlyTrue(choice.otherwise())));
+        }
+        if (e instanceof Expression.Binary binary) {
+            switch (binary.operator()) {
+                case AND:
+                    return and(certainlyTrue(binary.left()), certainlyTrue(binary.right()));
+                case OR:
+                    return or(certainlyTrue(binary.left()), certainlyTrue(binary.right()));
+                case IMPLIES:
+                    return or(certainlyFalse(binary.left()), certainlyTrue(binary.right()));
+                default:
+                    break;
+            }
+        }
+        return and(defined(e), whereDefined(e));
+    }
+
+    private Expression certainlyFalse(Expression e) {
+        if (e instanceof Expression.PortMatches matches) {
+            return not(twoValued(matches));
+        }
+        if (formulas.isStrict(e)) {
+            return and(formulas.present(e), not(e));
+        }
+        if (e instanceof Expression.Unary unary) {
+            return certainlyTrue(unary.operand());
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return or(
+                    and(certainlyTrue(choice.condition()), certainlyFalse(choice.then())),
+                    and(certainlyFalse(choice.condition()), certainlyFalse(choice.otherwise())));
+        }
+        if (e instanceof Expression.Binary binary) {
+            switch (binary.operator()) {
+                case AND:
+                    return or(certainlyFalse(binary.left()), certainlyFalse(binary.right()));
+                case OR:
+                    return and(certainlyFalse(binary.left()), certainlyFalse(binary.right()));
+                case IMPLIES:
+                    return and(certainlyTrue(binary.left()), certainlyFalse(binary.right()));
+                default:
+                    break;
+            }
+        }
+        return and(defined(e), not(whereDefined(e)));
+    }
+
+    /** When an expression of any type has a value. */
+    private Expression defined(Expression e) {
+        if (formulas.isStrict(e)) {
+            return formulas.present(e);
+        }
+        if (e instanceof Expression.PortMatches) {
+            return TRUE;
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return or(
+                    and(certainlyTrue(choice.condition()), defined(choice.then())),
+                    and(certainlyFalse(choice.condition()), defined(choice.otherwise())));
+        }
+        if (Formulas.isLazy(e)) {
+            return or(certainlyTrue(e), certainlyFalse(e));
+        }
+        Expression all = TRUE;
+        for (Expression operand : Rewriting.operands(e)) {
+            all = and(all, defined(operand));
+        }
+        return all;
+    }
+
+    /** Agrees with the expression where that is defined; harmless, but anything, elsewhere. */
+    private Expression whereDefined(Expression e) {
+        if (formulas.isStrict(e)) {
+            return e;
+        }
+        if (e instanceof Expression.PortMatches matches) {
+            return twoValued(matches);
+        }
+        if (Formulas.isLazy(e) && e.type() instanceof Type.BooleanType) {
+            return certainlyTrue(e);
+        }
+        if (e instanceof Expression.Conditional choice) {
+            return new Expression.Conditional(
+                    certainlyTrue(choice.condition()),
+                    whereDefined(choice.then()),
+                    whereDefined(choice.otherwise()),
+                    choice.type(),
+                    choice.span());
+        }
+        return Rewriting.withOperands(e, this::whereDefined);
+    }
+
+    /** Values of a pattern that read an absent port match nothing. */
+    private Expression twoValued(Expression.PortMatches matches) {
+        if (!(matches.pattern() instanceof Automaton.OneOf oneOf)
+                || formulas.present(matches).equals(TRUE)) {
+            return matches;
+        }
+        Expression any = FALSE;
+        for (Expression value : oneOf.values()) {
+            Expression test =
+                    new Expression.PortMatches(
+                            matches.port(), new Automaton.OneOf(List.of(value)), matches.span());
+            any = or(any, and(defined(value), test));
+        }
+        return any;
+    }
+}

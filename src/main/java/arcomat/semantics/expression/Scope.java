@@ -1,0 +1,100 @@
+package arcomat.semantics.expression;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Parameter;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What names mean in the expressions of one automaton of one instance. */
+public final class Scope {
+    private static final Value[] NOTHING = {};
+
+    private final Map<String, Integer> ports = new HashMap<>();
+    private final Map<String, Integer> variables = new HashMap<>();
+    private final Map<String, Value> fixed = new HashMap<>();
+    private final Map<String, Value> parameters = new HashMap<>();
+
+    private Scope() {}
+
+    /** Knows the first parameters of a component, and no constants. */
+    public static Scope ofParameters(List<Parameter> declared, List<Value> arguments) {
+        Scope scope = new Scope();
+        for (int i = 0; i < arguments.size(); i++) {
+            scope.parameters.put(declared.get(i).name(), arguments.get(i));
+        }
+        return scope;
+    }
+
+    /**
+     * @param arguments one per parameter of the component
+     */
+    public Scope(Component component, List<Value> arguments) {
+        component.inputs().forEach(port -> ports.put(port.name(), ports.size()));
+        List<Parameter> declared = component.parameters();
+        if (declared.size() != arguments.size()) {
+            throw new IllegalArgumentException(
+                    component.qualifiedName()
+                            + " takes "
+                            + declared.size()
+                            + " arguments, not "
+                            + arguments.size());
+        }
+        for (int i = 0; i < declared.size(); i++) {
+            parameters.put(declared.get(i).name(), arguments.get(i));
+        }
+        for (Variable constant : component.constants()) {
+            fixed.put(constant.name(), first(component, constant));
+        }
+    }
+
+    public Scope(Component component, List<Value> arguments, Automaton automaton) {
+        this(component, arguments);
+        automaton.variables().forEach(v -> variables.put(v.name(), variables.size()));
+    }
+
+    /**
+     * The value that a variable starts with.
+     *
+     * @throws Fault where it cannot be computed or lies outside of the variable's range
+     */
+    public Value first(Component component, Variable variable) {
+        try {
+            return Effect.inRange(variable.name(), variable.type(), constant(variable.initial()));
+        } catch (Fault fault) {
+            throw fault.in(Fault.place(component, variable));
+        }
+    }
+
+    /** The value of an expression that reads neither ports nor variables. */
+    public Value constant(Expression expression) {
+        return Evaluation.compile(expression, this).evaluate(NOTHING, NOTHING);
+    }
+
+    public int port(Port port) {
+        Integer index = ports.get(port.name());
+        if (index == null) {
+            throw new IllegalArgumentException(port.name() + " is not an input port");
+        }
+        return index;
+    }
+
+    Value parameter(Parameter parameter) {
+        return parameters.get(parameter.name());
+    }
+
+    /** The slot of a variable of the automaton, or -1 for a constant of the component. */
+    int variable(Variable variable) {
+        return variables.getOrDefault(variable.name(), -1);
+    }
+
+    Value constantOf(Variable variable) {
+        return fixed.get(variable.name());
+    }
+}

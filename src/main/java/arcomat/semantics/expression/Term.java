@@ -1,0 +1,22 @@
+package arcomat.semantics.expression;
+
+import arcomat.model.Value;
+
+/** An expression that is ready to be evaluated. */
+@FunctionalInterface
+public interface Term {
+    /**
+     * The value in a configuration and letter.
+     *
+     * @param ports one per input port of the component, null where there is no message
+     * @param variables of the automaton
+     * @return null where undefined, since an absent port is read
+     * @throws Fault for a division by zero
+     */
+    Value evaluate(Value[] ports, Value[] variables);
+
+    /** Whether a two-valued condition holds. */
+    default boolean holds(Value[] ports, Value[] variables) {
+        return ((Value.BooleanValue) evaluate(ports, variables)).value();
+    }
+}

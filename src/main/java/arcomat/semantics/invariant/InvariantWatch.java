@@ -1,0 +1,251 @@
+package arcomat.semantics.invariant;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Invariant;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.model.Variable;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Rewriting;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * An observer of a component that judges an invariant in every slice: a part without delay that
+ * sees what the invariant mentions, and sends a message in each slice in which it is not true.
+ * Where a message is missing the invariant is undefined, which is not true; so it is where it
+ * divides by zero.
+ */
+public final class InvariantWatch {
+    /** The output of the observer. No name of a model has a blank. */
+    public static final String BROKEN = "not true";
+
+    /** The state of the observer. */
+    public static final String STATE = "judging";
+
+    /** An input that nothing is connected to: to read it is undefined. */
+    private static final String NOTHING = "no message";
+
+    private static final Type BOOLEAN = new Type.BooleanType();
+
+    private final Component watched;
+    private final Invariant invariant;
+    private final Map<String, Seen> seen = new LinkedHashMap<>();
+    private final Component observer;
+
+    /**
+     * What the observer looks at.
+     *
+     * @param input of the observer
+     */
+    public sealed interface Seen {
+        Port input();
+    }
+
+    /** A port of the component. */
+    public record SeenPort(Port input) implements Seen {}
+
+    /** An output of a part. */
+    public record SeenInside(Port input, String part, String port) implements Seen {}
+
+    /** A variable of an automaton, after the step. */
+    public record SeenVariable(Port input) implements Seen {}
+
+    /** The verdict on a slice. */
+    public enum Truth {
+        TRUE,
+        FALSE,
+        UNDEFINED
+    }
+
+    public InvariantWatch(Component watched, Invariant invariant) {
+        this.watched = watched;
+        this.invariant = invariant;
+        Expression condition = Rewriting.bottomUp(invariant.condition(), this::asSeen);
+        this.observer = observer(condition);
+    }
+
+    private Expression asSeen(Expression e) {
+        if (e instanceof Expression.PortRead read) {
+            return new Expression.PortRead(port(read.port()), e.span());
+        }
+        if (e instanceof Expression.PortMatches matches) {
+            return new Expression.PortMatches(port(matches.port()), matches.pattern(), e.span());
+        }
+        if (e instanceof Expression.VariableRead read && isKept(read.variable())) {
+            Port input = input(read.variable().name(), read.variable().type(), true);
+            seen.putIfAbsent(input.name(), new SeenVariable(input));
+            return new Expression.PortRead(input, e.span());
+        }
+        return e instanceof Expression.Binary binary && mayDivideByZero(binary)
+                ? divided(binary)
+                : e;
+    }
+
+    private boolean isKept(Variable variable) {
+        return watched.body() instanceof Component.Atomic atomic
+                && atomic.automata().stream().anyMatch(a -> a.variables().contains(variable));
+    }
+
+    private Port port(Port port) {
+        Optional<Port> own = watched.port(port.name());
+        boolean total = own.isPresent() && port.total() && (port.isInput() || hasSender(port));
+        Port input = input(port.name(), port.type(), total);
+        int dot = port.name().indexOf('.');
+        seen.putIfAbsent(
+                input.name(),
+                own.isPresent()
+                        ? new SeenPort(input)
+                        : new SeenInside(
+                                input,
+                                port.name().substring(0, dot),
+                                port.name().substring(dot + 1)));
+        return seen.get(input.name()).input();
+    }
+
+    private boolean hasSender(Port output) {
+        return !(watched.body() instanceof Component.Composite composite)
+                || WatchedComponent.sender(composite, output.name()).isPresent();
+    }
+
+    private static Port input(String name, Type type, boolean total) {
+        return new Port(name, Port.Direction.IN, type, total, 0, false, null);
+    }
+
+    private static boolean mayDivideByZero(Expression.Binary binary) {
+        boolean divides =
+                binary.operator() == BinaryOperator.DIVIDE
+                        || binary.operator() == BinaryOperator.REMAINDER;
+        return divides && binary.type() instanceof Type.IntegerType;
+    }
+
+    private static Expression divided(Expression.Binary binary) {
+        Type type = binary.right().type();
+        Expression isZero =
+                new Expression.Binary(
+                        BinaryOperator.EQUAL,
+                        binary.right(),
+                        new Expression.Constant(new Value.IntegerValue(0), type, binary.span()),
+                        BOOLEAN,
+                        binary.span());
+        Port nothing = input(NOTHING, binary.type(), false);
+        return new Expression.Conditional(
+                isZero,
+                new Expression.PortRead(nothing, binary.span()),
+                binary,
+                binary.type(),
+                binary.span());
+    }
+
+    private Component observer(Expression condition) {
+        List<Port> ports = new ArrayList<>();
+        seen.values().forEach(each -> ports.add(each.input()));
+        Rewriting.visit(
+                condition,
+                e -> {
+                    if (e instanceof Expression.PortRead read
+                            && read.port().name().equals(NOTHING)
+                            && ports.stream().noneMatch(p -> p.name().equals(NOTHING))) {
+                        ports.add(read.port());
+                    }
+                });
+        Port broken =
+                new Port(BROKEN, Port.Direction.OUT, BOOLEAN, false, 0, false, invariant.span());
+        ports.add(broken);
+        return WatchedComponent.like(
+                watched,
+                "invariant " + invariant.name(),
+                ports,
+                new Component.Atomic(List.of(judge(condition, broken))));
+    }
+
+    /** Where the first transition cannot be taken, anything is sent: silence, too, but not only. */
+    private Automaton judge(Expression condition, Port broken) {
+        Expression isTrue =
+                new Expression.Constant(new Value.BooleanValue(true), BOOLEAN, invariant.span());
+        List<Automaton.Transition> transitions =
+                List.of(
+                        transition(condition, List.of()),
+                        transition(
+                                new Expression.Unary(
+                                        Expression.UnaryOperator.NOT,
+                                        condition,
+                                        BOOLEAN,
+                                        condition.span()),
+                                List.of(
+                                        new Automaton.Send(
+                                                broken, new Automaton.Messages(List.of(isTrue))))));
+        return new Automaton(
+                "",
+                Automaton.Completion.OUTPUT,
+                Automaton.Omitted.SILENT,
+                List.of(STATE),
+                List.of(),
+                List.of(new Automaton.Initial(0, List.of(), List.of(), invariant.span())),
+                transitions,
+                invariant.span());
+    }
+
+    private Automaton.Transition transition(Expression guard, List<Automaton.Send> sends) {
+        return new Automaton.Transition(
+                0, 0, Optional.of(guard), List.of(), sends, List.of(), invariant.span());
+    }
+
+    /** What the invariant mentions, in the order of the text. */
+    public List<Seen> seen() {
+        return List.copyOf(seen.values());
+    }
+
+    /** Whether it is about variables alone, so that it says something before the first slice. */
+    public boolean mentionsNoPort() {
+        return seen.values().stream().allMatch(SeenVariable.class::isInstance);
+    }
+
+    /** The component with its observer: the same ports, and {@link #BROKEN}. */
+    public Component together() {
+        return new WatchedComponent(watched, invariant, observer, seen()).together();
+    }
+
+    /** The name of the observer among the parts. */
+    public String name() {
+        return observer.name();
+    }
+
+    /**
+     * Judges what was seen.
+     *
+     * @param arguments one per parameter
+     * @param values of what is {@link #seen()}, null for silence
+     */
+    public Truth judge(List<Value> arguments, List<Value> values) {
+        Value[] slots = new Value[observer.inputs().size()];
+        for (int i = 0; i < values.size(); i++) {
+            slots[i] = values.get(i);
+        }
+        StepRelation relation = Behaviour.of(observer, arguments).relations().get(0);
+        Reaction reaction =
+                relation.prospect(relation.starts().get(0).configuration(), Input.of(slots))
+                        .reactions()
+                        .get(0);
+        return truth(reaction.cause());
+    }
+
+    /** What the observer's step says. */
+    public static Truth truth(Trace.Cause cause) {
+        return cause instanceof Trace.Taken taken
+                ? taken.index() == 0 ? Truth.TRUE : Truth.FALSE
+                : Truth.UNDEFINED;
+    }
+}

@@ -1,0 +1,152 @@
+package arcomat.semantics.invariant;
+
+import arcomat.model.Component;
+import arcomat.model.Component.Endpoint;
+import arcomat.model.Expression;
+import arcomat.model.Invariant;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.semantics.invariant.InvariantWatch.Seen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * A component beside an observer that sees its ports, and its variables after each step. The parts
+ * of a composition become neighbours of the observer; a component without parts is one itself.
+ */
+final class WatchedComponent {
+    private final Component watched;
+    private final Invariant invariant;
+    private final Component observer;
+    private final List<Seen> seen;
+
+    WatchedComponent(Component watched, Invariant invariant, Component observer, List<Seen> seen) {
+        this.watched = watched;
+        this.invariant = invariant;
+        this.observer = observer;
+        this.seen = seen;
+    }
+
+    /** A component with the same parameters and constants. */
+    static Component like(Component other, String name, List<Port> ports, Component.Body body) {
+        return new Component(
+                other.packageName(),
+                name,
+                Component.Layer.LOGIC,
+                false,
+                false,
+                other.profile(),
+                other.queueCapacity(),
+                other.cycle(),
+                other.parameters(),
+                other.constants(),
+                ports,
+                body,
+                List.of(),
+                List.of(),
+                other.span());
+    }
+
+    Component together() {
+        List<Port> ports = new ArrayList<>(watched.ports());
+        ports.add(observer.outputs().get(0));
+        return like(watched, watched.name(), ports, body());
+    }
+
+    private Component.Composite body() {
+        List<Component.Part> parts = new ArrayList<>();
+        List<Component.Connection> connections = new ArrayList<>();
+        Function<String, Optional<Endpoint>> sender;
+        if (watched.body() instanceof Component.Composite composite) {
+            parts.addAll(composite.parts());
+            connections.addAll(composite.connections());
+            sender = output -> sender(composite, output);
+        } else {
+            String inside = watched.name();
+            Component shown = withVariables((Component.Atomic) watched.body());
+            parts.add(part(inside, shown));
+            for (Port input : watched.inputs()) {
+                connect(outside(input.name()), inside(inside, input.name()), connections);
+            }
+            for (Port output : watched.outputs()) {
+                connect(inside(inside, output.name()), outside(output.name()), connections);
+            }
+            sender = output -> Optional.of(inside(inside, output));
+        }
+        parts.add(part(observer.name(), observer));
+        for (Seen each : seen) {
+            source(each, sender)
+                    .ifPresent(
+                            source ->
+                                    connect(
+                                            source,
+                                            inside(observer.name(), each.input().name()),
+                                            connections));
+        }
+        String broken = observer.outputs().get(0).name();
+        connect(inside(observer.name(), broken), outside(broken), connections);
+        return new Component.Composite(parts, connections);
+    }
+
+    private Optional<Endpoint> source(Seen each, Function<String, Optional<Endpoint>> sender) {
+        if (each instanceof InvariantWatch.SeenInside port) {
+            return Optional.of(inside(port.part(), port.port()));
+        }
+        String name = each.input().name();
+        if (each instanceof InvariantWatch.SeenVariable) {
+            return sender.apply(window(name));
+        }
+        return watched.port(name).orElseThrow().isInput()
+                ? Optional.of(outside(name))
+                : sender.apply(name);
+    }
+
+    static Optional<Endpoint> sender(Component.Composite whole, String output) {
+        return whole.connections().stream()
+                .filter(each -> each.target().equals(outside(output)))
+                .map(Component.Connection::source)
+                .findFirst();
+    }
+
+    private static String window(String variable) {
+        return "variable " + variable;
+    }
+
+    private Component withVariables(Component.Atomic body) {
+        List<Port> ports = new ArrayList<>(watched.ports());
+        List<Component.Shown> shown = new ArrayList<>();
+        for (Seen each : seen) {
+            if (each instanceof InvariantWatch.SeenVariable variable) {
+                String window = window(variable.input().name());
+                Type type = variable.input().type();
+                ports.add(new Port(window, Port.Direction.OUT, type, true, 0, false, null));
+                shown.add(new Component.Shown(variable.input().name(), window));
+            }
+        }
+        return like(watched, watched.name(), ports, new Component.Atomic(body.automata(), shown));
+    }
+
+    /** A part with the arguments of the whole. */
+    private Component.Part part(String name, Component component) {
+        List<Expression> arguments = new ArrayList<>();
+        component
+                .parameters()
+                .forEach(each -> arguments.add(new Expression.ParameterRead(each, null)));
+        return new Component.Part(name, component, arguments, invariant.span());
+    }
+
+    private void connect(Endpoint source, Endpoint target, List<Component.Connection> connections) {
+        connections.add(new Component.Connection(source, target, invariant.span()));
+    }
+
+    private static Endpoint outside(String port) {
+        return new Endpoint(Optional.empty(), port);
+    }
+
+    private static Endpoint inside(String part, String port) {
+        return new Endpoint(Optional.of(part), port);
+    }
+}

@@ -1,0 +1,77 @@
+package arcomat.semantics.value;
+
+import arcomat.model.FirstValue;
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Samples of a type beside some of its values.
+ *
+ * @param values of the type, in their natural order
+ */
+public record Beside(Type type, List<Value> values) {
+
+    /** One value that is none of them, the simplest; none where they are all. */
+    public List<Value> any() {
+        Value first = FirstValue.of(type);
+        if (!values.contains(first)) {
+            return List.of(first);
+        }
+        Set<Value> taken = new HashSet<>(values);
+        return FirstValues.of(type, values.size() + 1).stream()
+                .filter(value -> !taken.contains(value))
+                .limit(1)
+                .toList();
+    }
+
+    /** One value of each gap: before the first, between two, behind the last. */
+    public List<Value> gaps() {
+        if (values.isEmpty()) {
+            return List.of(FirstValue.of(type));
+        }
+        if (type instanceof Type.IntegerType integer) {
+            return wholeGaps(integer.low(), integer.high());
+        }
+        if (type instanceof Type.CharacterType) {
+            return wholeGaps(Character.MIN_VALUE, Character.MAX_VALUE);
+        }
+        return type instanceof Type.RealType real ? new RealGaps(real, values).samples() : any();
+    }
+
+    private List<Value> wholeGaps(long low, long high) {
+        List<Value> gaps = new ArrayList<>();
+        long first = number(values.get(0));
+        if (low < first) {
+            gaps.add(value(first - 1));
+        }
+        long last = first;
+        for (Value value : values.subList(1, values.size())) {
+            long next = number(value);
+            if (last < next - 1) {
+                gaps.add(value(next - 1));
+            }
+            last = next;
+        }
+        if (last < high) {
+            gaps.add(value(last + 1));
+        }
+        return gaps;
+    }
+
+    private static long number(Value value) {
+        return value instanceof Value.CharacterValue character
+                ? character.value()
+                : ((Value.IntegerValue) value).value();
+    }
+
+    private Value value(long number) {
+        return type instanceof Type.CharacterType
+                ? new Value.CharacterValue((char) number)
+                : new Value.IntegerValue(number);
+    }
+}

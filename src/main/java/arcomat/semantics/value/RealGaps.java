@@ -1,0 +1,69 @@
+package arcomat.semantics.value;
+
+import arcomat.model.Type;
+import arcomat.model.Value;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * Samples between numbers of single or double precision, where between two of them there need not
+ * be another one. What is infinite is the last resort.
+ */
+final class RealGaps {
+    private final boolean single;
+    private final double[] numbers;
+    private final List<Value> samples = new ArrayList<>();
+
+    /**
+     * @param values of the type, in their natural order, without NaN; at least one
+     */
+    RealGaps(Type.RealType type, List<Value> values) {
+        single = type.single();
+        numbers = values.stream().mapToDouble(value -> ((Value.RealValue) value).value()).toArray();
+    }
+
+    /** One number of each gap: before the first, between two, behind the last. */
+    List<Value> samples() {
+        int last = numbers.length - 1;
+        if (numbers[0] > Double.NEGATIVE_INFINITY) {
+            double wanted = rounded(numbers[0] - 1);
+            add(Double.isFinite(wanted) && wanted < numbers[0] ? wanted : below(numbers[0]));
+        }
+        for (int i = 0; i < last; i++) {
+            addBetween(numbers[i], numbers[i + 1]);
+        }
+        if (numbers[last] < Double.POSITIVE_INFINITY) {
+            double wanted = rounded(numbers[last] + 1);
+            add(Double.isFinite(wanted) && wanted > numbers[last] ? wanted : above(numbers[last]));
+        }
+        return samples;
+    }
+
+    /** The middle or else, if that is not between them, the next number that is. */
+    private void addBetween(double low, double high) {
+        double middle = rounded(low / 2 + high / 2);
+        if (low < middle && middle < high) {
+            add(middle);
+        } else if (above(low) < high) {
+            add(above(low));
+        }
+    }
+
+    private double rounded(double number) {
+        return single ? (float) number : number;
+    }
+
+    private double above(double number) {
+        return single ? Math.nextUp((float) number) : Math.nextUp(number);
+    }
+
+    private double below(double number) {
+        return single ? Math.nextDown((float) number) : Math.nextDown(number);
+    }
+
+    private void add(double number) {
+        // There is only one zero: -0.0 equals 0.0.
+        samples.add(new Value.RealValue(number + 0.0));
+    }
+}

@@ -1,0 +1,178 @@
+package arcomat.simulate.run;
+
+import arcomat.model.Automaton;
+import arcomat.model.Port;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** One instance as it runs: where its automata are, and how they go on. */
+final class Actor {
+    private final Network.Instance instance;
+    private final Behaviour behaviour;
+    private final List<StepRelation> relations;
+    private final List<Port> outputs;
+    private final Choice choice;
+    private List<Configuration> configurations = List.of();
+
+    Actor(Network.Instance instance, Behaviour behaviour, Choice choice) {
+        this.instance = instance;
+        this.behaviour = behaviour;
+        this.relations = behaviour.relations();
+        this.outputs = instance.component().outputs();
+        this.choice = choice;
+    }
+
+    Network.Instance instance() {
+        return instance;
+    }
+
+    /**
+     * Takes an initial clause.
+     *
+     * @return per output port the messages of the initial output
+     */
+    List<List<Value>> start() {
+        List<JointStart> starts = behaviour.starts();
+        if (starts.isEmpty()) {
+            throw contradiction("to begin with");
+        }
+        JointStart start =
+                pick(starts, 0, s -> Descriptions.of(relations, s, instance.component()));
+        configurations = start.configurations();
+        return messages(start.output());
+    }
+
+    /**
+     * Reacts to an input and notes what each automaton did.
+     *
+     * @return per output port the messages to send
+     */
+    List<List<Value>> react(Input input, int step, List<Trace.Activity> activities) {
+        JointReaction reaction = relations.size() == 1 ? single(input, step) : joint(input, step);
+        List<Configuration> next = new ArrayList<>(relations.size());
+        for (int i = 0; i < relations.size(); i++) {
+            Configuration before = configurations.get(i);
+            Configuration after = after(relations.get(i), before, reaction.reactions().get(i));
+            activities.add(activity(relations.get(i), before, after, reaction.reactions().get(i)));
+            next.add(after);
+        }
+        configurations = next;
+        return messages(reaction.output());
+    }
+
+    /** With one automaton, only the transition that is taken is carried out. */
+    private JointReaction single(Input input, int step) {
+        StepRelation relation = relations.get(0);
+        Configuration before = configurations.get(0);
+        List<Trace.Taken> enabled =
+                choice.isTextOrder()
+                        ? relation.firstEnabled(before, input).map(List::of).orElse(List.of())
+                        : relation.enabled(before, input);
+        Reaction reaction =
+                enabled.isEmpty()
+                        ? relation.complete(before)
+                        : relation.take(
+                                pick(enabled, step, t -> Descriptions.of(relation, t)),
+                                before,
+                                input);
+        return new JointReaction(List.of(reaction), reaction.output());
+    }
+
+    private JointReaction joint(Input input, int step) {
+        Prospect prospect = behaviour.prospect(configurations, input);
+        if (prospect.isContradiction()) {
+            throw contradiction("for this input");
+        }
+        if (prospect.reactions().isEmpty()) {
+            throw new ModelError(prospect.errors().get(0).message());
+        }
+        return pick(prospect.reactions(), step, r -> Descriptions.of(relations, r));
+    }
+
+    private <T> T pick(List<T> alternatives, int step, Descriptions.Wording<T> wording) {
+        int count = alternatives.size();
+        if (count == 1) {
+            return alternatives.get(0);
+        }
+        Question question =
+                new Question(
+                        instance.path(), step, count, i -> wording.describe(alternatives.get(i)));
+        return alternatives.get(choice.pick(question));
+    }
+
+    private ModelError contradiction(String when) {
+        return new Impasse(
+                instance.component().name()
+                        + ": its automata contradict each other, no output satisfies all of them "
+                        + when);
+    }
+
+    /** A run keeps the state where a completion allows to leave it. */
+    private Configuration after(StepRelation relation, Configuration before, Reaction reaction) {
+        if (reaction.next() == Configuration.ERROR) {
+            throw new ModelError(
+                    instance.component().name()
+                            + ", in "
+                            + relation.automaton().states().get(before.state())
+                            + ": the automaton forbids this input");
+        }
+        return reaction.next().isState() ? reaction.next() : before;
+    }
+
+    private Trace.Activity activity(
+            StepRelation relation, Configuration before, Configuration after, Reaction reaction) {
+        Automaton automaton = relation.automaton();
+        return new Trace.Activity(
+                instance.path(),
+                automaton.name(),
+                automaton.states().get(before.state()),
+                automaton.states().get(after.state()),
+                reaction.cause(),
+                variables(automaton, after));
+    }
+
+    private static Map<String, Value> variables(Automaton automaton, Configuration after) {
+        if (automaton.variables().isEmpty()) {
+            return Map.of();
+        }
+        Map<String, Value> values = new LinkedHashMap<>();
+        for (int i = 0; i < automaton.variables().size(); i++) {
+            values.put(automaton.variables().get(i).name(), after.variables().get(i));
+        }
+        return values;
+    }
+
+    private List<List<Value>> messages(Output output) {
+        List<List<Value>> messages = new ArrayList<>(outputs.size());
+        for (int i = 0; i < outputs.size(); i++) {
+            messages.add(messages(outputs.get(i), output.ports().get(i)));
+        }
+        return messages;
+    }
+
+    private List<Value> messages(Port port, Sent sent) {
+        if (sent instanceof Sent.Messages messages) {
+            return messages.values();
+        }
+        Optional<Value> message = choice.message(port, sent instanceof Sent.AnyMessage);
+        return message.map(List::of).orElse(List.of());
+    }
+}

@@ -1,0 +1,139 @@
+package arcomat.simulate.run;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.rt.ModelError;
+import arcomat.semantics.Execution;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.network.Network;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Runs any well-formed model, an underspecified one as well: what is left open, a {@link Choice}
+ * decides.
+ *
+ * <p>Time-synchronous: a step is a slice. Its activities tell how the automata react to the input
+ * of this slice; the messages of a reaction are visible in the same slice on ports with delay 0,
+ * and in the next slice on ports with delay 1, which show their initial output in slice 0.
+ *
+ * <p>Event-driven: a step is one event and all that follows from it until every queue is empty. The
+ * first step begins with the initial outputs and what they cause. A letter without a message is a
+ * step without an event; a latched port takes its message without one.
+ */
+public final class Interpreter implements Execution {
+    /** The step that the run is in, or about to enter. */
+    private int number;
+
+    private final Network network;
+    private final Choice choice;
+    private Engine engine;
+    private Optional<Trace.End> end = Optional.empty();
+    private final List<String> decisions = new ArrayList<>();
+
+    /** Time-synchronous or event-driven. */
+    interface Engine {
+        Trace.Step step(Letter input, int number);
+
+        Optional<Letter> opening();
+
+        /** What is to be seen of a step that goes wrong. */
+        Trace.End end(Letter input);
+    }
+
+    /**
+     * @param arguments one per parameter of the component
+     */
+    public Interpreter(Component component, List<Value> arguments, Choice choice) {
+        network = Network.of(component, arguments);
+        this.choice = new RememberedChoice(choice, decisions);
+    }
+
+    private Interpreter(Network network, Choice choice) {
+        this.network = network;
+        this.choice = choice;
+    }
+
+    /** One for runs without an end: it does not remember its choices. */
+    public static Interpreter forgetful(Component component, List<Value> arguments, Choice choice) {
+        return new Interpreter(Network.of(component, arguments), choice);
+    }
+
+    /** Made in the first step, which so reports what goes wrong in the beginning. */
+    private Engine engine() {
+        if (engine == null) {
+            List<Actor> actors = actors(network, choice);
+            engine = isTimed() ? new Slices(network, actors) : new Events(network, actors);
+        }
+        return engine;
+    }
+
+    private static List<Actor> actors(Network network, Choice choice) {
+        Map<Component, Map<List<Value>, Behaviour>> behaviours = new IdentityHashMap<>();
+        List<Actor> actors = new ArrayList<>(network.instances().size());
+        for (Network.Instance instance : network.instances()) {
+            Behaviour behaviour =
+                    behaviours
+                            .computeIfAbsent(instance.component(), c -> new HashMap<>())
+                            .computeIfAbsent(
+                                    instance.arguments(),
+                                    a -> Behaviour.of(instance.component(), a));
+            actors.add(new Actor(instance, behaviour, choice));
+        }
+        return actors;
+    }
+
+    @Override
+    public Component component() {
+        return network.component();
+    }
+
+    /** The network that runs, with its external ports. */
+    public Network network() {
+        return network;
+    }
+
+    /** The real choices so far, one line each, such as {@code slice 3: driving -> waiting}. */
+    public List<String> decisions() {
+        return List.copyOf(decisions);
+    }
+
+    @Override
+    public Trace.Step step(Letter input) {
+        int now = number++;
+        try {
+            return engine().step(input, now);
+        } catch (ModelError problem) {
+            boolean allowed = !(problem instanceof Impasse);
+            end = allowed ? Optional.of(end(input)) : Optional.empty();
+            String unit = isTimed() ? "slice " : "step ";
+            throw new ModelError(unit + now + ": " + problem.getMessage());
+        }
+    }
+
+    /** A run that cannot even begin shows nothing. */
+    private Trace.End end(Letter input) {
+        return engine == null ? new Trace.End(input, Letter.SILENCE) : engine.end(input);
+    }
+
+    @Override
+    public Optional<Letter> opening() {
+        return engine == null ? Optional.empty() : engine.opening();
+    }
+
+    @Override
+    public Optional<Trace.End> end() {
+        return end;
+    }
+
+    private boolean isTimed() {
+        return component().profile() == Component.Profile.TIME_SYNCHRONOUS;
+    }
+}

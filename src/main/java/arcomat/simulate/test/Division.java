@@ -1,0 +1,114 @@
+package arcomat.simulate.test;
+
+import arcomat.model.FirstValue;
+import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.TooManyMessages;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Divides a message that is left open, and that the test expects nothing about, into what those who
+ * read it tell apart. Where all values of a large type matter, some are tried.
+ */
+final class Division {
+    /** As many values of a large type as are tried. */
+    private static final int SOME = 64;
+
+    /**
+     * What a message may be.
+     *
+     * @param complete whether every other message has the effect of one of these
+     */
+    record Options(List<Sent> samples, boolean complete) {}
+
+    private final Wires wires;
+    private final List<Behaviour> behaviours;
+    private final Set<Value> mentioned;
+
+    /**
+     * @param mentioned values that may matter: those that the test speaks of
+     */
+    Division(Wires wires, List<Behaviour> behaviours, Collection<Value> mentioned) {
+        this.wires = wires;
+        this.behaviours = behaviours;
+        this.mentioned = new LinkedHashSet<>(mentioned);
+    }
+
+    /** Whether an instance looks at one of its ports in this slice. */
+    boolean isSeen(Possibility possibility, int instance, int port) {
+        return !(look(possibility, new Wires.Reader(instance, port)) instanceof Unseen);
+    }
+
+    Options of(Possibility possibility, int signal) {
+        Look look = new Unseen();
+        for (Wires.Reader reader : wires.readers(signal)) {
+            look = look.and(look(possibility, reader));
+        }
+        boolean required = !possibility.visible[signal].allows(List.of());
+        return values(wires.port(signal), required, look, mentioned);
+    }
+
+    /**
+     * What an open message may be.
+     *
+     * @param required whether there is one
+     * @param look of all who read it
+     */
+    static Options values(Port sender, boolean required, Look look, Collection<Value> mentioned) {
+        try {
+            List<Value> samples = Kinds.of(sender, required, look).samples();
+            return new Options(samples.stream().map(Sent::of).toList(), true);
+        } catch (TooManyMessages tooMany) {
+            return some(sender, required, mentioned);
+        }
+    }
+
+    private Look look(Possibility possibility, Wires.Reader reader) {
+        return behaviours
+                .get(reader.instance())
+                .attention(possibility.before(reader.instance()))
+                .looks()
+                .get(reader.port());
+    }
+
+    /** Those that the test speaks of, the simplest one, and some between them. */
+    private static Options some(Port port, boolean required, Collection<Value> mentioned) {
+        List<Value> values = new ArrayList<>();
+        mentioned.stream().filter(v -> isOf(port.type(), v)).limit(SOME).forEach(values::add);
+        values.add(FirstValue.of(port.type()));
+        List<Value> samples = Kinds.of(port, required, new Compared(values, true)).samples();
+        return new Options(samples.stream().map(Sent::of).toList(), false);
+    }
+
+    /** Whether a value is one of a type. */
+    static boolean isOf(Type type, Value value) {
+        if (type instanceof Type.IntegerType integer) {
+            return value instanceof Value.IntegerValue number
+                    && integer.low() <= number.value()
+                    && number.value() <= integer.high();
+        }
+        if (type instanceof Type.RealType real) {
+            return value instanceof Value.RealValue number
+                    && (!real.single() || (float) number.value() == number.value());
+        }
+        if (type instanceof Type.EnumType) {
+            return value instanceof Value.EnumValue constant && constant.type().equals(type);
+        }
+        if (type instanceof Type.ClassType) {
+            return value instanceof Value.ObjectValue object && object.type().equals(type);
+        }
+        return FirstValue.of(type).getClass() == value.getClass();
+    }
+}

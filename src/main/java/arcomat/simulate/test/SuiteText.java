@@ -1,0 +1,190 @@
+package arcomat.simulate.test;
+
+import arcomat.model.Component;
+import arcomat.model.Letter;
+import arcomat.model.StreamTest;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.network.Network;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** Writes stream tests as the text of a suite in the package of their component. */
+public final class SuiteText {
+
+    /**
+     * A test, or what is to become one.
+     *
+     * @param remarks lines to be written above it
+     * @param inputs as in {@link StreamTest}
+     * @param expected as in {@link StreamTest}
+     */
+    public record Entry(
+            List<String> remarks,
+            String name,
+            List<Letter> inputs,
+            Map<String, List<List<Value>>> expected) {
+        public Entry(List<String> remarks, StreamTest test) {
+            this(remarks, test.name(), test.inputs(), test.expected());
+        }
+    }
+
+    private final Component component;
+    private final Network network;
+    private final StringBuilder text = new StringBuilder();
+
+    private SuiteText(Component component, List<Value> arguments) {
+        this.component = component;
+        this.network = Network.of(component, arguments);
+    }
+
+    /**
+     * @param suite its name, which is the name of its file
+     * @param arguments of the component
+     * @param remarks lines that tell where the suite comes from
+     */
+    public static String of(
+            String suite,
+            Component component,
+            List<Value> arguments,
+            List<String> remarks,
+            List<Entry> entries) {
+        SuiteText writer = new SuiteText(component, arguments);
+        writer.head(suite, arguments, remarks);
+        String separator = "";
+        for (Entry entry : entries) {
+            writer.text.append(separator);
+            writer.entry(entry);
+            separator = "\n";
+        }
+        writer.line("}");
+        return writer.text.toString();
+    }
+
+    private void head(String suite, List<Value> arguments, List<String> remarks) {
+        if (!component.packageName().isEmpty()) {
+            line("package " + component.packageName() + ";");
+            line("");
+        }
+        remarks.forEach(remark -> remark("", remark));
+        line("testsuite " + suite + " for " + component.name() + list(arguments) + " {");
+    }
+
+    private void entry(Entry entry) {
+        entry.remarks().forEach(remark -> remark("  ", remark));
+        line("  test " + entry.name() + " {");
+        if (component.profile() == Component.Profile.TIME_SYNCHRONOUS) {
+            slices(entry);
+        } else {
+            events(entry);
+        }
+        line("  }");
+    }
+
+    private void remark(String indent, String remark) {
+        line(indent + "// " + remark.replaceAll("\\R", " "));
+    }
+
+    private void line(String line) {
+        text.append(line).append('\n');
+    }
+
+    private String list(List<Value> arguments) {
+        List<String> written = new ArrayList<>();
+        for (int i = 0; i < arguments.size(); i++) {
+            written.add(text(arguments.get(i), component.parameters().get(i).type()));
+        }
+        return written.isEmpty() ? "" : "(" + String.join(", ", written) + ")";
+    }
+
+    /** A message as a suite has to write it: a literal of its type, a class by its full name. */
+    private static String text(Value value, Type type) {
+        if (value instanceof Value.ObjectValue object) {
+            List<String> attributes = new ArrayList<>();
+            for (int i = 0; i < object.attributes().size(); i++) {
+                Type attribute = object.type().attributes().get(i).type();
+                attributes.add(text(object.attributes().get(i), attribute));
+            }
+            return object.type().name() + "(" + String.join(", ", attributes) + ")";
+        }
+        if (value instanceof Value.IntegerValue number && number.value() != (int) number.value()) {
+            return number + "L";
+        }
+        return value instanceof Value.RealValue real
+                        && Double.isFinite(real.value())
+                        && type instanceof Type.RealType kind
+                        && kind.single()
+                ? (float) real.value() + "f"
+                : value.toString();
+    }
+
+    private void slices(Entry entry) {
+        line("    input {");
+        for (Network.External input : network.inputs()) {
+            stream(
+                    input,
+                    entry.inputs().stream().map(letter -> letter.messages(input.name())).toList());
+        }
+        line("    }");
+        line("    expect {");
+        for (Network.External output : network.outputs()) {
+            if (entry.expected().containsKey(output.name())) {
+                stream(output, entry.expected().get(output.name()));
+            }
+        }
+        line("    }");
+    }
+
+    private void stream(Network.External external, List<List<Value>> messages) {
+        List<String> slices = new ArrayList<>();
+        for (List<Value> slice : messages) {
+            String sent =
+                    slice.stream()
+                            .map(value -> text(value, external.port().type()) + ", ")
+                            .collect(Collectors.joining());
+            slices.add(sent + "Tk");
+        }
+        line("      " + external.name() + ": <" + runLengths(slices) + ">;");
+    }
+
+    /** {@code a, Tk} three times is {@code 3*(a, Tk)}. */
+    private static String runLengths(List<String> elements) {
+        List<String> runs = new ArrayList<>();
+        for (int start = 0; start < elements.size(); ) {
+            String element = elements.get(start);
+            int end = start;
+            while (end < elements.size() && elements.get(end).equals(element)) {
+                end++;
+            }
+            String repeated = element.endsWith(", Tk") ? "(" + element + ")" : element;
+            runs.add(end - start == 1 ? element : (end - start) + "*" + repeated);
+            start = end;
+        }
+        return String.join(", ", runs);
+    }
+
+    private void events(Entry entry) {
+        line("    events {");
+        for (Letter event : entry.inputs()) {
+            for (Network.External input : network.inputs()) {
+                for (Value value : event.messages(input.name())) {
+                    line("      " + input.name() + ": " + text(value, input.port().type()) + ";");
+                }
+            }
+        }
+        line("    }");
+        line("    expect {");
+        for (Network.External output : network.outputs()) {
+            List<String> messages =
+                    entry.expected().getOrDefault(output.name(), List.of()).stream()
+                            .flatMap(List::stream)
+                            .map(value -> text(value, output.port().type()))
+                            .toList();
+            line("      " + output.name() + ": <" + runLengths(messages) + ">;");
+        }
+        line("    }");
+    }
+}

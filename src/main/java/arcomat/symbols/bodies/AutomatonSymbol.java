@@ -1,0 +1,170 @@
+package arcomat.symbols.bodies;
+
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.ValueScope;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.Lazy;
+import arcomat.symbols.names.UnitScope;
+import arcomat.tree.Automaton;
+import arcomat.tree.AutomatonElement;
+import arcomat.tree.Name;
+import arcomat.tree.Stereotype;
+import arcomat.tree.Unit;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** An automaton with its states, variables, transitions and the interface it works on. */
+public final class AutomatonSymbol {
+    private final Automaton node;
+    private final UnitScope unitScope;
+    private final Optional<ComponentSymbol> component;
+    private final AutomatonDeclarations declarations;
+    private final Lazy<Map<String, StateSymbol>> statesByName = new Lazy<>(this::firstByName);
+    private final Lazy<ItemScope> itemScope = new Lazy<>(this::makeItemScope);
+    private final Lazy<List<StateSymbol>> states = new Lazy<>(this::makeStates);
+    private final Lazy<List<InitialSymbol>> initials = new Lazy<>(this::makeInitials);
+    private final Lazy<List<TransitionSymbol>> transitions = new Lazy<>(this::makeTransitions);
+
+    private AutomatonSymbol(
+            Automaton node, UnitScope unitScope, Optional<ComponentSymbol> component) {
+        this.node = node;
+        this.unitScope = unitScope;
+        this.component = component;
+        ValueScope constants =
+                component
+                        .map(ComponentSymbol::constantScope)
+                        .orElseGet(() -> ValueScope.empty(unitScope, unitScope::type));
+        this.declarations = new AutomatonDeclarations(node, constants);
+    }
+
+    static AutomatonSymbol embedded(Automaton node, ComponentSymbol component) {
+        return new AutomatonSymbol(node, component.unitScope(), Optional.of(component));
+    }
+
+    public static AutomatonSymbol bare(Automaton node, UnitScope unitScope) {
+        return new AutomatonSymbol(node, unitScope, Optional.empty());
+    }
+
+    public Automaton node() {
+        return node;
+    }
+
+    public Unit unit() {
+        return unitScope.unit();
+    }
+
+    /** The component it is written in; empty for a bare automaton. */
+    public Optional<ComponentSymbol> component() {
+        return component;
+    }
+
+    /** Empty where it has no name. */
+    public String name() {
+        return node.name().map(Name::text).orElse("");
+    }
+
+    /** The value of a stereotype of the automaton, as {@code completion} or {@code omitted}. */
+    public Optional<String> stereotype(String stereotype) {
+        return Stereotype.find(node.stereotypes(), stereotype)
+                .flatMap(Stereotype::value)
+                .map(Name::text);
+    }
+
+    // ---- interface ------------------------------------------------------------------------
+
+    /** Ports of the component, or inputs and outputs of a bare automaton. */
+    public List<PortSymbol> ports() {
+        return component.map(ComponentSymbol::ports).orElseGet(this::declaredPorts);
+    }
+
+    /** Inputs and outputs that the automaton itself declares: right in bare automata only. */
+    public List<PortSymbol> declaredPorts() {
+        return declarations.ports();
+    }
+
+    /** Variables of the automaton itself. */
+    public List<VariableSymbol> variables() {
+        return declarations.variables();
+    }
+
+    /** What guards and item values may name: ports, variables, constants, parameters. */
+    public ValueScope scope() {
+        return itemScope.get().values();
+    }
+
+    /** A variable that is wrongly named like a port does not hide it: others rely on the port. */
+    private ItemScope makeItemScope() {
+        List<PortSymbol> ports = ports();
+        ValueScope values = declarations.constants().with(variables()).with(ports);
+        return new ItemScope(ports, variables(), values);
+    }
+
+    // ---- states and transitions -----------------------------------------------------------
+
+    /** The states in text order, duplicates included. */
+    public List<StateSymbol> states() {
+        return states.get();
+    }
+
+    public Optional<StateSymbol> state(String stateName) {
+        return Optional.ofNullable(statesByName.get().get(stateName));
+    }
+
+    /** One entry per state that is named behind {@code initial}. */
+    public List<InitialSymbol> initials() {
+        return initials.get();
+    }
+
+    public List<TransitionSymbol> transitions() {
+        return transitions.get();
+    }
+
+    private List<StateSymbol> makeStates() {
+        List<StateSymbol> all = new ArrayList<>();
+        for (AutomatonElement.States list : node.elements(AutomatonElement.States.class)) {
+            for (AutomatonElement.State state : list.states()) {
+                all.add(new StateSymbol(state, all.size()));
+            }
+        }
+        return List.copyOf(all);
+    }
+
+    private Map<String, StateSymbol> firstByName() {
+        Map<String, StateSymbol> map = new HashMap<>();
+        states().forEach(state -> map.putIfAbsent(state.name(), state));
+        return map;
+    }
+
+    private List<InitialSymbol> makeInitials() {
+        List<InitialSymbol> all = new ArrayList<>();
+        for (AutomatonElement.Initial initial : node.elements(AutomatonElement.Initial.class)) {
+            List<ItemSymbol> items =
+                    initial.output()
+                            .map(b -> itemScope.get().items(b, ItemSymbol.Side.INITIAL))
+                            .orElse(List.of());
+            for (Name state : initial.states()) {
+                all.add(new InitialSymbol(initial, state, state(state.text()), items));
+            }
+        }
+        return List.copyOf(all);
+    }
+
+    private List<TransitionSymbol> makeTransitions() {
+        return node.elements(AutomatonElement.Transition.class).stream()
+                .map(t -> new TransitionSymbol(this, t))
+                .toList();
+    }
+
+    ItemScope itemScope() {
+        return itemScope.get();
+    }
+
+    @Override
+    public String toString() {
+        return name();
+    }
+}

@@ -1,0 +1,257 @@
+package arcomat.symbols.bodies;
+
+import arcomat.source.Span;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.ValueScope;
+import arcomat.symbols.names.Lazy;
+import arcomat.symbols.names.Resolution;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.signatures.Signature;
+import arcomat.tree.Automaton;
+import arcomat.tree.Behaviour;
+import arcomat.tree.Component;
+import arcomat.tree.Element;
+import arcomat.tree.IoTable;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.Stereotype;
+import arcomat.tree.TypeReference;
+import arcomat.tree.Unit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A component type, top-level or inner, with what stands in its body: parts, connectors, automata
+ * and tables. What is inherited comes before what is declared here; "own" leaves inherited things
+ * out. Where something is declared twice, look-ups by name give the first.
+ */
+public final class ComponentSymbol {
+    private final Signature signature;
+    private final ComponentSymbols components;
+    private final Lazy<List<AutomatonSymbol>> ownAutomata = new Lazy<>(this::makeAutomata);
+    private final Lazy<List<TableSymbol>> ownTables = new Lazy<>(this::makeTables);
+    private final Lazy<List<InstanceSymbol>> ownInstances =
+            new Lazy<>(() -> Instances.declaredIn(this));
+    private final Lazy<Instances> instances = new Lazy<>(() -> Instances.of(this));
+    private final Lazy<Connectors> connectors = new Lazy<>(() -> Connectors.of(this));
+
+    /**
+     * @param components all of them, this one included
+     */
+    ComponentSymbol(Signature signature, ComponentSymbols components) {
+        this.signature = signature;
+        this.components = components;
+    }
+
+    private List<AutomatonSymbol> makeAutomata() {
+        List<AutomatonSymbol> automata = new ArrayList<>();
+        for (Element element : node().elements()) {
+            if (element instanceof Automaton automaton) {
+                automata.add(AutomatonSymbol.embedded(automaton, this));
+            } else if (element instanceof Behaviour.Implementation implementation) {
+                implementation
+                        .automata()
+                        .forEach(a -> automata.add(AutomatonSymbol.embedded(a, this)));
+            }
+        }
+        return List.copyOf(automata);
+    }
+
+    private List<TableSymbol> makeTables() {
+        return node().elements(IoTable.class).stream()
+                .map(node -> new TableSymbol(node, this))
+                .toList();
+    }
+
+    // ---- what it is -----------------------------------------------------------------------
+
+    /** What others can see of it. */
+    public Signature signature() {
+        return signature;
+    }
+
+    ComponentSymbols components() {
+        return components;
+    }
+
+    public Component node() {
+        return signature.node();
+    }
+
+    public Unit unit() {
+        return signature.unit();
+    }
+
+    /** What names in its file reach. */
+    public UnitScope unitScope() {
+        return signature.declaration().unitScope();
+    }
+
+    public String name() {
+        return signature.name();
+    }
+
+    public Span nameSpan() {
+        return signature.nameSpan();
+    }
+
+    /** {@code package.Outer.Inner}. */
+    public String qualifiedName() {
+        return signature.qualifiedName();
+    }
+
+    public Optional<ComponentSymbol> enclosing() {
+        return signature.enclosing().map(components::of);
+    }
+
+    public List<ComponentSymbol> innerComponents() {
+        return signature.innerComponents().stream().map(components::of).toList();
+    }
+
+    public List<Stereotype> stereotypes() {
+        return signature.stereotypes();
+    }
+
+    /** Without behaviour in the model: {@code <<platform>>} or {@code abstract}. */
+    public boolean isPlatform() {
+        return signature.isPlatform();
+    }
+
+    /** This component and those above it, nearest first; ends before one would come again. */
+    public List<ComponentSymbol> lineage() {
+        return signature.lineage().stream().map(components::of).toList();
+    }
+
+    // ---- members --------------------------------------------------------------------------
+
+    /** All ports, inherited ones first. A port declared again appears again. */
+    public List<PortSymbol> ports() {
+        return signature.ports();
+    }
+
+    public Optional<PortSymbol> port(String name) {
+        return signature.port(name);
+    }
+
+    /** All parameters in the order of arguments. */
+    public List<ParameterSymbol> parameters() {
+        return signature.parameters();
+    }
+
+    /** Invariants written here. */
+    public List<InvariantSymbol> ownInvariants() {
+        return invariantsOf(this);
+    }
+
+    /** All that hold for it, inherited ones first. */
+    public List<InvariantSymbol> invariants() {
+        List<InvariantSymbol> all = new ArrayList<>();
+        lineage().forEach(component -> all.addAll(0, invariantsOf(component)));
+        return all;
+    }
+
+    private List<InvariantSymbol> invariantsOf(ComponentSymbol component) {
+        List<InvariantSymbol> all = new ArrayList<>();
+        for (Element.Invariant each : component.node().elements(Element.Invariant.class)) {
+            all.add(new InvariantSymbol(each, component, this));
+        }
+        return all;
+    }
+
+    /** Automata written here, those in an {@code implementation} included. */
+    public List<AutomatonSymbol> ownAutomata() {
+        return ownAutomata.get();
+    }
+
+    /** I/O tables written here. */
+    public List<TableSymbol> ownTables() {
+        return ownTables.get();
+    }
+
+    /**
+     * The automata that hold for it: its own; where it has no behaviour of its own, those of the
+     * nearest ancestor that has.
+     */
+    public List<AutomatonSymbol> automata() {
+        return behaviourOwner().ownAutomata();
+    }
+
+    /** The tables that hold for it, by the rule of {@link #automata}. */
+    public List<TableSymbol> tables() {
+        return behaviourOwner().ownTables();
+    }
+
+    /** The component whose behaviour holds for this one. */
+    public ComponentSymbol behaviourOwner() {
+        for (ComponentSymbol component : lineage()) {
+            if (!component.ownAutomata().isEmpty() || !component.ownTables().isEmpty()) {
+                return component;
+            }
+        }
+        return this;
+    }
+
+    /** Whether connectors make its behaviour: between parts, or straight from port to port. */
+    public boolean isDecomposed() {
+        return !instances().isEmpty() || !connectors().isEmpty();
+    }
+
+    /** Whether it steps once per event instead of once per slice. */
+    public boolean isEventDriven() {
+        return Profiles.eventDriven(this).orElse(signature.timing().eventDriven());
+    }
+
+    /** All instances: inherited, declared, and those made for inner components. */
+    public List<InstanceSymbol> instances() {
+        return instances.get().all();
+    }
+
+    /** The instances that this component adds to the inherited ones. */
+    public List<InstanceSymbol> ownInstances() {
+        return ownInstances.get();
+    }
+
+    public Optional<InstanceSymbol> instance(String name) {
+        return instances.get().named(name);
+    }
+
+    /**
+     * All connections, one per target: inherited, explicit, those in the brackets of an instance,
+     * and those that {@code autoconnect} makes.
+     */
+    public List<ConnectorSymbol> connectors() {
+        return connectors.get().all();
+    }
+
+    /**
+     * The first connector to a receiver.
+     *
+     * @param key {@code port} of this component, or {@code instance.port}
+     */
+    public Optional<ConnectorSymbol> connectorTo(String key) {
+        return connectors.get().to(key);
+    }
+
+    /** What arguments of instances may read: parameters and constants. */
+    public ValueScope constantScope() {
+        return signature.constantScope();
+    }
+
+    /** A type as written inside this component: type parameters come first. */
+    public Resolution<TypeSymbol> resolveType(TypeReference reference) {
+        return signature.resolveType(reference);
+    }
+
+    /** A component named inside this one: inner components, also of those around, come first. */
+    public Resolution<ComponentSymbol> resolveComponent(QualifiedName name) {
+        return signature.resolveComponent(name).map(components::of);
+    }
+
+    @Override
+    public String toString() {
+        return qualifiedName();
+    }
+}

@@ -1,0 +1,140 @@
+package arcomat.symbols.bodies;
+
+import arcomat.source.Span;
+import arcomat.symbols.expressions.ExpressionTyping;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.names.Lazy;
+import arcomat.symbols.names.TypeSubstitution;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.symbols.names.TypeVariable;
+import arcomat.symbols.names.UnknownType;
+import arcomat.symbols.signatures.ComponentReference;
+import arcomat.tree.Element;
+import arcomat.tree.Expression;
+import arcomat.tree.Node;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** An instance of a component inside another. */
+public final class InstanceSymbol {
+    /** Where an instance comes from. */
+    public enum Origin {
+        /**
+         * Declared with a name, {@code component Type name;} or {@code component Type name {..}}.
+         */
+        NAMED,
+        /** Declared without a name, so named after its type. */
+        IMPLICIT,
+        /** Made for an inner component that nothing instantiates. */
+        AUTOMATIC
+    }
+
+    private final ComponentSymbol owner;
+    private final String name;
+    private final Span nameSpan;
+    private final Origin origin;
+    private final Node node;
+    private final ComponentReference type;
+    private final List<Expression> arguments;
+    private final List<Element.SimpleConnector> simpleConnectors;
+    private final Lazy<List<Typed>> typedArguments = new Lazy<>(this::typeArguments);
+
+    InstanceSymbol(
+            ComponentSymbol owner,
+            String name,
+            Span nameSpan,
+            Origin origin,
+            Node node,
+            ComponentReference type,
+            List<Expression> arguments,
+            List<Element.SimpleConnector> simpleConnectors) {
+        this.owner = owner;
+        this.name = name;
+        this.nameSpan = nameSpan;
+        this.origin = origin;
+        this.node = node;
+        this.type = type;
+        this.arguments = arguments;
+        this.simpleConnectors = simpleConnectors;
+    }
+
+    /** The component it was declared in; an heir has it too. */
+    public ComponentSymbol owner() {
+        return owner;
+    }
+
+    public String name() {
+        return name;
+    }
+
+    /** Where its name is; its type, where the name is implicit or automatic. */
+    public Span nameSpan() {
+        return nameSpan;
+    }
+
+    public Origin origin() {
+        return origin;
+    }
+
+    /** The {@code Element.Subcomponent} or the inner {@code Component} that declares it. */
+    public Node node() {
+        return node;
+    }
+
+    public ComponentReference type() {
+        return type;
+    }
+
+    public Optional<ComponentSymbol> component() {
+        return type.component().map(owner.components()::of);
+    }
+
+    List<Element.SimpleConnector> simpleConnectors() {
+        return simpleConnectors;
+    }
+
+    /** The arguments as written, typed against the parameters they meet. */
+    public List<Typed> arguments() {
+        return typedArguments.get();
+    }
+
+    private List<Typed> typeArguments() {
+        List<ParameterSymbol> parameters =
+                component().map(ComponentSymbol::parameters).orElse(List.of());
+        List<Typed> typed = new ArrayList<>();
+        for (int i = 0; i < arguments.size(); i++) {
+            TypeSymbol expected =
+                    i < parameters.size()
+                            ? type.substitution().apply(parameters.get(i).type())
+                            : UnknownType.UNKNOWN;
+            typed.add(ExpressionTyping.type(arguments.get(i), owner.constantScope(), expected));
+        }
+        return List.copyOf(typed);
+    }
+
+    /** Its ports as seen from outside: type arguments are in place. */
+    public List<PortSymbol> ports() {
+        List<PortSymbol> inside = component().map(ComponentSymbol::ports).orElse(List.of());
+        TypeSubstitution substitution = type.substitution();
+        return substitution.arguments().isEmpty()
+                ? inside
+                : inside.stream().map(port -> port.with(substitution)).toList();
+    }
+
+    public Optional<PortSymbol> port(String portName) {
+        return component().flatMap(c -> c.port(portName)).map(this::seenFromOutside);
+    }
+
+    private PortSymbol seenFromOutside(PortSymbol port) {
+        return port.type() instanceof TypeVariable ? port.with(type.substitution()) : port;
+    }
+
+    @Override
+    public String toString() {
+        return name;
+    }
+}

@@ -1,0 +1,72 @@
+package arcomat.symbols.bodies;
+
+import arcomat.symbols.expressions.ExpressionTyping;
+import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.Lazy;
+import arcomat.tree.AutomatonElement;
+
+import java.util.List;
+import java.util.Optional;
+
+/** A transition with resolved states, guard and items. */
+public final class TransitionSymbol {
+    private final AutomatonSymbol automaton;
+    private final AutomatonElement.Transition node;
+    private final Lazy<Optional<Typed>> guard = new Lazy<>(this::typeGuard);
+    private final Lazy<List<ItemSymbol>> input = new Lazy<>(this::inputItems);
+    private final Lazy<List<ItemSymbol>> output = new Lazy<>(this::outputItems);
+
+    TransitionSymbol(AutomatonSymbol automaton, AutomatonElement.Transition node) {
+        this.automaton = automaton;
+        this.node = node;
+    }
+
+    public AutomatonElement.Transition node() {
+        return node;
+    }
+
+    /** Empty where no such state is declared. */
+    public Optional<StateSymbol> source() {
+        return automaton.state(node.source().text());
+    }
+
+    /** Empty where no such state is declared; the source where no target is written. */
+    public Optional<StateSymbol> target() {
+        return automaton.state(node.target().orElse(node.source()).text());
+    }
+
+    public Optional<Typed> guard() {
+        return guard.get();
+    }
+
+    /** The messages and conditions of the input block; calls and increments are not among them. */
+    public List<ItemSymbol> input() {
+        return input.get();
+    }
+
+    /** The messages and assignments of the output block. */
+    public List<ItemSymbol> output() {
+        return output.get();
+    }
+
+    private Optional<Typed> typeGuard() {
+        return node.guard()
+                .map(
+                        g ->
+                                ExpressionTyping.type(
+                                        g.condition(), automaton.scope(), BuiltinType.BOOLEAN));
+    }
+
+    private List<ItemSymbol> inputItems() {
+        return node.input()
+                .map(block -> automaton.itemScope().items(block, ItemSymbol.Side.INPUT))
+                .orElse(List.of());
+    }
+
+    private List<ItemSymbol> outputItems() {
+        return node.output()
+                .map(block -> automaton.itemScope().items(block, ItemSymbol.Side.OUTPUT))
+                .orElse(List.of());
+    }
+}

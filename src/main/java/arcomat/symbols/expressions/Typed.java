@@ -1,0 +1,25 @@
+package arcomat.symbols.expressions;
+
+import arcomat.symbols.names.TypeSymbol;
+
+import java.util.List;
+
+/**
+ * An expression with its types, and what is wrong inside it.
+ *
+ * @param problems in text order; what they concern has an unknown type, so nothing follows from it
+ */
+public record Typed(TypedExpression expression, List<ExpressionProblem> problems) {
+    public Typed {
+        problems = List.copyOf(problems);
+    }
+
+    public TypeSymbol type() {
+        return expression.type();
+    }
+
+    /** Whether it may be assigned to a type; also true where a problem is reported anyway. */
+    public boolean isAssignableTo(TypeSymbol target) {
+        return TypeRules.isAssignable(expression, target);
+    }
+}

@@ -1,0 +1,181 @@
+package arcomat.symbols.expressions;
+
+import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.symbols.names.UnknownType;
+import arcomat.tree.Expression;
+
+import java.util.List;
+import java.util.function.Consumer;
+
+/** An expression with resolved names and types. */
+public sealed interface TypedExpression {
+    TypeSymbol type();
+
+    /** What was written. */
+    Expression node();
+
+    /** The direct parts, in text order. */
+    List<TypedExpression> parts();
+
+    /** Visits this expression and everything in it. */
+    default void walk(Consumer<? super TypedExpression> visitor) {
+        visitor.accept(this);
+        parts().forEach(part -> part.walk(visitor));
+    }
+
+    /** An expression without parts. */
+    sealed interface Leaf extends TypedExpression {
+        @Override
+        default List<TypedExpression> parts() {
+            return List.of();
+        }
+    }
+
+    /**
+     * @param value a Boolean, Long, Double, Character or String; a Long for every whole number
+     */
+    record Literal(Expression node, Object value, TypeSymbol type) implements Leaf {}
+
+    /** A constant of an enumeration; {@code qualified} tells whether the type was written. */
+    record Constant(Expression node, EnumSymbol type, int ordinal, boolean qualified)
+            implements Leaf {}
+
+    /** The message on a port, of either direction: whether it may be read is for the checks. */
+    record PortRead(Expression node, PortSymbol port) implements Leaf {
+        @Override
+        public TypeSymbol type() {
+            return port.type();
+        }
+    }
+
+    record VariableRead(Expression node, VariableSymbol variable) implements Leaf {
+        @Override
+        public TypeSymbol type() {
+            return variable.type();
+        }
+    }
+
+    record ParameterRead(Expression node, ParameterSymbol parameter) implements Leaf {
+        @Override
+        public TypeSymbol type() {
+            return parameter.type();
+        }
+    }
+
+    /** {@code object.attribute}; {@code index} counts in {@link ClassSymbol#attributes}. */
+    record AttributeRead(Expression node, TypedExpression object, int index, TypeSymbol type)
+            implements TypedExpression {
+        @Override
+        public List<TypedExpression> parts() {
+            return List.of(object);
+        }
+    }
+
+    record Unary(Expression.Unary node, TypedExpression operand, TypeSymbol type)
+            implements TypedExpression {
+        @Override
+        public List<TypedExpression> parts() {
+            return List.of(operand);
+        }
+    }
+
+    /**
+     * @param operandType the type in which the operands are computed or compared
+     */
+    record Binary(
+            Expression.Binary node,
+            TypedExpression left,
+            TypedExpression right,
+            TypeSymbol operandType,
+            TypeSymbol type)
+            implements TypedExpression {
+        @Override
+        public List<TypedExpression> parts() {
+            return List.of(left, right);
+        }
+    }
+
+    record Conditional(
+            Expression.Conditional node,
+            TypedExpression condition,
+            TypedExpression then,
+            TypedExpression otherwise,
+            TypeSymbol type)
+            implements TypedExpression {
+        @Override
+        public List<TypedExpression> parts() {
+            return List.of(condition, then, otherwise);
+        }
+    }
+
+    /**
+     * @param operandType the type in which element and set are compared
+     */
+    record Membership(
+            Expression.Membership node,
+            TypedExpression element,
+            List<TypedExpression> set,
+            TypeSymbol operandType)
+            implements TypedExpression {
+        public Membership {
+            set = List.copyOf(set);
+        }
+
+        @Override
+        public TypeSymbol type() {
+            return BuiltinType.BOOLEAN;
+        }
+
+        @Override
+        public List<TypedExpression> parts() {
+            List<TypedExpression> all = new java.util.ArrayList<>();
+            all.add(element);
+            all.addAll(set);
+            return all;
+        }
+    }
+
+    /** {@code port == --} or {@code port != --}: asks, but does not read a message. */
+    record Absence(Expression.Absence node, PortSymbol port) implements Leaf {
+        @Override
+        public TypeSymbol type() {
+            return BuiltinType.BOOLEAN;
+        }
+    }
+
+    record Cast(Expression.Cast node, TypedExpression operand, TypeSymbol type)
+            implements TypedExpression {
+        @Override
+        public List<TypedExpression> parts() {
+            return List.of(operand);
+        }
+    }
+
+    /** {@code Cup(5)}, in stream tests only. */
+    record NewObject(Expression.Call node, ClassSymbol type, List<TypedExpression> arguments)
+            implements TypedExpression {
+        public NewObject {
+            arguments = List.copyOf(arguments);
+        }
+
+        @Override
+        public List<TypedExpression> parts() {
+            return arguments;
+        }
+    }
+
+    /** Something that does not resolve, with the parts that do. */
+    record Erroneous(Expression node, List<TypedExpression> parts) implements TypedExpression {
+        public Erroneous {
+            parts = List.copyOf(parts);
+        }
+
+        @Override
+        public TypeSymbol type() {
+            return UnknownType.UNKNOWN;
+        }
+    }
+}

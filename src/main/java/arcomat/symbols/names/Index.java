@@ -1,0 +1,102 @@
+package arcomat.symbols.names;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/** Everything that has a qualified name, duplicates included. Filled once, then only read. */
+public final class Index {
+    private final Map<String, List<DefinedType>> types = new HashMap<>();
+    private final Map<String, List<ComponentDeclaration>> components = new HashMap<>();
+    private final Set<String> qualifiers = new HashSet<>();
+    private final Map<String, List<String>> brokenByName = new HashMap<>();
+
+    public void add(DefinedType type) {
+        types.computeIfAbsent(type.qualifiedName(), name -> new ArrayList<>(1)).add(type);
+    }
+
+    public void add(ComponentDeclaration component) {
+        components
+                .computeIfAbsent(component.qualifiedName(), n -> new ArrayList<>(1))
+                .add(component);
+    }
+
+    /** Notes that a package, a diagram or a component with that name exists. */
+    public void addQualifier(String name) {
+        String current = name;
+        while (!current.isEmpty() && qualifiers.add(current)) {
+            int dot = current.lastIndexOf('.');
+            current = dot < 0 ? "" : current.substring(0, dot);
+        }
+    }
+
+    /** Notes the packages, components and diagrams of a file that is not looked at. */
+    public void addQualifiers(Outline outline) {
+        addQualifier(outline.packageName());
+        outline.components().forEach(this::addQualifier);
+        outline.diagram().ifPresent(this::addQualifier);
+    }
+
+    /** Notes a file without a tree: whatever it should define is excused. */
+    public void addBroken(String path) {
+        String name = path.substring(path.lastIndexOf('/') + 1);
+        int dot = name.lastIndexOf('.');
+        String simple = dot < 0 ? name : name.substring(0, dot);
+        int slash = path.lastIndexOf('/');
+        String folder = slash < 0 ? "" : path.substring(0, slash).replace('/', '.');
+        brokenByName
+                .computeIfAbsent(simple, n -> new ArrayList<>(1))
+                .add(Names.join(folder, simple));
+    }
+
+    public List<DefinedType> types(String qualifiedName) {
+        return types.getOrDefault(qualifiedName, List.of());
+    }
+
+    public List<ComponentDeclaration> components(String qualifiedName) {
+        return components.getOrDefault(qualifiedName, List.of());
+    }
+
+    /** Whether a package, a diagram or a component has that qualified name. */
+    boolean isQualifier(String name) {
+        return qualifiers.contains(name);
+    }
+
+    /** Whether the name, or what it lies in, should stand in a file that did not parse. */
+    boolean isExcused(String qualifiedName) {
+        if (brokenByName.isEmpty()) {
+            return false;
+        }
+        String current = qualifiedName;
+        while (!current.isEmpty()) {
+            if (isBroken(current)) {
+                return true;
+            }
+            int dot = current.lastIndexOf('.');
+            current = dot < 0 ? "" : current.substring(0, dot);
+        }
+        return false;
+    }
+
+    private boolean isBroken(String qualifiedName) {
+        String simple = qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1);
+        for (String path : brokenByName.getOrDefault(simple, List.of())) {
+            if (path.equals(qualifiedName) || path.endsWith("." + qualifiedName)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Whether a file that did not parse should lie in that package. */
+    boolean hasBrokenFileIn(String packageName) {
+        return brokenByName.values().stream()
+                .flatMap(List::stream)
+                .map(path -> path.contains(".") ? path.substring(0, path.lastIndexOf('.')) : "")
+                .anyMatch(
+                        folder -> folder.equals(packageName) || folder.endsWith("." + packageName));
+    }
+}

@@ -1,0 +1,117 @@
+package arcomat.symbols.names;
+
+import arcomat.tree.Expression.Literal;
+
+import java.math.BigInteger;
+import java.util.Optional;
+import java.util.OptionalLong;
+
+/** The values of literals, by the rules of Java. */
+public final class Literals {
+    private Literals() {}
+
+    /**
+     * The value of an integer literal.
+     *
+     * @param negated whether a minus stands before it; the result carries the sign
+     * @return empty for other literals and beyond 64 bits
+     */
+    public static OptionalLong wholeNumber(Literal literal, boolean negated) {
+        if (literal.kind() != Literal.Kind.INT && literal.kind() != Literal.Kind.LONG) {
+            return OptionalLong.empty();
+        }
+        BigInteger magnitude = magnitude(literal.text());
+        BigInteger value = negated ? magnitude.negate() : magnitude;
+        int bits = literal.kind() == Literal.Kind.INT ? 32 : 64;
+        if (!isDecimal(literal.text()) && magnitude.bitLength() == bits) {
+            value = magnitude.subtract(BigInteger.ONE.shiftLeft(bits));
+            value = negated ? value.negate() : value;
+        }
+        return value.bitLength() < 64 ? OptionalLong.of(value.longValue()) : OptionalLong.empty();
+    }
+
+    private static boolean isDecimal(String text) {
+        return text.charAt(0) != '0'
+                || text.length() == 1
+                || text.equals("0L")
+                || text.equals("0l");
+    }
+
+    private static BigInteger magnitude(String text) {
+        String digits = text.replace("_", "").toLowerCase(java.util.Locale.ROOT);
+        if (digits.endsWith("l")) {
+            digits = digits.substring(0, digits.length() - 1);
+        }
+        if (digits.startsWith("0x")) {
+            return new BigInteger(digits.substring(2), 16);
+        }
+        if (digits.startsWith("0b")) {
+            return new BigInteger(digits.substring(2), 2);
+        }
+        boolean octal = digits.length() > 1 && digits.startsWith("0");
+        return octal && digits.matches("[0-7]+")
+                ? new BigInteger(digits, 8)
+                : new BigInteger(digits);
+    }
+
+    /** The value of a floating point literal; infinite where it is too large. */
+    public static double realNumber(Literal literal) {
+        String digits = literal.text().replace("_", "");
+        return literal.kind() == Literal.Kind.FLOAT
+                ? Float.parseFloat(digits)
+                : Double.parseDouble(digits);
+    }
+
+    public static boolean isTrue(Literal literal) {
+        return literal.text().equals("true");
+    }
+
+    /** The text between the quotes with escapes resolved; empty where an escape is wrong. */
+    public static Optional<String> unquoted(Literal literal) {
+        String text = literal.text();
+        StringBuilder result = new StringBuilder();
+        int at = 1;
+        while (at < text.length() - 1) {
+            char c = text.charAt(at++);
+            if (c != '\\') {
+                result.append(c);
+                continue;
+            }
+            int taken = escape(text, at, result);
+            if (taken == 0) {
+                return Optional.empty();
+            }
+            at += taken;
+        }
+        return Optional.of(result.toString());
+    }
+
+    /** Appends what the escape at a position stands for and tells its length, 0 if it is wrong. */
+    private static int escape(String text, int at, StringBuilder result) {
+        int simple = "btnfr\"'\\s".indexOf(text.charAt(at));
+        if (simple >= 0) {
+            result.append("\b\t\n\f\r\"'\\ ".charAt(simple));
+            return 1;
+        }
+        if (text.charAt(at) == 'u' && at + 5 < text.length()) {
+            String code = text.substring(at + 1, at + 5);
+            if (code.matches("[0-9a-fA-F]{4}")) {
+                result.append((char) Integer.parseInt(code, 16));
+                return 5;
+            }
+            return 0;
+        }
+        int end = at;
+        while (end < text.length() - 1
+                && end < at + 3
+                && "01234567".indexOf(text.charAt(end)) >= 0) {
+            end++;
+        }
+        if (end == at) {
+            return 0;
+        }
+        int code = Integer.parseInt(text.substring(at, end), 8);
+        result.append((char) (code & 0xFF));
+        return end - at;
+    }
+}

@@ -1,0 +1,126 @@
+package arcomat.semantics.expression;
+
+import static arcomat.semantics.Expressions.binary;
+import static arcomat.semantics.Expressions.not;
+import static arcomat.semantics.Expressions.number;
+import static arcomat.semantics.Expressions.read;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component.Profile;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Value;
+import arcomat.semantics.ExpressionText;
+import arcomat.semantics.Expressions;
+import arcomat.semantics.StaleReading;
+
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+
+import org.junit.jupiter.api.Test;
+
+import java.util.List;
+
+class GuardsTest {
+    private static final Value TRUE = new Value.BooleanValue(true);
+    private static final Value FALSE = new Value.BooleanValue(false);
+    private static final Guards GUARDS = new Guards(Profile.TIME_SYNCHRONOUS);
+
+    @Provide
+    Arbitrary<Expression> guards() {
+        return Expressions.guards();
+    }
+
+    @Provide
+    Arbitrary<Value[]> letters() {
+        Arbitrary<Value> flags =
+                Arbitraries.of(true, false).<Value>map(Value.BooleanValue::new).injectNull(0.4);
+        Arbitrary<Value> numbers =
+                Arbitraries.integers().between(0, 2).<Value>map(n -> new Value.IntegerValue(n));
+        return Combinators.combine(flags, flags, numbers.injectNull(0.4), numbers)
+                .as((p, q, m, n) -> new Value[] {p, q, m, n});
+    }
+
+    private static Value evaluate(Expression expression, Value[] letter) {
+        Scope scope = new Scope(Expressions.COMPONENT, List.of());
+        return Evaluation.compile(expression, scope).evaluate(letter, new Value[0]);
+    }
+
+    @Property(seed = "1", tries = 2000, edgeCases = EdgeCasesMode.NONE)
+    void twoValuesSayWhenKleenesGuardIsTrue(
+            @ForAll("guards") Expression guard, @ForAll("letters") Value[] letter) {
+        Value kleene = evaluate(guard, letter);
+        assertThat(evaluate(GUARDS.trueWhen(guard), letter)).isEqualTo(truth(kleene));
+        assertThat(evaluate(GUARDS.falseWhen(guard), letter))
+                .isEqualTo(truth(FALSE.equals(kleene) ? TRUE : FALSE));
+    }
+
+    private static Value truth(Value value) {
+        return TRUE.equals(value) ? TRUE : FALSE;
+    }
+
+    /** Generated code may hold anything in the field of an absent port. */
+    @Property(seed = "2", tries = 2000, edgeCases = EdgeCasesMode.NONE)
+    void whatAnAbsentPortLastCarriedHasNoInfluence(
+            @ForAll("guards") Expression guard, @ForAll("letters") Value[] letter) {
+        Expression condition = GUARDS.trueWhen(guard);
+        Value strict = evaluate(condition, letter);
+        for (boolean stale : new boolean[] {false, true}) {
+            assertThat(new StaleReading(letter, stale).holds(condition))
+                    .isEqualTo(TRUE.equals(strict));
+        }
+    }
+
+    private static String text(Expression e) {
+        return ExpressionText.of(e);
+    }
+
+    private static Expression and(Expression left, Expression right) {
+        return binary(BinaryOperator.AND, left, right);
+    }
+
+    @Test
+    void conditionsReadAsAPersonWouldWriteThem() {
+        Expression greater = binary(BinaryOperator.LESS, number("1"), read("m"));
+        assertThat(text(GUARDS.trueWhen(greater))).isEqualTo("(m? && (1 LESS m))");
+        Expression both = and(greater, binary(BinaryOperator.LESS, read("m"), number("5")));
+        assertThat(text(GUARDS.trueWhen(both))).isEqualTo("((m? && (1 LESS m)) && (m LESS 5))");
+        assertThat(text(GUARDS.trueWhen(not(and(read("p"), read("q"))))))
+                .isEqualTo("((p? && !p) || (q? && !q))");
+    }
+
+    @Test
+    void totalPortsNeedNoTest() {
+        Expression small = binary(BinaryOperator.LESS, read("n"), number("5"));
+        assertThat(text(GUARDS.trueWhen(small))).isEqualTo("(n LESS 5)");
+        Guards events = new Guards(Profile.EVENT_DRIVEN);
+        assertThat(text(events.trueWhen(small))).isEqualTo("(n? && (n LESS 5))");
+    }
+
+    @Test
+    void absenceIsDecidedWithoutAMessage() {
+        Expression absent = Expressions.matches("p", new Automaton.Absent());
+        assertThat(text(GUARDS.trueWhen(absent))).isEqualTo("p--");
+        assertThat(text(GUARDS.trueWhen(not(absent)))).isEqualTo("p?");
+        assertThat(text(GUARDS.trueWhen(Expressions.matches("n", new Automaton.Absent()))))
+                .isEqualTo("false");
+    }
+
+    @Test
+    void longEquivalencesStaySmall() {
+        Expression chain = read("p");
+        for (int i = 0; i < 40; i++) {
+            chain = binary(BinaryOperator.EQUIVALENT, chain, and(read("p"), read("q")));
+        }
+        int[] size = {0};
+        Rewriting.visit(GUARDS.trueWhen(chain), e -> size[0]++);
+        assertThat(size[0]).isLessThan(5000);
+    }
+}
