@@ -239,10 +239,12 @@ public final class Pipeline {
      * Brings the programs of a world's robots.
      *
      * @param file the world, as the user wrote it
+     * @param runDevices whether Java files that the world names as devices may be run, which is a
+     *     finding otherwise
      * @throws WrongUse where it cannot be read
      */
-    public PreparedWorld prepareWorld(String file) throws WrongUse {
-        return WorldStep.prepare(file, names, progress);
+    public PreparedWorld prepareWorld(String file, boolean runDevices) throws WrongUse {
+        return WorldStep.prepare(file, runDevices, names, progress);
     }
 
     /**

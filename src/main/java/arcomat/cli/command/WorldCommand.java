@@ -61,6 +61,13 @@ public final class WorldCommand extends Command {
             description = "Run with N seeds, this one and the next; tell only how each ended.")
     private int runs;
 
+    @Option(
+            names = "--run-devices",
+            description =
+                    "Compile and run the Java files that the world names as devices. They run with"
+                            + " your rights: look at them first.")
+    private boolean runDevices;
+
     @Mixin private PatienceOption timeout = new PatienceOption();
 
     @Mixin private LimitsOption limits = new LimitsOption();
@@ -80,7 +87,7 @@ public final class WorldCommand extends Command {
         if (report != null) {
             pipeline.requireReportFolder(report);
         }
-        PreparedWorld prepared = pipeline.prepareWorld(world);
+        PreparedWorld prepared = pipeline.prepareWorld(world, runDevices);
         tellAside(prepared.aside());
         print(FindingsText.render(prepared.findings(), console.style()));
         if (!prepared.canRun()) {

@@ -40,9 +40,13 @@ import java.util.function.Supplier;
 final class WorldPrograms {
     private static final String NO_PROGRAM = "ARC1125";
     private static final String TARGET = "lejos";
+    private static final String STRANGER =
+            "a device in Java runs with all your rights; read it, and run the world with"
+                    + " --run-devices";
 
     private final World world;
     private final Path folder;
+    private final boolean runDevices;
     private final PathNames names;
     private final Progress progress;
     private final Map<String, CheckedModels> checked = new LinkedHashMap<>();
@@ -50,9 +54,11 @@ final class WorldPrograms {
     private final Map<Kind.Program, Program> programs = new HashMap<>();
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
 
-    private WorldPrograms(World world, Path folder, PathNames names, Progress progress) {
+    private WorldPrograms(
+            World world, Path folder, boolean runDevices, PathNames names, Progress progress) {
         this.world = world;
         this.folder = folder;
+        this.runDevices = runDevices;
         this.names = names;
         this.progress = progress;
     }
@@ -70,11 +76,14 @@ final class WorldPrograms {
 
     /**
      * @param file of the world, as the user wrote it; its paths start there
+     * @param runDevices whether Java files that the world names may be compiled and run
      */
-    static Result of(World world, String file, PathNames names, Progress progress) throws WrongUse {
+    static Result of(
+            World world, String file, boolean runDevices, PathNames names, Progress progress)
+            throws WrongUse {
         Path parent = Path.of(file).getParent();
         Path folder = parent == null ? Path.of("") : parent;
-        return new WorldPrograms(world, folder, names, progress).load();
+        return new WorldPrograms(world, folder, runDevices, names, progress).load();
     }
 
     private Result load() throws WrongUse {
@@ -135,6 +144,10 @@ final class WorldPrograms {
         Map<SensorName, Supplier<I2CDevice>> devices = new EnumMap<>(SensorName.class);
         for (Kind.Described each : kind.described()) {
             boolean isFile = each.device().endsWith(".java");
+            if (isFile && !runDevices) {
+                findings.add(Diagnostic.error(PluggedDevices.NO_DEVICE, each.place(), STRANGER));
+                continue;
+            }
             String device = isFile ? beside(each.device()) : each.device();
             SensorName socket = SensorName.values()[each.socket() - 1];
             try {

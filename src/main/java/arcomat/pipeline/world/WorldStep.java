@@ -31,16 +31,19 @@ public final class WorldStep {
      * Reads a world and brings the programs of its robots.
      *
      * @param written the world's file, as the user wrote it
+     * @param runDevices whether Java files that the world names may be compiled and run
      * @throws WrongUse where the file or a program cannot be had
      */
-    public static PreparedWorld prepare(String written, PathNames names, Progress progress)
+    public static PreparedWorld prepare(
+            String written, boolean runDevices, PathNames names, Progress progress)
             throws WrongUse {
         ParsedWorld parsed = WorldParser.parse(FileReader.required("world", written, names));
         if (parsed.world().isEmpty()) {
             return new PreparedWorld(parsed.findings(), Aside.NOTHING, 1, null, Map.of());
         }
         World world = parsed.world().get();
-        WorldPrograms.Result programs = WorldPrograms.of(world, written, names, progress);
+        WorldPrograms.Result programs =
+                WorldPrograms.of(world, written, runDevices, names, progress);
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
         findings.addAll(programs.findings());
         return new PreparedWorld(

@@ -64,7 +64,8 @@ class WorldTest {
 
     private static Map<String, Equipment> programs(World world, String name) throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
-        WorldPrograms.Result result = WorldPrograms.of(world, FOLDER + name, names, Progress.NONE);
+        WorldPrograms.Result result =
+                WorldPrograms.of(world, FOLDER + name, false, names, Progress.NONE);
         assertThat(result.findings()).isEmpty();
         return result.equipment();
     }
@@ -195,7 +196,7 @@ class WorldTest {
         String text = meeting.robots().get(0).place().file().text();
         String jars = text.replace("component coffee.floor.Courier in ..", "jar brick/Courier.jar");
         Files.writeString(folder.resolve("jars.world"), jars);
-        PreparedWorld prepared = pipeline.prepareWorld("jars.world");
+        PreparedWorld prepared = pipeline.prepareWorld("jars.world", false);
         assertThat(prepared.findings()).isEmpty();
         assertThat(prepared.run(7).events()).isEqualTo(WorldRun.run(meeting, 7, fetchers).events());
 
@@ -205,7 +206,7 @@ class WorldTest {
         manifest.getMainAttributes().put(Attributes.Name.MAIN_CLASS, "p.Main");
         new JarOutputStream(Files.newOutputStream(hollow), manifest).close();
         Files.writeString(folder.resolve("jars.world"), jars.replace("Courier.jar", "Hollow.jar"));
-        assertThat(pipeline.prepareWorld("jars.world").findings())
+        assertThat(pipeline.prepareWorld("jars.world", false).findings())
                 .singleElement()
                 .satisfies(
                         finding ->

@@ -26,7 +26,8 @@ class WorldPageBrowserTest extends BrowserTest {
 
     private void play() throws WrongUse {
         Pipeline pipeline = new Pipeline(Path.of(""), Progress.NONE);
-        pipeline.writeReplay(pipeline.prepareWorld(WORLD).run(1), "the meeting", folder.toString());
+        pipeline.writeReplay(
+                pipeline.prepareWorld(WORLD, false).run(1), "the meeting", folder.toString());
         String page = folder.resolve("index.html").toUri().toString();
         browser.open(page, ".floor .robot");
         stepsAndJumps();

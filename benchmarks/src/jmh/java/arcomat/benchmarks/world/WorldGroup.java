@@ -38,7 +38,7 @@ public final class WorldGroup implements Group {
     @Override
     public List<String> prepare() {
         try {
-            world = new Pipeline(Path.of(""), Progress.NONE).prepareWorld(WORLD);
+            world = new Pipeline(Path.of(""), Progress.NONE).prepareWorld(WORLD, false);
         } catch (WrongUse e) {
             throw new IllegalStateException(e);
         }
