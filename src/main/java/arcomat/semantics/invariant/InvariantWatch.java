@@ -45,11 +45,7 @@ public final class InvariantWatch {
     private final Map<String, Seen> seen = new LinkedHashMap<>();
     private final Component observer;
 
-    /**
-     * What the observer looks at.
-     *
-     * @param input of the observer
-     */
+    /** What the observer looks at, each on an input of its own. */
     public sealed interface Seen {
         Port input();
     }
