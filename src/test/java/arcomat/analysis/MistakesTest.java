@@ -37,7 +37,7 @@ class MistakesTest {
     @Tag("slow")
     @Test
     void mistakesAreToldInHundreds() {
-        told(8, 60, 97);
+        told(8, 40, 97);
     }
 
     /**

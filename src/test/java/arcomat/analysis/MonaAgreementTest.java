@@ -31,7 +31,7 @@ import java.util.stream.Stream;
  */
 @Tag("slow")
 class MonaAgreementTest {
-    private static final int PAIRS = 300;
+    private static final int PAIRS = 150;
     private static final int CONJUNCTIONS = 60;
 
     @TestFactory

@@ -43,7 +43,7 @@ class LocaleTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"", "LC_ALL=C ", "LC_ALL=POSIX ", "LANG=xx_XX.UTF-8 "})
+    @ValueSource(strings = {"", "LC_ALL=C "})
     void namesAndOutputAreUtf8(String locale) throws Exception {
         String[] commands = {
             "check käse",

@@ -45,7 +45,7 @@ class DamagedModelsTest {
     @Tag("slow")
     @Property(
             seed = "3",
-            tries = 400,
+            tries = 200,
             shrinking = ShrinkingMode.OFF,
             edgeCases = EdgeCasesMode.NONE)
     void damagedOftener(@ForAll long seed) {
@@ -55,7 +55,7 @@ class DamagedModelsTest {
     @Tag("slow")
     @Property(
             seed = "4",
-            tries = 300,
+            tries = 130,
             shrinking = ShrinkingMode.OFF,
             edgeCases = EdgeCasesMode.NONE)
     void variedOftener(@ForAll long seed) {
