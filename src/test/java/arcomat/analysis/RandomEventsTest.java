@@ -42,7 +42,7 @@ class RandomEventsTest {
     @Tag("slow")
     @Test
     void alsoForFurtherOnes() {
-        compare(1_000, 1_060);
+        compare(1_000, 1_030);
     }
 
     private void compare(int from, int to) {

@@ -14,7 +14,7 @@ import java.util.Map;
 /** The laws about requirements for arbitrary ones: some always the same, others new every time. */
 class RequirementLawsTest {
     private static final int FEW = 150;
-    private static final int MANY = 400;
+    private static final int MANY = 200;
 
     @Test
     void hold() {

@@ -163,9 +163,9 @@ class InstallationTest {
         assertThat(run(INSTALLATION, generate).status()).isZero();
         long duration = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - began);
         List<String> complete = Folders.list(temporary);
-        for (int part = 0; part < 12; part++) {
+        for (int part = 0; part < 6; part++) {
             Process process = command(INSTALLATION, generate).start();
-            process.waitFor(duration * (4 + part) / 12, TimeUnit.MILLISECONDS);
+            process.waitFor(duration * (2 + part) / 6, TimeUnit.MILLISECONDS);
             process.destroyForcibly().waitFor();
             assertThat(Folders.list(temporary)).containsAll(complete);
         }

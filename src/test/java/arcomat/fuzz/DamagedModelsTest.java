@@ -45,7 +45,7 @@ class DamagedModelsTest {
     @Tag("slow")
     @Property(
             seed = "3",
-            tries = 200,
+            tries = 120,
             shrinking = ShrinkingMode.OFF,
             edgeCases = EdgeCasesMode.NONE)
     void damagedOftener(@ForAll long seed) {
@@ -55,7 +55,7 @@ class DamagedModelsTest {
     @Tag("slow")
     @Property(
             seed = "4",
-            tries = 130,
+            tries = 80,
             shrinking = ShrinkingMode.OFF,
             edgeCases = EdgeCasesMode.NONE)
     void variedOftener(@ForAll long seed) {
