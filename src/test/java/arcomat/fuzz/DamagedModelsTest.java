@@ -53,11 +53,7 @@ class DamagedModelsTest {
     }
 
     @Tag("slow")
-    @Property(
-            seed = "4",
-            tries = 80,
-            shrinking = ShrinkingMode.OFF,
-            edgeCases = EdgeCasesMode.NONE)
+    @Property(seed = "4", tries = 80, shrinking = ShrinkingMode.OFF, edgeCases = EdgeCasesMode.NONE)
     void variedOftener(@ForAll long seed) {
         check(seed, set -> new Variation(seed).apply(set));
     }
