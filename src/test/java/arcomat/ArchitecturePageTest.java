@@ -3,9 +3,6 @@ package arcomat;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 
 import org.junit.jupiter.api.Test;
 
@@ -30,15 +27,6 @@ import java.util.stream.Collectors;
 class ArchitecturePageTest {
     private static final Path PAGE = Path.of("docs/architecture.md");
     private static final boolean UPDATE = Boolean.getBoolean("transcripts.update");
-    private static final JavaClasses CLASSES =
-            new ClassFileImporter()
-                    .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-                    .importPackages("arcomat");
-
-    /** What is built apart, and what may be used without being shown: all stand on it. */
-    private static final Set<String> APART = Set.of("rt", "sim");
-
-    private static final Set<String> GROUND = Set.of("source", "graph");
 
     @Test
     void theDrawingIsCurrent() throws IOException {
@@ -69,11 +57,12 @@ class ArchitecturePageTest {
             }
             text.append("floor %d   %s%n".formatted(floor, String.join("   ", rooms)));
         }
-        text.append("\n%-10s  stands on the ground (%s) and on%n".formatted("", names(GROUND)));
+        text.append(
+                "\n%-10s  stands on the ground (%s) and on%n".formatted("", names(House.GROUND)));
         imports.forEach(
                 (room, used) -> {
                     Set<String> others = new TreeSet<>(used);
-                    others.removeAll(GROUND);
+                    others.removeAll(House.GROUND);
                     if (!others.isEmpty()) {
                         text.append("%-10s  %s%n".formatted(room, names(others)));
                     }
@@ -102,35 +91,31 @@ class ArchitecturePageTest {
     /** Of each room, the others that its classes import; generated parsers are syntax. */
     private static Map<String, Set<String>> imports() {
         Map<String, Set<String>> imports = new TreeMap<>();
-        for (JavaClass each : CLASSES) {
-            String room = room(each);
-            if (APART.contains(room)) {
+        for (JavaClass each : House.CLASSES) {
+            String room = House.room(each);
+            if (House.APART.contains(room)) {
                 continue;
             }
             Set<String> used = imports.computeIfAbsent(room, name -> new TreeSet<>());
             each.getDirectDependenciesFromSelf().stream()
                     .map(dependency -> dependency.getTargetClass().getBaseComponentType())
                     .filter(target -> target.getPackageName().startsWith("arcomat."))
-                    .map(ArchitecturePageTest::room)
-                    .filter(other -> !other.equals(room) && !APART.contains(other))
+                    .map(House::room)
+                    .filter(other -> !other.equals(room) && !House.APART.contains(other))
                     .forEach(used::add);
         }
         return imports;
-    }
-
-    private static String room(JavaClass type) {
-        return type.getPackageName().split("\\.")[1];
     }
 
     /** Names in code type that look like those of packages and classes are such names. */
     @Test
     void whatThePageNamesExists() throws IOException {
         Set<String> known =
-                CLASSES.stream()
+                House.CLASSES.stream()
                         .filter(each -> each.getEnclosingClass().isEmpty())
                         .flatMap(each -> endings(each.getName()).stream())
                         .collect(Collectors.toSet());
-        CLASSES.forEach(each -> known.addAll(endings(each.getPackageName())));
+        House.CLASSES.forEach(each -> known.addAll(endings(each.getPackageName())));
         try (var files = Files.walk(Path.of("src/test/java/arcomat"))) {
             files.map(file -> file.getFileName().toString())
                     .filter(file -> file.endsWith(".java"))

@@ -9,9 +9,6 @@ import arcomat.graph.StrongComponents;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
-import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.importer.ClassFileImporter;
-import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -26,7 +23,6 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -36,11 +32,6 @@ import java.util.stream.Stream;
  * know the model. A new room is a new row with a reason in its package-info.
  */
 class ArchitectureTest {
-    private static final JavaClasses CLASSES =
-            new ClassFileImporter()
-                    .withImportOption(ImportOption.Predefined.DO_NOT_INCLUDE_TESTS)
-                    .importPackages("arcomat");
-
     /**
      * @param rooms what it may import besides itself, the ground and the JDK
      * @param libraries package prefixes of outside libraries allowed here
@@ -87,9 +78,6 @@ class ArchitectureTest {
                                     "javax.imageio")),
                     Map.entry("cli", row("pipeline", "picocli")));
 
-    /** Every room stands on it. */
-    private static final Set<String> GROUND = Set.of("source", "graph");
-
     /** What the pipeline hands out to the command line: data of other rooms. */
     private static final Set<String> HANDED_OUT =
             Set.of("model", "analysis", "simulate", "brick", "sim", "report", "world");
@@ -97,7 +85,7 @@ class ArchitectureTest {
     @TestFactory
     List<DynamicTest> roomsImportOnlyWhatTheTableAllows() {
         List<DynamicTest> tests = new ArrayList<>();
-        for (String room : roomsThatExist()) {
+        for (String room : House.rooms()) {
             tests.add(DynamicTest.dynamicTest(room, () -> checkRoom(room)));
         }
         return tests;
@@ -111,7 +99,7 @@ class ArchitectureTest {
                 .resideInAPackage("arcomat." + room + "..")
                 .should()
                 .onlyDependOnClassesThat(allowed(room, row))
-                .check(CLASSES);
+                .check(House.CLASSES);
     }
 
     private static DescribedPredicate<JavaClass> allowed(String room, Row row) {
@@ -123,9 +111,9 @@ class ArchitectureTest {
                         return true;
                     }
                     if (name.startsWith("arcomat.")) {
-                        String other = roomOf(name);
+                        String other = House.room(name);
                         return other.equals(room)
-                                || GROUND.contains(other)
+                                || House.GROUND.contains(other)
                                 || row.rooms().contains(other)
                                 || room.equals("cli") && HANDED_OUT.contains(other);
                     }
@@ -135,13 +123,13 @@ class ArchitectureTest {
 
     @Test
     void thereAreNoCyclesBetweenRooms() {
-        slices().matching("arcomat.(*)..").should().beFreeOfCycles().check(CLASSES);
+        slices().matching("arcomat.(*)..").should().beFreeOfCycles().check(House.CLASSES);
     }
 
     /** Each package can be read without those that use it, also inside of a room. */
     @Test
     void thereAreNoCyclesBetweenPackages() {
-        slices().matching("arcomat.(**)").should().beFreeOfCycles().check(CLASSES);
+        slices().matching("arcomat.(**)").should().beFreeOfCycles().check(House.CLASSES);
     }
 
     /** What knows each other has to be read at once: that many can be. */
@@ -150,9 +138,9 @@ class ArchitectureTest {
     @Test
     void noKnotOfClassesIsTooLargeToRead() {
         List<String> names =
-                CLASSES.stream().map(ArchitectureTest::topLevel).distinct().sorted().toList();
+                House.CLASSES.stream().map(ArchitectureTest::topLevel).distinct().sorted().toList();
         Digraph imports = new Digraph(names.size());
-        for (JavaClass each : CLASSES) {
+        for (JavaClass each : House.CLASSES) {
             int from = Collections.binarySearch(names, topLevel(each));
             each.getDirectDependenciesFromSelf().stream()
                     .map(use -> topLevel(use.getTargetClass().getBaseComponentType()))
@@ -180,18 +168,5 @@ class ArchitectureTest {
             assertThat(folders)
                     .allSatisfy(each -> assertThat(each.resolve("package-info.java")).exists());
         }
-    }
-
-    /** rt and sim are built apart: programs stand on them alone. */
-    private static Set<String> roomsThatExist() {
-        Set<String> rooms = new TreeSet<>();
-        CLASSES.forEach(c -> rooms.add(roomOf(c.getPackageName())));
-        rooms.removeAll(Set.of("rt", "sim"));
-        return rooms;
-    }
-
-    private static String roomOf(String packageName) {
-        String[] parts = packageName.split("\\.");
-        return parts.length > 1 ? parts[1] : "";
     }
 }

@@ -148,6 +148,9 @@ import java.util.stream.Stream;
 
 /** The list of all context conditions, and the one way to run them. */
 public final class Checks {
+    /** Asked when all others are done. */
+    private static final SuppressionUsed UNUSED = new SuppressionUsed(() -> Checks.ALL);
+
     /** One line per law, in alphabetical order. */
     static final List<Check> ALL =
             List.of(
@@ -243,7 +246,7 @@ public final class Checks {
                     new SupportedExpression(),
                     new SupportedItem(),
                     new SuppressWellFormed(() -> Checks.ALL),
-                    new SuppressionUsed(() -> Checks.ALL),
+                    UNUSED,
                     new TableCellFits(),
                     new TableColumnsExist(),
                     new TableRowWidth(),
@@ -322,10 +325,7 @@ public final class Checks {
         found.forEach(finding -> used.addAll(suppressions.covering(finding)));
         List<Diagnostic> all = new ArrayList<>(found);
         if (workspace.isComplete()) {
-            all.addAll(
-                    new SuppressionUsed(() -> Checks.ALL)
-                            .unused(suppressions, used, profile)
-                            .diagnostics());
+            all.addAll(UNUSED.unused(suppressions, used, profile).diagnostics());
         }
         return sort(all, suppressions, profile);
     }

@@ -46,15 +46,18 @@ public final class StrongComponents {
         return component[one] == component[other];
     }
 
-    /**
-     * The components with a cycle inside, each after those that it leads to, with its nodes in
-     * ascending order.
-     */
+    /** All of them, each after those that it leads to, with its nodes in ascending order. */
+    public List<int[]> all() {
+        return all.stream().map(int[]::clone).toList();
+    }
+
+    /** Those with a cycle inside, in the same order. */
     public List<int[]> cyclic() {
-        return all.stream()
-                .filter(nodes -> nodes.length > 1 || graph.successors(nodes[0]).contains(nodes[0]))
-                .map(int[]::clone)
-                .toList();
+        return all().stream().filter(this::isCyclic).toList();
+    }
+
+    private boolean isCyclic(int[] nodes) {
+        return nodes.length > 1 || graph.successors(nodes[0]).contains(nodes[0]);
     }
 
     private void visitFrom(int root) {

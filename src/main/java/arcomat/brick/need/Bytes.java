@@ -1,7 +1,8 @@
 package arcomat.brick.need;
 
+import arcomat.sim.memory.ObjectLayout;
+
 import org.objectweb.asm.Opcodes;
-import org.objectweb.asm.Type;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.FieldNode;
@@ -20,14 +21,6 @@ import java.util.OptionalInt;
 final class Bytes extends MethodWeights {
     private static final String THREAD = "java/lang/Thread";
     private static final String OBJECT = "java/lang/Object";
-    private static final int WORD = 4;
-    private static final int HEADER = 4;
-
-    /** Longer arrays have a second word for their length. */
-    private static final int LONG_ARRAY = 255;
-
-    private static final int REFERENCE = 4;
-    private static final int CHARACTER = 2;
     private static final int[] ELEMENTS = {1, 2, 4, 8, 1, 2, 4, 8};
 
     private final boolean isWithTexts;
@@ -52,7 +45,7 @@ final class Bytes extends MethodWeights {
     static long statics(ClassNode node) {
         return node.fields.stream()
                 .filter(field -> isStatic(field) && field.value == null)
-                .mapToLong(field -> size(field.desc))
+                .mapToLong(field -> ObjectLayout.value(field.desc))
                 .sum();
     }
 
@@ -61,13 +54,14 @@ final class Bytes extends MethodWeights {
         if (instruction instanceof TypeInsnNode i && i.getOpcode() == Opcodes.NEW) {
             return object(i.desc);
         } else if (instruction instanceof TypeInsnNode i && i.getOpcode() == Opcodes.ANEWARRAY) {
-            return array(length(i), REFERENCE);
+            return ObjectLayout.array(length(i), ObjectLayout.REFERENCE);
         } else if (instruction instanceof IntInsnNode i && i.getOpcode() == Opcodes.NEWARRAY) {
-            return array(length(i), ELEMENTS[Math.floorMod(i.operand - Opcodes.T_BOOLEAN, 8)]);
+            return ObjectLayout.array(
+                    length(i), ELEMENTS[Math.floorMod(i.operand - Opcodes.T_BOOLEAN, 8)]);
         } else if (instruction instanceof MultiANewArrayInsnNode i) {
             return arrays(i);
         } else if (instruction instanceof LdcInsnNode i && i.cst instanceof String text) {
-            return !isWithTexts ? 0 : HEADER + REFERENCE + array(text.length(), CHARACTER);
+            return !isWithTexts ? 0 : ObjectLayout.text(text.length());
         }
         return 0;
     }
@@ -80,7 +74,9 @@ final class Bytes extends MethodWeights {
     /** An enum copies its constants for whoever asks; methods of leJOS keep nothing. */
     @Override
     protected long ofLibrary(MethodName method) {
-        return isValues(method) ? array(constants(method.owner()), REFERENCE) : 0;
+        return isValues(method)
+                ? ObjectLayout.array(constants(method.owner()), ObjectLayout.REFERENCE)
+                : 0;
     }
 
     private boolean isValues(MethodName method) {
@@ -107,10 +103,11 @@ final class Bytes extends MethodWeights {
                 fields += fields(own.get());
             } else if (!each.equals(OBJECT) && isClass(each)) {
                 // It has its own superclasses counted in.
-                return rounded(fields + library.bytesOfObject(each)) + stackOf(each, type);
+                return ObjectLayout.aligned(fields + library.bytesOfObject(each))
+                        + stackOf(each, type);
             }
         }
-        return rounded(HEADER + fields);
+        return ObjectLayout.object(fields);
     }
 
     private boolean isClass(String type) {
@@ -120,7 +117,7 @@ final class Bytes extends MethodWeights {
     private static long fields(ClassNode node) {
         return node.fields.stream()
                 .filter(field -> !isStatic(field))
-                .mapToLong(field -> size(field.desc))
+                .mapToLong(field -> ObjectLayout.value(field.desc))
                 .sum();
     }
 
@@ -140,8 +137,13 @@ final class Bytes extends MethodWeights {
         long bytes = 0;
         long number = 1;
         for (int i = 0; i < made.dims; i++) {
-            int element = size(made.desc.substring(Math.min(i + 1, made.desc.length() - 1)));
-            bytes = Math.addExact(bytes, Math.multiplyExact(number, array(lengths[i], element)));
+            int element =
+                    ObjectLayout.value(
+                            made.desc.substring(Math.min(i + 1, made.desc.length() - 1)));
+            bytes =
+                    Math.addExact(
+                            bytes,
+                            Math.multiplyExact(number, ObjectLayout.array(lengths[i], element)));
             number = Math.multiplyExact(number, lengths[i]);
         }
         return bytes;
@@ -159,26 +161,7 @@ final class Bytes extends MethodWeights {
         return Math.max(0, length.getAsInt());
     }
 
-    private static long array(long length, int element) {
-        long header = HEADER + (length < LONG_ARRAY ? 0 : WORD);
-        return rounded(Math.addExact(header, Math.multiplyExact(length, element)));
-    }
-
-    static long rounded(long bytes) {
-        return (bytes + WORD - 1) / WORD * WORD;
-    }
-
     private static boolean isStatic(FieldNode field) {
         return (field.access & Opcodes.ACC_STATIC) != 0;
-    }
-
-    /** Of a value in an object or an array. */
-    private static int size(String descriptor) {
-        return switch (Type.getType(descriptor).getSort()) {
-            case Type.BOOLEAN, Type.BYTE -> 1;
-            case Type.CHAR, Type.SHORT -> 2;
-            case Type.LONG, Type.DOUBLE -> 8;
-            default -> 4;
-        };
     }
 }

@@ -1,5 +1,7 @@
 package arcomat.brick.need;
 
+import arcomat.graph.Digraph;
+
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.InsnList;
@@ -90,6 +92,19 @@ final class FlowGraph {
 
     List<Integer> before(int position) {
         return before.get(position);
+    }
+
+    /** The ways between some instructions, which keep their numbers; the others have none. */
+    Digraph among(BitSet some) {
+        Digraph ways = new Digraph(size());
+        for (int i = some.nextSetBit(0); i >= 0; i = some.nextSetBit(i + 1)) {
+            for (int next : after.get(i)) {
+                if (some.get(next)) {
+                    ways.addEdge(i, next);
+                }
+            }
+        }
+        return ways;
     }
 
     /**

@@ -1,13 +1,15 @@
 package arcomat.brick.need;
 
+import arcomat.graph.Digraph;
+import arcomat.graph.StrongComponents;
+
 import org.objectweb.asm.tree.AbstractInsnNode;
 
-import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Deque;
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.stream.IntStream;
 
 /**
  * The heaviest way through a method, from its start to a return. Of branches the heavier counts,
@@ -58,37 +60,32 @@ final class HeaviestPath {
      * none.
      */
     private long[] from(int start, BitSet all) {
-        BitSet among = reached(start, all);
-        long[] ways = new long[graph.size()];
-        Arrays.fill(ways, UNREACHED);
-        for (BitSet knot : Knots.of(among, graph::after, graph::before)) {
-            if (knot.cardinality() > 1 || leadsToItself(knot)) {
-                addLoop(start, knot, among, ways);
-            } else {
-                int only = knot.nextSetBit(0);
-                long before = heaviestBefore(only, start, knot, among, ways);
-                ways[only] = before == UNREACHED ? UNREACHED : before + weights[only];
+        BitSet among = graph.among(all).reachableFrom(start);
+        among.set(start);
+        Digraph ways = graph.among(among);
+        long[] heaviest = new long[graph.size()];
+        Arrays.fill(heaviest, UNREACHED);
+        List<int[]> components = StrongComponents.of(ways).all();
+        // Each comes after those that it leads to, and is asked before them.
+        for (int i = components.size() - 1; i >= 0; i--) {
+            int first = components.get(i)[0];
+            if (among.get(first)) {
+                add(components.get(i), ways, start, among, heaviest);
             }
         }
-        return ways;
+        return heaviest;
     }
 
-    private BitSet reached(int start, BitSet among) {
-        BitSet reached = new BitSet();
-        Deque<Integer> open = new ArrayDeque<>(List.of(start));
-        while (!open.isEmpty()) {
-            int each = open.pop();
-            if (among.get(each) && !reached.get(each)) {
-                reached.set(each);
-                graph.after(each).forEach(open::push);
-            }
+    private void add(int[] component, Digraph ways, int start, BitSet among, long[] heaviest) {
+        BitSet nodes = new BitSet();
+        IntStream.of(component).forEach(nodes::set);
+        int only = component[0];
+        if (component.length > 1 || ways.successors(only).contains(only)) {
+            addLoop(start, nodes, among, heaviest);
+        } else {
+            long before = heaviestBefore(only, start, nodes, among, heaviest);
+            heaviest[only] = before == UNREACHED ? UNREACHED : before + weights[only];
         }
-        return reached;
-    }
-
-    private boolean leadsToItself(BitSet knot) {
-        int only = knot.nextSetBit(0);
-        return graph.after(only).contains(only);
     }
 
     /** The way up to an instruction that is entered from outside of its knot. */

@@ -150,12 +150,7 @@ final class LoopCounter {
     }
 
     private boolean isOnCircle(int position, BitSet among) {
-        for (BitSet knot : Knots.of(among, graph::after, graph::before)) {
-            if (knot.get(position)) {
-                return knot.cardinality() > 1 || graph.after(position).contains(position);
-            }
-        }
-        return false;
+        return graph.among(among).reachableFrom(position).get(position);
     }
 
     /** The constants that the variable may have when the loop begins; none if there are others. */

@@ -33,6 +33,9 @@ public final class ComponentSymbol {
     private final ComponentSymbols components;
     private final Lazy<List<AutomatonSymbol>> ownAutomata = new Lazy<>(this::makeAutomata);
     private final Lazy<List<TableSymbol>> ownTables = new Lazy<>(this::makeTables);
+    private final Lazy<List<ComponentSymbol>> lineage = new Lazy<>(this::makeLineage);
+    private final Lazy<List<InvariantSymbol>> ownInvariants = new Lazy<>(() -> invariantsOf(this));
+    private final Lazy<List<InvariantSymbol>> invariants = new Lazy<>(this::makeInvariants);
     private final Lazy<List<InstanceSymbol>> ownInstances =
             new Lazy<>(() -> Instances.declaredIn(this));
     private final Lazy<Instances> instances = new Lazy<>(() -> Instances.of(this));
@@ -122,6 +125,10 @@ public final class ComponentSymbol {
 
     /** This component and those above it, nearest first; ends before one would come again. */
     public List<ComponentSymbol> lineage() {
+        return lineage.get();
+    }
+
+    private List<ComponentSymbol> makeLineage() {
         return signature.lineage().stream().map(components::of).toList();
     }
 
@@ -143,14 +150,20 @@ public final class ComponentSymbol {
 
     /** Invariants written here. */
     public List<InvariantSymbol> ownInvariants() {
-        return invariantsOf(this);
+        return ownInvariants.get();
     }
 
     /** All that hold for it, inherited ones first. */
     public List<InvariantSymbol> invariants() {
+        return invariants.get();
+    }
+
+    private List<InvariantSymbol> makeInvariants() {
         List<InvariantSymbol> all = new ArrayList<>();
-        lineage().forEach(component -> all.addAll(0, invariantsOf(component)));
-        return all;
+        for (ComponentSymbol each : lineage()) {
+            all.addAll(0, each == this ? ownInvariants() : invariantsOf(each));
+        }
+        return List.copyOf(all);
     }
 
     private List<InvariantSymbol> invariantsOf(ComponentSymbol component) {
@@ -158,7 +171,7 @@ public final class ComponentSymbol {
         for (Element.Invariant each : component.node().elements(Element.Invariant.class)) {
             all.add(new InvariantSymbol(each, component, this));
         }
-        return all;
+        return List.copyOf(all);
     }
 
     /** Automata written here, those in an {@code implementation} included. */

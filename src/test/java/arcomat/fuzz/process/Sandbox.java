@@ -36,7 +36,7 @@ record Sandbox(Path base) {
         }
     }
 
-    /** All there is, by the path from the folder: {@code ../tmp/x} is a temporary file. */
+    /** All there is, temporary files included, by the path from the folder. */
     SortedMap<String, byte[]> content() throws IOException {
         SortedMap<String, byte[]> content = new TreeMap<>();
         try (Stream<Path> paths = Files.walk(base)) {

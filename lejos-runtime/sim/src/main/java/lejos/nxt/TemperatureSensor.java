@@ -57,16 +57,19 @@ public class TemperatureSensor extends I2CSensor {
         sendData(REG_CONFIG, (byte) (resolution << RESOLUTION_PLACE));
     }
 
+    /** The sensor has no text to read; on the brick, too, this is what whoever asks gets. */
     @Override
     public String getVendorID() {
         throw new UnsupportedOperationException();
     }
 
+    /** As {@link #getVendorID}. */
     @Override
     public String getProductID() {
         throw new UnsupportedOperationException();
     }
 
+    /** As {@link #getVendorID}. */
     @Override
     public String getVersion() {
         throw new UnsupportedOperationException();

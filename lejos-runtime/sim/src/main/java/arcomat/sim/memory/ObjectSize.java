@@ -1,5 +1,8 @@
 package arcomat.sim.memory;
 
+import static arcomat.sim.memory.ObjectLayout.HEADER;
+import static arcomat.sim.memory.ObjectLayout.REFERENCE;
+
 import java.lang.reflect.Array;
 import java.util.Collection;
 import java.util.List;
@@ -11,16 +14,6 @@ import java.util.Map;
  * they have to hold at least.
  */
 final class ObjectSize {
-    private static final int HEADER = 4;
-    private static final int REFERENCE = 4;
-    private static final int CHARACTER = 2;
-
-    /** Arrays of more elements have their length behind the header. */
-    private static final int SHORT_ARRAY = 254;
-
-    private static final int LONG_LENGTH = 4;
-    private static final int ALIGNMENT = 4;
-
     /** Of an entry in a map, or in anything linked: three references and a number. */
     private static final int ENTRY = HEADER + 3 * REFERENCE + 4;
 
@@ -33,27 +26,17 @@ final class ObjectSize {
     private ObjectSize() {}
 
     static int ofArray(long length, Class<?> component) {
-        long bytes = HEADER + (length > SHORT_ARRAY ? LONG_LENGTH : 0) + length * of(component);
-        return aligned(bytes);
+        return limited(ObjectLayout.array(length, of(component)));
     }
 
     /** Of an object with so many bytes of fields. */
     static int ofFields(int bytes) {
-        return aligned(HEADER + bytes);
+        return limited(ObjectLayout.object(bytes));
     }
 
     /** Of a value in a field or in an array. */
     static int of(Class<?> type) {
-        if (!type.isPrimitive()) {
-            return REFERENCE;
-        }
-        if (type == long.class || type == double.class) {
-            return 8;
-        }
-        if (type == int.class || type == float.class) {
-            return 4;
-        }
-        return type == char.class || type == short.class ? 2 : 1;
+        return ObjectLayout.value(type.descriptorString());
     }
 
     /** Of an object of Java's own classes. */
@@ -61,7 +44,7 @@ final class ObjectSize {
         if (object.getClass().isArray()) {
             return ofArray(Array.getLength(object), object.getClass().getComponentType());
         } else if (object instanceof String text) {
-            return HEADER + REFERENCE + characters(text.length());
+            return limited(ObjectLayout.text(text.length()));
         } else if (object instanceof StringBuilder text) {
             return HEADER + 2 * REFERENCE + characters(text.capacity());
         } else if (object instanceof StringBuffer text) {
@@ -86,8 +69,7 @@ final class ObjectSize {
         return ofArray(count, char.class);
     }
 
-    private static int aligned(long bytes) {
-        long rounded = (bytes + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT;
-        return (int) Math.min(rounded, Integer.MAX_VALUE);
+    private static int limited(long bytes) {
+        return (int) Math.min(bytes, Integer.MAX_VALUE);
     }
 }
