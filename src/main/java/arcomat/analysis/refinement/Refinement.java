@@ -41,12 +41,18 @@ public final class Refinement {
                 .orElseGet(() -> whole(left, right, budget));
     }
 
+    /**
+     * What there is to remark is asked last, and of what is told only: it may take all the time.
+     */
     private static Verdict whole(Promise left, Promise right, Budget budget) {
-        return all(right.each().stream().map(each -> noted(left, each, budget)).toList());
+        List<Promise> each = right.each();
+        List<Verdict> verdicts = each.stream().map(one -> compare(left, one, budget)).toList();
+        Verdict told = all(verdicts);
+        int which = verdicts.indexOf(told);
+        return which < 0 ? told : noted(left, each.get(which), told, budget);
     }
 
-    private static Verdict noted(Promise left, Promise right, Budget budget) {
-        Verdict verdict = compare(left, right, budget);
+    private static Verdict noted(Promise left, Promise right, Verdict verdict, Budget budget) {
         return Budget.within(() -> Latency.noted(left, right, verdict, budget), stopped -> verdict);
     }
 
