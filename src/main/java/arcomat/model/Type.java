@@ -4,6 +4,29 @@ import java.util.List;
 
 /** The type of a message, a variable or an expression. */
 public sealed interface Type {
+    /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+    <R> R match(Cases<R> cases);
+
+    /**
+     * One answer for each form.
+     *
+     * @param <R> what is answered
+     */
+    interface Cases<R> {
+        R booleanType(BooleanType booleanType);
+
+        R integerType(IntegerType integerType);
+
+        R realType(RealType realType);
+
+        R characterType(CharacterType characterType);
+
+        R stringType(StringType stringType);
+
+        R enumType(EnumType enumType);
+
+        R classType(ClassType classType);
+    }
 
     /** The name as written in models; enums and classes by their qualified name. */
     String name();
@@ -12,6 +35,11 @@ public sealed interface Type {
         @Override
         public String name() {
             return "Boolean";
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.booleanType(this);
         }
     }
 
@@ -29,6 +57,11 @@ public sealed interface Type {
         @Override
         public String name() {
             return ranged ? width.typeName + "[" + low + ".." + high + "]" : width.typeName;
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.integerType(this);
         }
     }
 
@@ -56,6 +89,11 @@ public sealed interface Type {
         public String name() {
             return single ? "float" : "Double";
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.realType(this);
+        }
     }
 
     record CharacterType() implements Type {
@@ -63,12 +101,22 @@ public sealed interface Type {
         public String name() {
             return "char";
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.characterType(this);
+        }
     }
 
     record StringType() implements Type {
         @Override
         public String name() {
             return "String";
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.stringType(this);
         }
     }
 
@@ -81,6 +129,11 @@ public sealed interface Type {
         public String simpleName() {
             return name.substring(name.lastIndexOf('.') + 1);
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.enumType(this);
+        }
     }
 
     /** A class of a class diagram; {@code name} is qualified, inherited attributes come first. */
@@ -91,6 +144,11 @@ public sealed interface Type {
 
         public String simpleName() {
             return name.substring(name.lastIndexOf('.') + 1);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.classType(this);
         }
     }
 

@@ -5,6 +5,29 @@ import java.util.stream.Collectors;
 
 /** A message, or what a variable holds. {@code toString} is its text in models and traces. */
 public sealed interface Value {
+    /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+    <R> R match(Cases<R> cases);
+
+    /**
+     * One answer for each form.
+     *
+     * @param <R> what is answered
+     */
+    interface Cases<R> {
+        R booleanValue(BooleanValue booleanValue);
+
+        R integerValue(IntegerValue integerValue);
+
+        R realValue(RealValue realValue);
+
+        R characterValue(CharacterValue characterValue);
+
+        R stringValue(StringValue stringValue);
+
+        R enumValue(EnumValue enumValue);
+
+        R objectValue(ObjectValue objectValue);
+    }
 
     /** As in Java's literals, so that every text stays on one line and can be read again. */
     private static String escaped(String text, char quote) {
@@ -34,12 +57,22 @@ public sealed interface Value {
         public String toString() {
             return String.valueOf(value);
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.booleanValue(this);
+        }
     }
 
     record IntegerValue(long value) implements Value {
         @Override
         public String toString() {
             return String.valueOf(value);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.integerValue(this);
         }
     }
 
@@ -48,12 +81,22 @@ public sealed interface Value {
         public String toString() {
             return String.valueOf(value);
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.realValue(this);
+        }
     }
 
     record CharacterValue(char value) implements Value {
         @Override
         public String toString() {
             return "'" + escaped(String.valueOf(value), '\'') + "'";
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.characterValue(this);
         }
     }
 
@@ -62,12 +105,22 @@ public sealed interface Value {
         public String toString() {
             return "\"" + escaped(value, '"') + "\"";
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.stringValue(this);
+        }
     }
 
     record EnumValue(Type.EnumType type, int ordinal) implements Value {
         @Override
         public String toString() {
             return type.constants().get(ordinal);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.enumValue(this);
         }
     }
 
@@ -82,6 +135,11 @@ public sealed interface Value {
             return attributes.stream()
                     .map(Value::toString)
                     .collect(Collectors.joining(", ", type.simpleName() + "(", ")"));
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.objectValue(this);
         }
     }
 }

@@ -23,12 +23,39 @@ public record Block(Span span, List<Item> items) implements Node {
     public record Increment(Span span, QualifiedName name, boolean up) implements Item {}
 
     /** The right-hand side of an item, also the cell of an I/O table. */
-    public sealed interface Value extends Node {}
+    public sealed interface Value extends Node {
+        /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+        <R> R match(Cases<R> cases);
+
+        /**
+         * One answer for each form.
+         *
+         * @param <R> what is answered
+         */
+        interface Cases<R> {
+            R alternatives(Alternatives alternatives);
+
+            R sequence(Sequence sequence);
+
+            R single(Single single);
+
+            R noMessage(NoMessage noMessage);
+
+            R anyMessage(AnyMessage anyMessage);
+
+            R dontCare(DontCare dontCare);
+        }
+    }
 
     /** {@code alt {a, b}}: one of them. */
     public record Alternatives(Span span, List<Value> values) implements Value {
         public Alternatives {
             values = List.copyOf(values);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.alternatives(this);
         }
     }
 
@@ -37,16 +64,41 @@ public record Block(Span span, List<Item> items) implements Node {
         public Sequence {
             messages = List.copyOf(messages);
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.sequence(this);
+        }
     }
 
-    public record Single(Span span, Expression expression) implements Value {}
+    public record Single(Span span, Expression expression) implements Value {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.single(this);
+        }
+    }
 
     /** {@code --}. */
-    public record NoMessage(Span span) implements Value {}
+    public record NoMessage(Span span) implements Value {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.noMessage(this);
+        }
+    }
 
     /** {@code ?}: some message, whichever. */
-    public record AnyMessage(Span span) implements Value {}
+    public record AnyMessage(Span span) implements Value {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.anyMessage(this);
+        }
+    }
 
     /** {@code *}, in I/O tables only: with or without a message. */
-    public record DontCare(Span span) implements Value {}
+    public record DontCare(Span span) implements Value {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.dontCare(this);
+        }
+    }
 }

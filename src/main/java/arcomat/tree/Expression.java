@@ -4,9 +4,51 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** An expression of guards, items, initial values and arguments. Parentheses leave no node. */
 public sealed interface Expression extends Node {
+    /** What it is directly made of, from left to right. */
+    default List<Expression> operands() {
+        return List.of();
+    }
+
+    private static List<Expression> concatenated(
+            Optional<Expression> first, List<Expression> rest) {
+        return Stream.concat(first.stream(), rest.stream()).toList();
+    }
+
+    /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+    <R> R match(Cases<R> cases);
+
+    /**
+     * One answer for each form.
+     *
+     * @param <R> what is answered
+     */
+    interface Cases<R> {
+        R literal(Literal literal);
+
+        R reference(Reference reference);
+
+        R unary(Unary unary);
+
+        R binary(Binary binary);
+
+        R conditional(Conditional conditional);
+
+        R membership(Membership membership);
+
+        R absence(Absence absence);
+
+        R cast(Cast cast);
+
+        R instanceOf(InstanceOf instanceOf);
+
+        R call(Call call);
+
+        R javaExpression(JavaExpression javaExpression);
+    }
 
     /** A literal as written, quotes and suffixes included. */
     record Literal(Span span, Kind kind, String text) implements Expression {
@@ -20,33 +62,113 @@ public sealed interface Expression extends Node {
             STRING,
             NULL
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.literal(this);
+        }
     }
 
     /** {@code a}, {@code a.b}, {@code Enum.CONSTANT}: what it is, resolution tells. */
-    record Reference(Span span, QualifiedName name) implements Expression {}
+    record Reference(Span span, QualifiedName name) implements Expression {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.reference(this);
+        }
+    }
 
-    record Unary(Span span, UnaryOperator operator, Expression operand) implements Expression {}
+    record Unary(Span span, UnaryOperator operator, Expression operand) implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(operand);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.unary(this);
+        }
+    }
 
     record Binary(Span span, BinaryOperator operator, Expression left, Expression right)
-            implements Expression {}
+            implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(left, right);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.binary(this);
+        }
+    }
 
     /** {@code c ? a : b} and {@code if c then a else b}. */
     record Conditional(Span span, Expression condition, Expression then, Expression otherwise)
-            implements Expression {}
+            implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(condition, then, otherwise);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.conditional(this);
+        }
+    }
 
     /** {@code a isin {b, c}}. */
     record Membership(Span span, Expression element, List<Expression> set) implements Expression {
         public Membership {
             set = List.copyOf(set);
         }
+
+        @Override
+        public List<Expression> operands() {
+            return concatenated(Optional.of(element), set);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.membership(this);
+        }
     }
 
     /** {@code a == --} and, with {@code present}, {@code a != --}. */
-    record Absence(Span span, Expression operand, boolean present) implements Expression {}
+    record Absence(Span span, Expression operand, boolean present) implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(operand);
+        }
 
-    record Cast(Span span, TypeReference type, Expression operand) implements Expression {}
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.absence(this);
+        }
+    }
 
-    record InstanceOf(Span span, Expression operand, TypeReference type) implements Expression {}
+    record Cast(Span span, TypeReference type, Expression operand) implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(operand);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.cast(this);
+        }
+    }
+
+    record InstanceOf(Span span, Expression operand, TypeReference type) implements Expression {
+        @Override
+        public List<Expression> operands() {
+            return List.of(operand);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.instanceOf(this);
+        }
+    }
 
     /** {@code f(a)} or {@code x.f(a)}: parsed to be reported as unsupported. */
     record Call(Span span, Optional<Expression> target, Name name, List<Expression> arguments)
@@ -54,12 +176,27 @@ public sealed interface Expression extends Node {
         public Call {
             arguments = List.copyOf(arguments);
         }
+
+        @Override
+        public List<Expression> operands() {
+            return concatenated(target, arguments);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.call(this);
+        }
     }
 
     /**
      * {@code new T(a)}, {@code x[i]}, {@code f(a).b}: Java expressions, reported as unsupported.
      */
-    record JavaExpression(Span span, String text) implements Expression {}
+    record JavaExpression(Span span, String text) implements Expression {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.javaExpression(this);
+        }
+    }
 
     enum UnaryOperator {
         NOT("!"),

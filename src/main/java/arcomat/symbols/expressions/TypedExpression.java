@@ -12,6 +12,44 @@ import java.util.function.Consumer;
 
 /** An expression with resolved names and types. */
 public sealed interface TypedExpression {
+    /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+    <R> R match(Cases<R> cases);
+
+    /**
+     * One answer for each form.
+     *
+     * @param <R> what is answered
+     */
+    interface Cases<R> {
+        R literal(Literal literal);
+
+        R constant(Constant constant);
+
+        R portRead(PortRead portRead);
+
+        R variableRead(VariableRead variableRead);
+
+        R parameterRead(ParameterRead parameterRead);
+
+        R attributeRead(AttributeRead attributeRead);
+
+        R unary(Unary unary);
+
+        R binary(Binary binary);
+
+        R conditional(Conditional conditional);
+
+        R membership(Membership membership);
+
+        R absence(Absence absence);
+
+        R cast(Cast cast);
+
+        R newObject(NewObject newObject);
+
+        R erroneous(Erroneous erroneous);
+    }
+
     TypeSymbol type();
 
     /** What was written. */
@@ -37,17 +75,32 @@ public sealed interface TypedExpression {
     /**
      * @param value a Boolean, Long, Double, Character or String; a Long for every whole number
      */
-    record Literal(Expression node, Object value, TypeSymbol type) implements Leaf {}
+    record Literal(Expression node, Object value, TypeSymbol type) implements Leaf {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.literal(this);
+        }
+    }
 
     /** A constant of an enumeration; {@code qualified} tells whether the type was written. */
     record Constant(Expression node, EnumSymbol type, int ordinal, boolean qualified)
-            implements Leaf {}
+            implements Leaf {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.constant(this);
+        }
+    }
 
     /** The message on a port, of either direction: whether it may be read is for the checks. */
     record PortRead(Expression node, PortSymbol port) implements Leaf {
         @Override
         public TypeSymbol type() {
             return port.type();
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.portRead(this);
         }
     }
 
@@ -56,12 +109,22 @@ public sealed interface TypedExpression {
         public TypeSymbol type() {
             return variable.type();
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.variableRead(this);
+        }
     }
 
     record ParameterRead(Expression node, ParameterSymbol parameter) implements Leaf {
         @Override
         public TypeSymbol type() {
             return parameter.type();
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.parameterRead(this);
         }
     }
 
@@ -72,6 +135,11 @@ public sealed interface TypedExpression {
         public List<TypedExpression> parts() {
             return List.of(object);
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.attributeRead(this);
+        }
     }
 
     record Unary(Expression.Unary node, TypedExpression operand, TypeSymbol type)
@@ -79,6 +147,11 @@ public sealed interface TypedExpression {
         @Override
         public List<TypedExpression> parts() {
             return List.of(operand);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.unary(this);
         }
     }
 
@@ -96,6 +169,11 @@ public sealed interface TypedExpression {
         public List<TypedExpression> parts() {
             return List.of(left, right);
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.binary(this);
+        }
     }
 
     record Conditional(
@@ -108,6 +186,11 @@ public sealed interface TypedExpression {
         @Override
         public List<TypedExpression> parts() {
             return List.of(condition, then, otherwise);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.conditional(this);
         }
     }
 
@@ -136,6 +219,11 @@ public sealed interface TypedExpression {
             all.addAll(set);
             return all;
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.membership(this);
+        }
     }
 
     /** {@code port == --} or {@code port != --}: asks, but does not read a message. */
@@ -144,6 +232,11 @@ public sealed interface TypedExpression {
         public TypeSymbol type() {
             return BuiltinType.BOOLEAN;
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.absence(this);
+        }
     }
 
     record Cast(Expression.Cast node, TypedExpression operand, TypeSymbol type)
@@ -151,6 +244,11 @@ public sealed interface TypedExpression {
         @Override
         public List<TypedExpression> parts() {
             return List.of(operand);
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.cast(this);
         }
     }
 
@@ -165,6 +263,11 @@ public sealed interface TypedExpression {
         public List<TypedExpression> parts() {
             return arguments;
         }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.newObject(this);
+        }
     }
 
     /** Something that does not resolve, with the parts that do. */
@@ -176,6 +279,11 @@ public sealed interface TypedExpression {
         @Override
         public TypeSymbol type() {
             return UnknownType.UNKNOWN;
+        }
+
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.erroneous(this);
         }
     }
 }
