@@ -8,10 +8,10 @@ import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.side.CompositeSide;
-import arcomat.analysis.search.side.Side;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.NetworkSystem;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
@@ -101,7 +101,8 @@ class EventCompositionsTest {
     private void compare(long seed, boolean circles, int words) {
         Component whole = RandomCompositions.of(seed, circles);
         List<String> outputs = whole.outputs().stream().map(Port::name).toList();
-        Side side = new CompositeSide(whole, List.of(), outputs, new Outputs(), Budget.ofMemory());
+        TransitionSystem side =
+                new NetworkSystem(whole, List.of(), outputs, new OutputCubes(), Budget.ofMemory());
         Random random = new Random(seed);
         for (int word = 0; word < words; word++) {
             List<Value[]> letters = word(whole, random);
@@ -159,13 +160,13 @@ class EventCompositionsTest {
     }
 
     private static void follow(
-            Side side,
+            TransitionSystem side,
             Steps steps,
             int step,
             List<Value[]> letters,
             List<Map<String, List<Value>>> before,
             Set<Run> found) {
-        if (steps.outputs()[step] == Outputs.ERROR) {
+        if (steps.outputs()[step] == OutputCubes.ERROR) {
             found.add(new Run(before, true));
             return;
         }
@@ -185,7 +186,7 @@ class EventCompositionsTest {
         }
     }
 
-    private static Map<String, List<Value>> outputs(Side side, Steps steps, int step) {
+    private static Map<String, List<Value>> outputs(TransitionSystem side, Steps steps, int step) {
         Map<String, List<Value>> outputs = new LinkedHashMap<>();
         List<Sent> sent = steps.whole().get(step).ports();
         for (int i = 0; i < sent.size(); i++) {

@@ -2,13 +2,13 @@ package arcomat.analysis;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.ComparedSystems;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
-import arcomat.analysis.refinement.Sides;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
-import arcomat.analysis.search.product.Inclusion;
+import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Model;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -39,10 +39,11 @@ class ShortcutsTest {
 
     private record Question(String name, Promise left, Promise right) {
         Outcome ask(Budget budget) {
-            Inclusion.Result result = Sides.of(left, right, budget).comparison(budget).run();
+            TraceInclusion.Result result =
+                    ComparedSystems.of(left, right, budget).comparison(budget).run();
             return new Outcome(
-                    result.failure().map(Inclusion.Failure::level),
-                    result.failure().map(Inclusion.Failure::cost),
+                    result.failure().map(TraceInclusion.Failure::level),
+                    result.failure().map(TraceInclusion.Failure::cost),
                     result.stopped(),
                     result.simulation(),
                     result.chaosReached() && !result.promising());

@@ -1,7 +1,7 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.search.Moment;
-import arcomat.analysis.search.side.Descriptions;
+import arcomat.analysis.search.system.ConfigurationText;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -62,7 +62,7 @@ final class Story {
 
     /** The state, and the values of the variables. */
     String words(Configuration configuration) {
-        return Descriptions.of(subject.automaton(), configuration);
+        return ConfigurationText.of(subject.automaton(), configuration);
     }
 
     /** {@code {frontUS = tooClose}}, or {@code silence}. */

@@ -2,17 +2,17 @@ package arcomat.analysis.contradiction;
 
 import arcomat.analysis.game.Choices;
 import arcomat.analysis.game.Controllers;
-import arcomat.analysis.game.Cores;
+import arcomat.analysis.game.CounterStrategy;
 import arcomat.analysis.game.Groups;
 import arcomat.analysis.game.Requirement;
 import arcomat.analysis.game.Synthesis;
-import arcomat.analysis.game.Telling;
+import arcomat.analysis.game.UnsatCores;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.side.AtomicSide;
-import arcomat.analysis.search.side.RunErrors;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.OutputCubes;
+import arcomat.analysis.search.system.AutomataSystem;
+import arcomat.analysis.search.system.RunErrors;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -34,8 +34,8 @@ public final class Contradictions {
     private final boolean all;
     private final Budget budget;
     private final Choices choices;
-    private final List<AtomicSide> sides = new ArrayList<>();
-    private final List<Cores> played = new ArrayList<>();
+    private final List<AutomataSystem> sides = new ArrayList<>();
+    private final List<UnsatCores> played = new ArrayList<>();
 
     private Contradictions(Promise promise, boolean all, Budget budget) {
         this.promise = promise;
@@ -43,10 +43,10 @@ public final class Contradictions {
         this.budget = budget;
         List<Port> outputs = promise.component().outputs();
         List<String> names = outputs.stream().map(Port::name).toList();
-        Outputs numbers = new Outputs();
+        OutputCubes numbers = new OutputCubes();
         this.choices = new Choices(outputs, numbers, budget);
         for (Promise each : promise.each()) {
-            sides.add(new AtomicSide(each.behaviour(), names, numbers, budget));
+            sides.add(new AutomataSystem(each.behaviour(), names, numbers, budget));
         }
     }
 
@@ -76,7 +76,7 @@ public final class Contradictions {
     }
 
     private long explored() {
-        return played.stream().mapToLong(Cores::explored).sum();
+        return played.stream().mapToLong(UnsatCores::explored).sum();
     }
 
     /**
@@ -84,17 +84,17 @@ public final class Contradictions {
      * errs only where each requirement may: an error concerns all of them, whatever they write.
      */
     private Consistency search() {
-        Cores unerring = cores(Groups.byOutputs(decided()), false);
+        UnsatCores unerring = cores(Groups.byOutputs(decided()), false);
         List<BitSet> found = contradicting(unerring);
         boolean kept = found.isEmpty() && unerring.stopped().isEmpty();
         if (kept || !errorsMatter(found)) {
             return told(unerring, found);
         }
-        Cores erring = cores(Groups.one(sides.size()), true);
+        UnsatCores erring = cores(Groups.one(sides.size()), true);
         return told(erring, contradicting(erring));
     }
 
-    private List<BitSet> contradicting(Cores cores) {
+    private List<BitSet> contradicting(UnsatCores cores) {
         return all ? cores.every() : cores.first().map(List::of).orElse(List.of());
     }
 
@@ -113,14 +113,14 @@ public final class Contradictions {
     /**
      * @param ends whether an error is a way to keep what allows it
      */
-    private Cores cores(Groups groups, boolean ends) {
+    private UnsatCores cores(Groups groups, boolean ends) {
         Component.Profile profile = promise.component().profile();
         List<Requirement> requirements = new ArrayList<>();
         for (int i = 0; i < sides.size(); i++) {
             Automaton automaton = promise.automata().get(i);
             requirements.add(new Requirement(sides.get(i), automaton, ends, choices, budget));
         }
-        Cores cores = new Cores(requirements, groups, choices, profile, budget);
+        UnsatCores cores = new UnsatCores(requirements, groups, choices, profile, budget);
         played.add(cores);
         return cores;
     }
@@ -148,7 +148,7 @@ public final class Contradictions {
         return sends.stream().anyMatch(send -> send.port().name().equals(port));
     }
 
-    private Consistency told(Cores cores, List<BitSet> found) {
+    private Consistency told(UnsatCores cores, List<BitSet> found) {
         List<String> notes = new ArrayList<>();
         if (!found.isEmpty()) {
             List<Contradiction> told = found.stream().map(core -> tell(cores, core)).toList();
@@ -170,7 +170,7 @@ public final class Contradictions {
         return new Consistency(Answer.HOLDS, "", List.of(), controller, notes, explored());
     }
 
-    private Optional<Component> controller(Cores cores) {
+    private Optional<Component> controller(UnsatCores cores) {
         Component required = promise.component();
         return Synthesis.of(cores.won(), budget)
                 .map(machine -> Controllers.of(machine, required.span()))
@@ -208,9 +208,9 @@ public final class Contradictions {
                 required.span());
     }
 
-    private Contradiction tell(Cores cores, BitSet core) {
+    private Contradiction tell(UnsatCores cores, BitSet core) {
         List<Promise> members = core.stream().mapToObj(promise.each()::get).toList();
-        Telling.Won won = Telling.of(cores.lost(core), budget);
+        CounterStrategy.Won won = CounterStrategy.of(cores.lost(core), budget);
         return new Contradiction(
                 members.stream().map(each -> each.automata().get(0)).toList(),
                 cores.isMinimal(core),

@@ -3,7 +3,7 @@ package arcomat.analysis.game;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.IntKey;
 import arcomat.analysis.search.Numbering;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
@@ -34,7 +34,7 @@ public final class Choices {
     record Choice(Output sent, int[][] allowed) {}
 
     private final List<Port> ports;
-    private final Outputs outputs;
+    private final OutputCubes outputs;
     private final Budget budget;
     private final Numbering<IntKey> lists = new Numbering<>();
     private final Map<IntKey, List<Choice>> known = new HashMap<>();
@@ -43,7 +43,7 @@ public final class Choices {
      * @param ports the output ports, as cubes list them
      * @param budget of time and memory
      */
-    public Choices(List<Port> ports, Outputs outputs, Budget budget) {
+    public Choices(List<Port> ports, OutputCubes outputs, Budget budget) {
         this.budget = budget;
         this.ports = ports;
         this.outputs = outputs;

@@ -36,12 +36,12 @@ public final class Controllers {
     private record Branch(
             List<Match> matches, Optional<Expression> guard, Output sent, int target) {}
 
-    private final Machine machine;
+    private final MealyMachine machine;
     private final Span place;
     private final boolean errs;
     private final boolean total;
 
-    private Controllers(Machine machine, Span place) {
+    private Controllers(MealyMachine machine, Span place) {
         this.machine = machine;
         this.place = place;
         this.errs =
@@ -54,7 +54,7 @@ public final class Controllers {
     /**
      * @param place in models, for what points at the automaton
      */
-    public static Automaton of(Machine machine, Span place) {
+    public static Automaton of(MealyMachine machine, Span place) {
         return new Controllers(machine, place).automaton();
     }
 
@@ -137,14 +137,14 @@ public final class Controllers {
     }
 
     private List<Branch> branches(int number, int[] classes) {
-        Machine.State state = machine.states().get(number);
-        Map<Machine.Reaction, Integer> numbers = new HashMap<>();
-        List<Machine.Reaction> contents = new ArrayList<>();
+        MealyMachine.State state = machine.states().get(number);
+        Map<MealyMachine.Reaction, Integer> numbers = new HashMap<>();
+        List<MealyMachine.Reaction> contents = new ArrayList<>();
         int[] cells = new int[state.reactions().size()];
         for (int i = 0; i < cells.length; i++) {
-            Machine.Reaction each = state.reactions().get(i);
-            Machine.Reaction merged =
-                    new Machine.Reaction(
+            MealyMachine.Reaction each = state.reactions().get(i);
+            MealyMachine.Reaction merged =
+                    new MealyMachine.Reaction(
                             each.sent(), each.sent() == null ? 0 : classes[each.next()]);
             cells[i] = Objects.requireNonNullElse(numbers.get(merged), contents.size());
             if (cells[i] == contents.size()) {
@@ -154,8 +154,8 @@ public final class Controllers {
         }
         int[] sizes = state.samples().stream().mapToInt(List::size).toArray();
         List<Branch> branches = new ArrayList<>();
-        for (Cover.Box box : Cover.of(sizes, cells)) {
-            Machine.Reaction reaction = contents.get(box.content());
+        for (BoxCover.Box box : BoxCover.of(sizes, cells)) {
+            MealyMachine.Reaction reaction = contents.get(box.content());
             if (!isLeftOut(reaction, classes[number])) {
                 branches.add(branch(state, box, reaction));
             }
@@ -163,20 +163,21 @@ public final class Controllers {
         return branches;
     }
 
-    private boolean isLeftOut(Machine.Reaction reaction, int own) {
+    private boolean isLeftOut(MealyMachine.Reaction reaction, int own) {
         return completion() == Completion.IGNORE
                 ? reaction.next() == own
                         && reaction.sent().ports().stream().allMatch(Sent.SILENCE::equals)
                 : reaction.sent() == null;
     }
 
-    private Branch branch(Machine.State state, Cover.Box box, Machine.Reaction reaction) {
+    private Branch branch(
+            MealyMachine.State state, BoxCover.Box box, MealyMachine.Reaction reaction) {
         List<Match> matches = new ArrayList<>();
         Expression guard = null;
         for (int port = 0; port < box.groups().length; port++) {
             if (box.groups()[port] != null) {
-                Condition condition =
-                        new Condition(
+                PortCondition condition =
+                        new PortCondition(
                                 machine.inputs().get(port),
                                 state.looks().get(port),
                                 state.samples().get(port),
@@ -184,7 +185,7 @@ public final class Controllers {
                 if (condition.match().isPresent()) {
                     matches.add(condition.match().get());
                 } else {
-                    guard = Condition.and(guard, condition.guard());
+                    guard = PortCondition.and(guard, condition.guard());
                 }
             }
         }

@@ -31,7 +31,7 @@ public final class Game {
     /** More inputs are not tried in one position. */
     private static final int MOST_LETTERS = 200_000;
 
-    private final Rules rules;
+    private final Arena rules;
     private final Budget budget;
     private final long mostMoves;
     private long moves;
@@ -45,19 +45,19 @@ public final class Game {
 
     private final IntArrayList levels = new IntArrayList();
     private final IntArrayList fallen = new IntArrayList();
-    private int explored = Rules.END + 1;
+    private int explored = Arena.END + 1;
     private String stopped;
 
     /**
      * @param mostMoves after so many inputs in all positions the search is stopped
      */
-    public Game(Rules rules, Budget budget, long mostMoves) {
+    public Game(Arena rules, Budget budget, long mostMoves) {
         this.rules = rules;
         this.budget = budget;
         this.mostMoves = mostMoves;
     }
 
-    Rules rules() {
+    Arena rules() {
         return rules;
     }
 
@@ -120,12 +120,12 @@ public final class Game {
 
     /** How many positions were explored; that the run has ended is none. */
     public int explored() {
-        return explored - Rules.END;
+        return explored - Arena.END;
     }
 
     /** Whether each beginning is lost. */
     private boolean isLost() {
-        for (Rules.Option option : rules.openings()) {
+        for (Arena.Option option : rules.openings()) {
             if (!lost.get(option.position())) {
                 return false;
             }
@@ -140,8 +140,8 @@ public final class Game {
 
     /** Whether it is known that the system wins from here. */
     boolean isWon(int position) {
-        return position == Rules.FREE
-                || position == Rules.END
+        return position == Arena.FREE
+                || position == Arena.END
                 || stopped == null && explored == rules.size() && !lost.get(position);
     }
 
@@ -151,7 +151,7 @@ public final class Game {
      */
     void lookForErrors() {
         BitSet known = (BitSet) lost.clone();
-        lose(Rules.END);
+        lose(Arena.END);
         carryBack();
         erring = lost;
         lost = known;
@@ -166,11 +166,11 @@ public final class Game {
         int next = level(position) + 1;
         Alphabet alphabet = rules.alphabet(position);
         for (int letter : rules.different(alphabet, position)) {
-            List<Rules.Option> options = rules.options(position, alphabet.letter(letter));
+            List<Arena.Option> options = rules.options(position, alphabet.letter(letter));
             IntArrayList answers = new IntArrayList(options.size());
             boolean settled = false;
-            for (Rules.Option option : options) {
-                settled |= option.position() == Rules.FREE;
+            for (Arena.Option option : options) {
+                settled |= option.position() == Arena.FREE;
                 if (!answers.contains(option.position())) {
                     answers.add(option.position());
                 }
@@ -228,7 +228,7 @@ public final class Game {
     }
 
     /** How soon the environment wins where it does. */
-    Ranks ranks() {
-        return new Ranks(demands, rules.size());
+    AttractorRanks ranks() {
+        return new AttractorRanks(demands, rules.size());
     }
 }

@@ -1,7 +1,7 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.search.letter.Alphabet;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.model.Component;
 import arcomat.model.Value;
 
@@ -129,7 +129,7 @@ final class Projections {
         for (int cube = 0; cube < reply.cubes().length; cube++) {
             for (int next : reply.next()[cube]) {
                 int set = requirement.alone(next);
-                if (reply.cubes()[cube] != Outputs.ERROR
+                if (reply.cubes()[cube] != OutputCubes.ERROR
                         && set != Requirement.CHAOS
                         && met.add(set)) {
                     open.addLast(set);

@@ -1,6 +1,6 @@
 package arcomat.analysis.game;
 
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 
 import java.util.Arrays;
@@ -19,7 +19,7 @@ record Reply(int number, List<Part> before, int[] cubes, int list, int[][] next)
 
     /** Whether the run may end here, in an error. */
     boolean mayEnd() {
-        return Arrays.stream(cubes).anyMatch(cube -> cube == Outputs.ERROR);
+        return Arrays.stream(cubes).anyMatch(cube -> cube == OutputCubes.ERROR);
     }
 
     /** The steps of one member of the set. */

@@ -1,14 +1,14 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.Sets;
+import arcomat.analysis.search.MacroStates;
 import arcomat.analysis.search.letter.Alphabet;
-import arcomat.analysis.search.letter.Focus;
-import arcomat.analysis.search.side.AtomicSide;
-import arcomat.analysis.search.side.RunErrors;
-import arcomat.analysis.search.side.Side;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.letter.LetterClasses;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.AutomataSystem;
+import arcomat.analysis.search.system.RunErrors;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -30,23 +30,23 @@ import java.util.stream.IntStream;
 /**
  * One requirement, followed by what is observed: the set of configurations that it may be in after
  * the inputs and outputs so far (subset construction). Once chaos is among them it asks for nothing
- * any more. Sets are numbered, and replies are remembered.
+ * any more. MacroStates are numbered, and replies are remembered.
  */
 public final class Requirement {
     /** In place of the number of a set: every output is allowed from here on, but no error. */
     static final int CHAOS = -1;
 
-    private final AtomicSide side;
+    private final AutomataSystem side;
     private final Automaton automaton;
     private final boolean mayErr;
     private final boolean ends;
     private final Choices choices;
     private final Budget budget;
     private final int[] positions;
-    private final Sets sets = new Sets();
-    private final List<Focus> focusOfSet = new ArrayList<>();
+    private final MacroStates sets = new MacroStates();
+    private final List<LetterClasses> focusOfSet = new ArrayList<>();
     private final List<LongObjectHashMap<Reply>> replies = new ArrayList<>();
-    private final Map<Attention, Focus> foci = new HashMap<>();
+    private final Map<Attention, LetterClasses> foci = new HashMap<>();
     private final Map<List<Object>, Integer> contents = new HashMap<>();
     private Reply opening;
 
@@ -57,7 +57,11 @@ public final class Requirement {
      * @param budget of time and memory
      */
     public Requirement(
-            AtomicSide side, Automaton automaton, boolean ends, Choices choices, Budget budget) {
+            AutomataSystem side,
+            Automaton automaton,
+            boolean ends,
+            Choices choices,
+            Budget budget) {
         this.budget = budget;
         this.side = side;
         this.automaton = automaton;
@@ -67,7 +71,7 @@ public final class Requirement {
         this.positions = IntStream.range(0, side.inputs().size()).toArray();
     }
 
-    Side side() {
+    TransitionSystem side() {
         return side;
     }
 
@@ -106,8 +110,8 @@ public final class Requirement {
     }
 
     /** What its members together pay attention to. */
-    Focus focus(int set) {
-        Focus known = set < focusOfSet.size() ? focusOfSet.get(set) : null;
+    LetterClasses focus(int set) {
+        LetterClasses known = set < focusOfSet.size() ? focusOfSet.get(set) : null;
         if (known == null) {
             while (focusOfSet.size() <= set) {
                 focusOfSet.add(null);
@@ -116,7 +120,7 @@ public final class Requirement {
             List<Port> inputs = side.inputs();
             known =
                     foci.computeIfAbsent(
-                            attention(set), each -> new Focus(foci.size(), each, inputs));
+                            attention(set), each -> new LetterClasses(foci.size(), each, inputs));
             focusOfSet.set(set, known);
         }
         return known;
@@ -162,7 +166,7 @@ public final class Requirement {
             Steps steps = part.steps();
             for (int step = 0; step < steps.size(); step++) {
                 budget.insist();
-                if (steps.outputs()[step] == Outputs.ERROR && !ends) {
+                if (steps.outputs()[step] == OutputCubes.ERROR && !ends) {
                     continue;
                 }
                 int position = cubes.indexOf(steps.outputs()[step]);

@@ -43,7 +43,7 @@ public final class Synthesis {
      * @param games at least one, each won by the system, and explored unless no position is lost
      * @return empty where the machine is too large, or time or memory is used up
      */
-    public static Optional<Machine> of(List<Game> games, Budget budget) {
+    public static Optional<MealyMachine> of(List<Game> games, Budget budget) {
         try {
             return new Synthesis(games, budget).machine();
         } catch (GivenUp inTheMiddle) {
@@ -51,25 +51,25 @@ public final class Synthesis {
         }
     }
 
-    private Optional<Machine> machine() {
-        List<Rules.Option> openings = new ArrayList<>();
+    private Optional<MealyMachine> machine() {
+        List<Arena.Option> openings = new ArrayList<>();
         games.forEach(game -> openings.add(best(game, game.rules().openings())));
         number(openings);
-        List<Machine.State> all = new ArrayList<>();
+        List<MealyMachine.State> all = new ArrayList<>();
         for (int i = 0; i < states.size(); i++) {
             boolean tooMany = i == MOST_STATES || budget.exhausted(i) != null;
-            Optional<Machine.State> state = tooMany ? Optional.empty() : state(states.get(i));
+            Optional<MealyMachine.State> state = tooMany ? Optional.empty() : state(states.get(i));
             if (state.isEmpty()) {
                 return Optional.empty();
             }
             all.add(state.get());
         }
-        return Optional.of(new Machine(inputs, outputs, sent(openings), all));
+        return Optional.of(new MealyMachine(inputs, outputs, sent(openings), all));
     }
 
     /** Better not to err; where it cannot be avoided for ever, later is better than now. */
-    private static Rules.Option best(Game game, List<Rules.Option> options) {
-        List<Rules.Option> safe =
+    private static Arena.Option best(Game game, List<Arena.Option> options) {
+        List<Arena.Option> safe =
                 options.stream().filter(option -> !game.isLost(option.position())).toList();
         return safe.stream()
                 .filter(option -> !game.errs(option.position()))
@@ -77,11 +77,11 @@ public final class Synthesis {
                 .orElseGet(() -> safe.get(0));
     }
 
-    private int number(List<Rules.Option> options) {
-        return states.number(options.stream().map(Rules.Option::position).toList());
+    private int number(List<Arena.Option> options) {
+        return states.number(options.stream().map(Arena.Option::position).toList());
     }
 
-    private Optional<Machine.State> state(List<Integer> positions) {
+    private Optional<MealyMachine.State> state(List<Integer> positions) {
         List<Look> looks = looks(positions);
         List<List<Value>> samples = new ArrayList<>();
         long letters = 1;
@@ -93,9 +93,9 @@ public final class Synthesis {
                 return Optional.empty();
             }
         }
-        List<Machine.Reaction> reactions = new ArrayList<>();
+        List<MealyMachine.Reaction> reactions = new ArrayList<>();
         react(positions, samples, new Value[inputs.size()], 0, reactions);
-        return Optional.of(new Machine.State(name(positions), looks, samples, reactions));
+        return Optional.of(new MealyMachine.State(name(positions), looks, samples, reactions));
     }
 
     private String name(List<Integer> positions) {
@@ -103,7 +103,7 @@ public final class Synthesis {
         for (int i = 0; i < games.size(); i++) {
             names.addAll(games.get(i).rules().states(positions.get(i)));
         }
-        boolean free = positions.stream().allMatch(position -> position == Rules.FREE);
+        boolean free = positions.stream().allMatch(position -> position == Arena.FREE);
         return free ? "free" : String.join("_", names);
     }
 
@@ -120,7 +120,7 @@ public final class Synthesis {
             List<List<Value>> samples,
             Value[] letter,
             int port,
-            List<Machine.Reaction> reactions) {
+            List<MealyMachine.Reaction> reactions) {
         if (port == inputs.size()) {
             reactions.add(reaction(positions, letter.clone()));
             return;
@@ -131,28 +131,28 @@ public final class Synthesis {
         }
     }
 
-    private Machine.Reaction reaction(List<Integer> positions, Value[] letter) {
-        List<Rules.Option> moves = new ArrayList<>();
+    private MealyMachine.Reaction reaction(List<Integer> positions, Value[] letter) {
+        List<Arena.Option> moves = new ArrayList<>();
         for (int i = 0; i < games.size(); i++) {
             Game game = games.get(i);
             int position = positions.get(i);
             moves.add(
-                    position == Rules.FREE
-                            ? new Rules.Option(Output.anything(outputs.size()), Rules.FREE)
+                    position == Arena.FREE
+                            ? new Arena.Option(Output.anything(outputs.size()), Arena.FREE)
                             : best(game, game.rules().options(position, letter)));
         }
         return moves.stream().anyMatch(move -> move.sent() == null)
-                ? new Machine.Reaction(null, 0)
-                : new Machine.Reaction(sent(moves), number(moves));
+                ? new MealyMachine.Reaction(null, 0)
+                : new MealyMachine.Reaction(sent(moves), number(moves));
     }
 
     /**
      * What all moves allow; silence where they leave that open, on a port that may be silent.
      * Before anything is read nothing is sent without delay: no move leaves that open.
      */
-    private Output sent(List<Rules.Option> moves) {
+    private Output sent(List<Arena.Option> moves) {
         Output all = Output.anything(outputs.size());
-        for (Rules.Option move : moves) {
+        for (Arena.Option move : moves) {
             all = all.meet(move.sent()).orElseThrow();
         }
         List<Sent> letter = new ArrayList<>();

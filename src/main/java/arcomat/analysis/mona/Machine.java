@@ -1,10 +1,10 @@
 package arcomat.analysis.mona;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.letter.Focus;
-import arcomat.analysis.search.side.Side;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.letter.LetterClasses;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
@@ -22,7 +22,7 @@ import java.util.stream.IntStream;
  * One side spelled out: all its configurations with all steps out of them. The step relation is
  * asked once for each kind of letter that a configuration tells apart.
  *
- * @param inputs what it reads, in the order of {@link Side#inputs}
+ * @param inputs what it reads, in the order of {@link TransitionSystem#inputs}
  */
 record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     private static final int MOST_STATES = 4096;
@@ -54,7 +54,8 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     /**
      * @throws NotForMona where there are too many configurations or letters
      */
-    static Machine explore(Side side, List<Track> inputs, Outputs outputs, Budget budget) {
+    static Machine explore(
+            TransitionSystem side, List<Track> inputs, OutputCubes outputs, Budget budget) {
         Exploration exploration = new Exploration(side, inputs, outputs, budget);
         List<Step> openings = exploration.openings();
         List<State> states = new ArrayList<>();
@@ -83,10 +84,11 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     /** What makes steps equal but for their letters. */
     private record Key(int output, int next, List<Trace.Cause> causes, Output whole) {}
 
-    private record Exploration(Side side, List<Track> inputs, Outputs outputs, Budget budget) {
+    private record Exploration(
+            TransitionSystem side, List<Track> inputs, OutputCubes outputs, Budget budget) {
 
         List<Step> steps(int number) {
-            Focus focus = side.focus(number);
+            LetterClasses focus = side.focus(number);
             int[] positions = IntStream.range(0, inputs.size()).toArray();
             Map<Key, List<List<Set<Integer>>>> found = new LinkedHashMap<>();
             for (List<Set<Integer>> kind : kinds(focus)) {
@@ -132,7 +134,7 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
         }
 
         /** Letters that look alike, as sets of codes per port. */
-        private List<List<Set<Integer>>> kinds(Focus focus) {
+        private List<List<Set<Integer>>> kinds(LetterClasses focus) {
             List<List<Set<Integer>>> kinds = List.of(List.of());
             for (int port = 0; port < inputs.size(); port++) {
                 List<Set<Integer>> own = kinds(focus, port);
@@ -155,7 +157,7 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
             return kinds;
         }
 
-        private List<Set<Integer>> kinds(Focus focus, int port) {
+        private List<Set<Integer>> kinds(LetterClasses focus, int port) {
             Track track = inputs.get(port);
             Kinds kinds =
                     Kinds.of(track.port(), track.total(), focus.attention().looks().get(port));

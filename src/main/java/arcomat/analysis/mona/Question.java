@@ -2,10 +2,10 @@ package arcomat.analysis.mona;
 
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Letters;
-import arcomat.analysis.search.side.AtomicSide;
-import arcomat.analysis.search.side.ShownSide;
-import arcomat.analysis.search.side.Side;
-import arcomat.analysis.search.step.Outputs;
+import arcomat.analysis.search.step.OutputCubes;
+import arcomat.analysis.search.system.AutomataSystem;
+import arcomat.analysis.search.system.ShiftedSystem;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
 import arcomat.semantics.automaton.Behaviour;
 
@@ -57,13 +57,13 @@ public record Question(
                         rights.get(0).behaviour().component().inputs())
                 .forEach(port -> inputs.put(port.name(), Track.of(port)));
         Machines machines = new Machines(ports, inputs, budget);
-        Side mine = machines.side(left);
+        TransitionSystem mine = machines.side(left);
         List<Machine> theirs = new ArrayList<>();
         for (Named right : rights) {
             theirs.add(machines.machine(right, machines.beside(machines.side(right), mine)));
         }
-        Side other = machines.side(rights.get(0));
-        Side shown = machines.beside(mine, other);
+        TransitionSystem other = machines.side(rights.get(0));
+        TransitionSystem shown = machines.beside(mine, other);
         BitSet mixed = mixed(mine.delays(), other.delays());
         return new Question(
                 left.title(),
@@ -86,22 +86,22 @@ public record Question(
 
     /** Spells out what is compared on some ports. */
     private record Machines(
-            List<Port> observed, Map<String, Track> inputs, Outputs outputs, Budget budget) {
+            List<Port> observed, Map<String, Track> inputs, OutputCubes outputs, Budget budget) {
         Machines(List<Port> observed, Map<String, Track> inputs, Budget budget) {
-            this(observed, inputs, new Outputs(), budget);
+            this(observed, inputs, new OutputCubes(), budget);
         }
 
-        Side side(Named named) {
+        TransitionSystem side(Named named) {
             List<String> names = observed.stream().map(Port::name).toList();
-            return new AtomicSide(named.behaviour(), names, outputs, budget);
+            return new AutomataSystem(named.behaviour(), names, outputs, budget);
         }
 
-        Side beside(Side side, Side other) {
+        TransitionSystem beside(TransitionSystem side, TransitionSystem other) {
             List<Boolean> total = observed.stream().map(Port::total).toList();
-            return ShownSide.beside(side, other, total, outputs);
+            return ShiftedSystem.beside(side, other, total, outputs);
         }
 
-        Machine machine(Named named, Side side) {
+        Machine machine(Named named, TransitionSystem side) {
             List<Track> own = side.inputs().stream().map(port -> inputs.get(port.name())).toList();
             try {
                 return Machine.explore(side, own, outputs, budget);

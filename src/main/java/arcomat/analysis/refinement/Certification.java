@@ -50,7 +50,7 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
         }
         for (int i = 0; i < promises.size(); i++) {
             Promise each = promises.get(i);
-            Sides sides = Sides.of(left, each, budget);
+            ComparedSystems sides = ComparedSystems.of(left, each, budget);
             CertificateCheck check =
                     new CertificateCheck(
                             sides.left(),

@@ -5,7 +5,7 @@ import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.product.Comparison;
-import arcomat.analysis.search.product.Inclusion;
+import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
@@ -76,7 +76,7 @@ public final class InvariantProof {
             if (truth != Truth.TRUE) {
                 String text =
                         "Before the first slice invariant '%s' is %s"
-                                .formatted(invariant.name(), InvariantStory.word(truth));
+                                .formatted(invariant.name(), InvariantCounterexample.word(truth));
                 return Optional.of(
                         Verdict.breaks(
                                 List.of(), List.of(sentence(text, values)), Explored.NOTHING));
@@ -110,18 +110,20 @@ public final class InvariantProof {
 
     private Verdict search() {
         Promise together = Promise.of(watch.together(), asked.arguments());
-        Sides sides = Sides.of(together, Promise.of(silent(), List.of()), budget);
+        ComparedSystems sides =
+                ComparedSystems.of(together, Promise.of(silent(), List.of()), budget);
         Comparison comparison = sides.comparison(budget);
         return Budget.within(
                 () -> verdict(together, sides, comparison),
                 reason -> Verdict.unknown(reason, explored(sides, comparison.pairs())));
     }
 
-    private Verdict verdict(Promise together, Sides sides, Comparison comparison) {
-        Inclusion.Result result = comparison.run();
+    private Verdict verdict(Promise together, ComparedSystems sides, Comparison comparison) {
+        TraceInclusion.Result result = comparison.run();
         Explored explored = explored(sides, result.pairs());
         if (result.failure().isPresent()) {
-            InvariantStory story = new InvariantStory(asked.component(), together, watch);
+            InvariantCounterexample story =
+                    new InvariantCounterexample(asked.component(), together, watch);
             List<Moment> slices = story.slices(comparison.moments(result.failure().get()));
             return Verdict.breaks(
                     slices,
@@ -135,7 +137,7 @@ public final class InvariantProof {
                 : Verdict.holds(Optional.empty(), List.of(), explored);
     }
 
-    private static Explored explored(Sides sides, long pairs) {
+    private static Explored explored(ComparedSystems sides, long pairs) {
         return new Explored(pairs, sides.left().size(), 1);
     }
 

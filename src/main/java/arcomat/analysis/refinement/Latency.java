@@ -3,7 +3,7 @@ package arcomat.analysis.refinement;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
-import arcomat.analysis.search.product.Inclusion;
+import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Component;
 import arcomat.semantics.network.Network;
 
@@ -59,14 +59,14 @@ final class Latency {
     private static Optional<Integer> slices(Promise left, Promise right, Budget budget) {
         int parts = Network.of(left.component(), left.arguments()).instances().size();
         Budget hasty = budget.atMost(MOST_PAIRS).patient(PATIENCE);
-        Sides sides = Sides.of(left, right, hasty);
+        ComparedSystems sides = ComparedSystems.of(left, right, hasty);
         for (int slices = 1; slices <= parts; slices++) {
             if (slices > MOST_SLICES && budget.takes(Shortcut.LONG_PIPELINE)) {
                 return Optional.empty();
             }
             Answer answer = answer(sides, slices, hasty);
             if (answer == Answer.UNKNOWN && !budget.takes(Shortcut.IMPATIENCE)) {
-                answer = answer(Sides.of(left, right, budget), slices, budget);
+                answer = answer(ComparedSystems.of(left, right, budget), slices, budget);
             }
             if (answer != Answer.FAILS) {
                 return answer == Answer.HOLDS ? Optional.of(slices) : Optional.empty();
@@ -75,12 +75,12 @@ final class Latency {
         return Optional.empty();
     }
 
-    private static Answer answer(Sides sides, int slices, Budget budget) {
+    private static Answer answer(ComparedSystems sides, int slices, Budget budget) {
         return Budget.within(() -> refines(sides, slices, budget), unknown -> Answer.UNKNOWN);
     }
 
-    private static Answer refines(Sides sides, int slices, Budget budget) {
-        Inclusion.Result result = compare(sides, slices, budget);
+    private static Answer refines(ComparedSystems sides, int slices, Budget budget) {
+        TraceInclusion.Result result = compare(sides, slices, budget);
         if (result.failure().isPresent()) {
             return Answer.FAILS;
         }
@@ -89,7 +89,7 @@ final class Latency {
     }
 
     /** With the right side so many slices late. */
-    static Inclusion.Result compare(Sides sides, int slices, Budget budget) {
+    static TraceInclusion.Result compare(ComparedSystems sides, int slices, Budget budget) {
         return sides.late(slices, budget).comparison(budget).run();
     }
 }

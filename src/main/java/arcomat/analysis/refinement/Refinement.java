@@ -7,9 +7,9 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Comparison;
-import arcomat.analysis.search.product.Inclusion;
-import arcomat.analysis.search.side.CompositeSide;
-import arcomat.analysis.search.side.Side;
+import arcomat.analysis.search.product.TraceInclusion;
+import arcomat.analysis.search.system.NetworkSystem;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Automaton;
 
 import java.util.ArrayList;
@@ -31,13 +31,16 @@ public final class Refinement {
     /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
         return Budget.within(
-                () -> Identity.check(left, right, budget, less -> search(left, right, less)),
+                () -> Reflexivity.check(left, right, budget, less -> search(left, right, less)),
                 Verdict::unknown);
     }
 
     private static Verdict search(Promise left, Promise right, Budget budget) {
         return comparable(left, right, budget::insist)
-                .or(() -> PartByPart.check(left, right, budget, less -> whole(left, right, less)))
+                .or(
+                        () ->
+                                CompositionalRefinement.check(
+                                        left, right, budget, less -> whole(left, right, less)))
                 .orElseGet(() -> whole(left, right, budget));
     }
 
@@ -78,7 +81,7 @@ public final class Refinement {
     private static Optional<String> obstacle(Promise promise, Runnable goOn) {
         Optional<String> beginning = Beginning.obstacle(promise, goOn);
         return beginning.isEmpty() && promise.isComposition()
-                ? CompositeSide.obstacle(promise.component(), promise.arguments())
+                ? NetworkSystem.obstacle(promise.component(), promise.arguments())
                 : beginning;
     }
 
@@ -138,14 +141,14 @@ public final class Refinement {
     public static Verdict compare(
             Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
         return Budget.within(
-                () -> compare(left, right, Sides.of(left, right, budget), budget, proof),
+                () -> compare(left, right, ComparedSystems.of(left, right, budget), budget, proof),
                 Verdict::unknown);
     }
 
     private static Verdict compare(
             Promise left,
             Promise right,
-            Sides sides,
+            ComparedSystems sides,
             Budget budget,
             Consumer<Supplier<Certificate>> proof) {
         Comparison comparison = sides.comparison(budget);
@@ -157,10 +160,10 @@ public final class Refinement {
     private static Verdict verdict(
             Promise left,
             Promise right,
-            Sides sides,
+            ComparedSystems sides,
             Comparison comparison,
             Consumer<Supplier<Certificate>> proof) {
-        Inclusion.Result result = comparison.run();
+        TraceInclusion.Result result = comparison.run();
         Explored explored = sides.explored(result.pairs());
         if (result.failure().isPresent()) {
             Verdict failure =
@@ -177,7 +180,7 @@ public final class Refinement {
     }
 
     /** What is forbidden by the steps that are known may be allowed by one that is left out. */
-    private static Verdict unlessLeftOut(Side right, Verdict failure) {
+    private static Verdict unlessLeftOut(TransitionSystem right, Verdict failure) {
         return right.leftOut()
                 .map(reason -> Verdict.unknown(reason, failure.explored()))
                 .orElse(failure);
@@ -189,7 +192,7 @@ public final class Refinement {
      * the interfaces differ.
      */
     public static List<Verdict> failures(Promise left, Promise right, Budget budget) {
-        if (Identity.isSame(left, right)) {
+        if (Reflexivity.isSame(left, right)) {
             return List.of();
         }
         Optional<Verdict> known = comparable(left, right);
@@ -205,12 +208,12 @@ public final class Refinement {
 
     private static List<Verdict> allFailures(Promise left, Promise right, Budget budget) {
         return Budget.within(
-                () -> allFailures(left, right, Sides.of(left, right, budget), budget),
+                () -> allFailures(left, right, ComparedSystems.of(left, right, budget), budget),
                 reason -> List.of(Verdict.unknown(reason)));
     }
 
     private static List<Verdict> allFailures(
-            Promise left, Promise right, Sides sides, Budget budget) {
+            Promise left, Promise right, ComparedSystems sides, Budget budget) {
         Comparison comparison = sides.comparison(budget);
         return Budget.within(
                 () -> failures(left, right, sides, comparison),
@@ -218,11 +221,11 @@ public final class Refinement {
     }
 
     private static List<Verdict> failures(
-            Promise left, Promise right, Sides sides, Comparison comparison) {
-        Inclusion.Result result = comparison.runOn();
+            Promise left, Promise right, ComparedSystems sides, Comparison comparison) {
+        TraceInclusion.Result result = comparison.runOn();
         Explored explored = sides.explored(result.pairs());
         List<Verdict> found = new ArrayList<>();
-        for (Inclusion.Failure each : comparison.failures()) {
+        for (TraceInclusion.Failure each : comparison.failures()) {
             Verdict failure = failure(left, right, sides, comparison, each, explored);
             found.add(unlessLeftOut(sides.right(), failure));
         }
@@ -235,9 +238,9 @@ public final class Refinement {
     private static Verdict failure(
             Promise left,
             Promise right,
-            Sides sides,
+            ComparedSystems sides,
             Comparison comparison,
-            Inclusion.Failure failure,
+            TraceInclusion.Failure failure,
             Explored explored) {
         List<Moment> trace = comparison.moments(failure);
         List<Sentence> explanation =

@@ -1,8 +1,8 @@
 package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Explored;
-import arcomat.analysis.search.product.Inclusion;
-import arcomat.analysis.search.side.Side;
+import arcomat.analysis.search.product.TraceInclusion;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Automaton;
 import arcomat.model.Trace;
 
@@ -23,7 +23,8 @@ public final class Vacuity {
                 Explored.NOTHING);
     }
 
-    static List<String> notes(Promise right, Side theirs, Inclusion.Result result) {
+    static List<String> notes(
+            Promise right, TransitionSystem theirs, TraceInclusion.Result result) {
         List<String> notes = new ArrayList<>();
         int all = 0;
         for (Automaton automaton : right.automata()) {

@@ -1,6 +1,6 @@
 package arcomat.pipeline.gate;
 
-import arcomat.analysis.evolution.Changed;
+import arcomat.analysis.evolution.ChangeImpact;
 import arcomat.analysis.evolution.Gate;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.model.Component;
@@ -23,7 +23,7 @@ final class GateCauses {
         entries.forEach(entry -> this.entries.put(entry.name(), entry));
     }
 
-    static List<Gate.Entry> of(List<Gate.Entry> entries, Model model, Changed changed) {
+    static List<Gate.Entry> of(List<Gate.Entry> entries, Model model, ChangeImpact changed) {
         GateCauses causes = new GateCauses(entries);
         List<Component> wholes =
                 model.components().stream()

@@ -1,9 +1,9 @@
 package arcomat.pipeline.gate;
 
 import arcomat.analysis.evolution.Change;
-import arcomat.analysis.evolution.Changed;
+import arcomat.analysis.evolution.ChangeImpact;
 import arcomat.analysis.evolution.Gate;
-import arcomat.analysis.evolution.Succession;
+import arcomat.analysis.evolution.VersionComparison;
 import arcomat.model.Component;
 import arcomat.model.Value;
 import arcomat.pipeline.analysis.InstanceArguments;
@@ -26,7 +26,7 @@ public final class GateStep {
     private final GateSide base;
     private final GateSide fresh;
     private final Progress progress;
-    private final Changed changed;
+    private final ChangeImpact changed;
     private final Excuses excuses;
     private final List<Gate.Entry> entries = new ArrayList<>();
 
@@ -38,7 +38,7 @@ public final class GateStep {
         this.base = base;
         this.fresh = fresh;
         this.progress = progress;
-        this.changed = Changed.between(base.model(), fresh.model());
+        this.changed = ChangeImpact.between(base.model(), fresh.model());
         this.excuses = new Excuses(base, fresh);
     }
 
@@ -173,7 +173,8 @@ public final class GateStep {
         progress.step("comparing " + now.qualifiedName());
         Set<List<Value>> given = old.parameters().isEmpty() ? Set.of() : given(old);
         Change change =
-                Succession.of(old, " (base)", now, given, () -> request.limits().each().budget());
+                VersionComparison.of(
+                        old, " (base)", now, given, () -> request.limits().each().budget());
         return mayBeGivenMore(old) && !change.relation().breaks() ? Change.UNREAD : change;
     }
 

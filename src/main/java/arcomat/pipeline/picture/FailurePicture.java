@@ -1,8 +1,8 @@
 package arcomat.pipeline.picture;
 
-import arcomat.analysis.refinement.Footprints;
-import arcomat.analysis.refinement.Footprints.Footprint;
 import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.TraceReplay;
+import arcomat.analysis.refinement.TraceReplay.Footprint;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Moment;
 import arcomat.diagram.AutomatonGraph;
@@ -75,7 +75,7 @@ public final class FailurePicture {
             return Optional.empty();
         }
         Automaton automaton = side.automata().get(0);
-        List<Footprint> footprints = Footprints.of(sides, position, automaton, trace);
+        List<Footprint> footprints = TraceReplay.of(sides, position, automaton, trace);
         Map<Integer, List<Highlight>> states = new LinkedHashMap<>();
         Map<Integer, List<Highlight>> transitions = new LinkedHashMap<>();
         for (int i = 0; i < trace.size(); i++) {

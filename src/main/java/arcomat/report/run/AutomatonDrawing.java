@@ -1,6 +1,6 @@
 package arcomat.report.run;
 
-import arcomat.analysis.refinement.Footprints.Footprint;
+import arcomat.analysis.refinement.TraceReplay.Footprint;
 import arcomat.diagram.AutomatonGraph;
 import arcomat.diagram.Layout;
 import arcomat.diagram.SvgText;

@@ -3,8 +3,8 @@ package arcomat.report.verdict;
 import arcomat.analysis.contradiction.Consistency;
 import arcomat.analysis.contradiction.Contradiction;
 import arcomat.analysis.game.Turn;
-import arcomat.analysis.refinement.Footprints;
 import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.TraceReplay;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
@@ -149,7 +149,7 @@ public final class ConsistencyPage {
                         .map(step -> new Moment(step.input(), sent(step), "", List.of()))
                         .toList();
         return isStraight()
-                ? AutomatonDrawing.way(name, Footprints.anywhere(asked, automaton, moments))
+                ? AutomatonDrawing.way(name, TraceReplay.anywhere(asked, automaton, moments))
                 : AutomatonDrawing.way(name, List.of());
     }
 

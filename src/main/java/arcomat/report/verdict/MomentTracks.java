@@ -1,8 +1,8 @@
 package arcomat.report.verdict;
 
 import arcomat.analysis.refinement.Answered;
-import arcomat.analysis.refinement.Footprints;
 import arcomat.analysis.refinement.Promise;
+import arcomat.analysis.refinement.TraceReplay;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
 import arcomat.report.page.Drawing;
@@ -91,7 +91,7 @@ final class MomentTracks {
             String name = sideName + ": " + title + WAY;
             tracks.add(
                     AutomatonDrawing.way(
-                            name, Footprints.of(answered.sides(), position, automaton, trace)));
+                            name, TraceReplay.of(answered.sides(), position, automaton, trace)));
             drawings.add(
                     pictures.of(
                             sideName + ": " + title, side.component(), automaton, List.of(name)));

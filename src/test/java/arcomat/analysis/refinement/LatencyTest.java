@@ -12,7 +12,7 @@ import arcomat.analysis.RandomNetworks;
 import arcomat.analysis.RandomNetworks.Question;
 import arcomat.analysis.Sketch.Edge;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.product.Inclusion;
+import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -52,8 +52,8 @@ class LatencyTest {
             }
             int slices = 1 + (kept + failed) % 2;
             Promise left = slowed(question.left(), slices);
-            Sides sides = Sides.of(left, question.right(), Budget.ofMemory());
-            Inclusion.Result result = Latency.compare(sides, slices, Budget.ofMemory());
+            ComparedSystems sides = ComparedSystems.of(left, question.right(), Budget.ofMemory());
+            TraceInclusion.Result result = Latency.compare(sides, slices, Budget.ofMemory());
             OptionalInt naive =
                     new NaiveInclusion(
                                     left,
@@ -69,8 +69,8 @@ class LatencyTest {
         assertThat(failed).isGreaterThan(QUESTIONS / 8);
     }
 
-    private static OptionalInt engine(Inclusion.Result result) {
-        int level = result.failure().map(Inclusion.Failure::level).orElse(Integer.MAX_VALUE);
+    private static OptionalInt engine(TraceInclusion.Result result) {
+        int level = result.failure().map(TraceInclusion.Failure::level).orElse(Integer.MAX_VALUE);
         return level <= LENGTH ? OptionalInt.of(level) : OptionalInt.empty();
     }
 

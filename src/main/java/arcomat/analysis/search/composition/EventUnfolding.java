@@ -1,7 +1,7 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.letter.StandIns;
+import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
 import arcomat.model.Port;
@@ -37,7 +37,7 @@ public final class EventUnfolding implements Unfolding {
     private final Budget budget;
     private final Network network;
     private final Wiring wiring;
-    private final EventParts parts;
+    private final EventReactions parts;
     private final List<Port> inputs;
     private final Look[] firstLooks;
 
@@ -51,13 +51,13 @@ public final class EventUnfolding implements Unfolding {
         this.budget = budget;
         this.network = network;
         this.wiring = new Wiring(network, compared);
-        this.parts = new EventParts(network, wiring, budget);
+        this.parts = new EventReactions(network, wiring, budget);
         this.inputs = network.inputs().stream().map(Network.External::port).toList();
         this.firstLooks = firstLooks();
         for (int part = 0; part < network.instances().size(); part++) {
             List<Port> ports = network.instances().get(part).component().inputs();
             for (int port = 0; port < ports.size(); port++) {
-                if (ports.get(port).latched() && parts.held(part, port) == EventRun.INSIDE) {
+                if (ports.get(port).latched() && parts.held(part, port) == RunToCompletion.INSIDE) {
                     registers.add(new Wiring.Reader(part, port));
                 }
             }
@@ -127,22 +127,23 @@ public final class EventUnfolding implements Unfolding {
 
     /** The parts begin one after the other, and only then the first of them takes an event. */
     @Override
-    public List<Outcome> beginnings() {
-        return inOrder(new EventRun(List.of(), nothingLatched()), parts::start);
+    public List<GlobalStep> beginnings() {
+        return inOrder(new RunToCompletion(List.of(), nothingLatched()), parts::start);
     }
 
     /** What a part does when it is its turn, once. */
     private interface Turn {
-        void take(EventRun run, int part, List<EventRun> next, List<Outcome> errors);
+        void take(
+                RunToCompletion run, int part, List<RunToCompletion> next, List<GlobalStep> errors);
     }
 
     /** The parts have their turn one after the other; then what they have caused is worked off. */
-    private List<Outcome> inOrder(EventRun beginning, Turn turn) {
-        List<Outcome> outcomes = new ArrayList<>();
-        List<EventRun> runs = List.of(beginning);
+    private List<GlobalStep> inOrder(RunToCompletion beginning, Turn turn) {
+        List<GlobalStep> outcomes = new ArrayList<>();
+        List<RunToCompletion> runs = List.of(beginning);
         for (int part = 0; part < network.instances().size(); part++) {
-            List<EventRun> longer = new ArrayList<>();
-            for (EventRun run : runs) {
+            List<RunToCompletion> longer = new ArrayList<>();
+            for (RunToCompletion run : runs) {
                 turn.take(run, part, longer, outcomes);
             }
             runs = longer;
@@ -159,7 +160,7 @@ public final class EventUnfolding implements Unfolding {
 
     /** Found by running: what a run looks at is known when it has looked. */
     @Override
-    public Attention attention(Whole whole, StandIns standIns) {
+    public Attention attention(GlobalState whole, Representatives standIns) {
         Look[] looks = firstLooks.clone();
         List<Look> before;
         do {
@@ -174,12 +175,12 @@ public final class EventUnfolding implements Unfolding {
     }
 
     @Override
-    public List<Outcome> reactions(Whole before, Value[] letter) {
+    public List<GlobalStep> reactions(GlobalState before, Value[] letter) {
         return run(before, letter, null);
     }
 
-    private List<Outcome> run(Whole before, Value[] letter, Look[] looks) {
-        EventRun run = new EventRun(before.parts(), latched(before, letter));
+    private List<GlobalStep> run(GlobalState before, Value[] letter, Look[] looks) {
+        RunToCompletion run = new RunToCompletion(before.parts(), latched(before, letter));
         if (isEmpty(letter)) {
             // No port is there for the event: as in an empty slice, each part is completed.
             return inOrder(run, parts::idle);
@@ -189,11 +190,11 @@ public final class EventUnfolding implements Unfolding {
                 int signal = network.inputs().get(i).signal();
                 Optional<String> problem = parts.deliver(run, signal, List.of(letter[i]), i);
                 if (problem.isPresent()) {
-                    return List.of(Outcome.error(problem.get(), List.of()));
+                    return List.of(GlobalStep.error(problem.get(), List.of()));
                 }
             }
         }
-        List<Outcome> outcomes = new ArrayList<>();
+        List<GlobalStep> outcomes = new ArrayList<>();
         complete(List.of(run), looks, outcomes);
         return outcomes;
     }
@@ -207,12 +208,12 @@ public final class EventUnfolding implements Unfolding {
         return true;
     }
 
-    private Value[][] latched(Whole before, Value[] letter) {
+    private Value[][] latched(GlobalState before, Value[] letter) {
         Value[][] latched = nothingLatched();
         for (int part = 0; part < latched.length; part++) {
             for (int port = 0; port < latched[part].length; port++) {
                 int input = parts.held(part, port);
-                latched[part][port] = input == EventRun.INSIDE ? null : letter[input];
+                latched[part][port] = input == RunToCompletion.INSIDE ? null : letter[input];
             }
         }
         for (int i = 0; i < registers.size(); i++) {
@@ -224,12 +225,12 @@ public final class EventUnfolding implements Unfolding {
     }
 
     /** Follows runs in all ways until every queue is empty, first alternatives first. */
-    private void complete(List<EventRun> runs, Look[] looks, List<Outcome> outcomes) {
-        Deque<EventRun> open = new ArrayDeque<>(runs);
+    private void complete(List<RunToCompletion> runs, Look[] looks, List<GlobalStep> outcomes) {
+        Deque<RunToCompletion> open = new ArrayDeque<>(runs);
         int reactions = 0;
         while (!open.isEmpty()) {
             budget.insist();
-            EventRun run = open.pop();
+            RunToCompletion run = open.pop();
             if (run.isComplete()) {
                 outcomes.add(outcome(run));
             } else if (run.length() > LONGEST) {
@@ -237,7 +238,7 @@ public final class EventUnfolding implements Unfolding {
             } else if (reactions > MOST_REACTIONS) {
                 parts.leaveOut("what one event causes can go too many ways");
             } else if (!circles(run, outcomes)) {
-                List<EventRun> next = new ArrayList<>();
+                List<RunToCompletion> next = new ArrayList<>();
                 parts.react(run, looks, next, outcomes);
                 reactions++;
                 for (int i = next.size() - 1; i >= 0; i--) {
@@ -251,12 +252,12 @@ public final class EventUnfolding implements Unfolding {
      * Whether a run has come back to where it was, and so may go on for ever. Where it leaves the
      * circle, it has done so before; but if it sends something each time, not with as much sent.
      */
-    private boolean circles(EventRun run, List<Outcome> outcomes) {
-        EventRun earlier = run.circleBeginning();
+    private boolean circles(RunToCompletion run, List<GlobalStep> outcomes) {
+        RunToCompletion earlier = run.circleBeginning();
         if (earlier == null) {
             return false;
         }
-        outcomes.add(Outcome.error("messages circle without end", run.causes()));
+        outcomes.add(GlobalStep.error("messages circle without end", run.causes()));
         boolean shows =
                 run.emissionsSince(earlier).stream()
                         .anyMatch(emission -> wiring.observed[emission.signal()]);
@@ -266,7 +267,7 @@ public final class EventUnfolding implements Unfolding {
         return true;
     }
 
-    private Outcome outcome(EventRun run) {
+    private GlobalStep outcome(RunToCompletion run) {
         List<Sent> kept = new ArrayList<>(registers.size());
         for (Wiring.Reader register : registers) {
             kept.add(Sent.of(run.latched(register.part(), register.port())));
@@ -280,7 +281,7 @@ public final class EventUnfolding implements Unfolding {
         for (Network.External output : network.outputs()) {
             sent.add(output.signal() < 0 ? Sent.SILENCE : joined(output, signals));
         }
-        return new Outcome(new Whole(run.parts(), kept), sent, run.causes());
+        return new GlobalStep(new GlobalState(run.parts(), kept), sent, run.causes());
     }
 
     /** What is sent on a port one after the other, as one. */

@@ -1,7 +1,7 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.letter.StandIns;
+import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.expression.Sent;
@@ -20,12 +20,12 @@ import java.util.Optional;
 public final class SliceUnfolding implements Unfolding {
     private final Network network;
     private final Wiring wiring;
-    private final Parts parts;
+    private final SliceReactions parts;
 
     public SliceUnfolding(Network network, List<String> compared, Budget budget) {
         this.network = network;
         this.wiring = new Wiring(network, compared);
-        this.parts = new Parts(network, wiring, budget);
+        this.parts = new SliceReactions(network, wiring, budget);
     }
 
     @Override
@@ -34,13 +34,13 @@ public final class SliceUnfolding implements Unfolding {
     }
 
     @Override
-    public List<Outcome> beginnings() {
+    public List<GlobalStep> beginnings() {
         return parts.starts().stream().map(this::outcome).toList();
     }
 
     /** A message that passes through to the outside matters as a whole. */
     @Override
-    public Attention attention(Whole whole, StandIns standIns) {
+    public Attention attention(GlobalState whole, Representatives standIns) {
         Look[] looks = new Look[network.inputs().size()];
         for (int i = 0; i < looks.length; i++) {
             int signal = network.inputs().get(i).signal();
@@ -53,13 +53,13 @@ public final class SliceUnfolding implements Unfolding {
     }
 
     @Override
-    public List<Outcome> reactions(Whole before, Value[] letter) {
+    public List<GlobalStep> reactions(GlobalState before, Value[] letter) {
         return parts.reactions(before, beginning(before, letter)).stream()
                 .map(this::outcome)
                 .toList();
     }
 
-    private Slice beginning(Whole before, Value[] letter) {
+    private Slice beginning(GlobalState before, Value[] letter) {
         Sent[] visible = wiring.silence();
         for (int signal = 0; signal < visible.length; signal++) {
             visible[signal] = before.registers().get(signal);
@@ -70,13 +70,14 @@ public final class SliceUnfolding implements Unfolding {
         return new Slice(visible, visible.length);
     }
 
-    private Outcome outcome(Slice slice) {
-        if (Whole.isError(slice.after)) {
-            return Outcome.error("", slice.causes);
+    private GlobalStep outcome(Slice slice) {
+        if (GlobalState.isError(slice.after)) {
+            return GlobalStep.error("", slice.causes);
         }
         List<Sent> sent = new ArrayList<>();
         network.outputs().forEach(port -> sent.add(reaction(slice, port)));
-        return new Outcome(new Whole(slice.after, List.of(slice.registers)), sent, slice.causes);
+        return new GlobalStep(
+                new GlobalState(slice.after, List.of(slice.registers)), sent, slice.causes);
     }
 
     private Sent reaction(Slice slice, Network.External port) {

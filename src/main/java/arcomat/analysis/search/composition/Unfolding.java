@@ -1,6 +1,6 @@
 package arcomat.analysis.search.composition;
 
-import arcomat.analysis.search.letter.StandIns;
+import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.value.Attention;
@@ -14,23 +14,23 @@ public interface Unfolding {
     List<Behaviour> behaviours();
 
     /** All ways to begin. */
-    List<Outcome> beginnings();
+    List<GlobalStep> beginnings();
 
     /**
      * What the reactions look at, external input by external input.
      *
      * @param standIns for data of this side of which it only matters which are the same
      */
-    Attention attention(Whole whole, StandIns standIns);
+    Attention attention(GlobalState whole, Representatives standIns);
 
     /**
      * All ways to react.
      *
      * @param letter messages by position of the external input, null for silence
      */
-    List<Outcome> reactions(Whole before, Value[] letter);
+    List<GlobalStep> reactions(GlobalState before, Value[] letter);
 
-    /** The signal whose message a register of a {@link Whole} keeps. */
+    /** The signal whose message a register of a {@link GlobalState} keeps. */
     int signal(int register);
 
     /** Whether a message has been left open until it was read in a later slice. */

@@ -25,8 +25,11 @@ public final class Alphabet {
      * @param positions one array per focus
      */
     public Alphabet(
-            Component.Profile profile, List<Port> inputs, List<Focus> foci, List<int[]> positions) {
-        this(profile, inputs, foci, positions, StandIns.NONE);
+            Component.Profile profile,
+            List<Port> inputs,
+            List<LetterClasses> foci,
+            List<int[]> positions) {
+        this(profile, inputs, foci, positions, Representatives.NONE);
     }
 
     /**
@@ -35,9 +38,9 @@ public final class Alphabet {
     public Alphabet(
             Component.Profile profile,
             List<Port> inputs,
-            List<Focus> foci,
+            List<LetterClasses> foci,
             List<int[]> positions,
-            StandIns standIns) {
+            Representatives standIns) {
         Look[] looks = new Look[inputs.size()];
         Arrays.fill(looks, new Attention.Unseen());
         for (int f = 0; f < foci.size(); f++) {

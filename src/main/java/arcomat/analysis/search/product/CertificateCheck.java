@@ -3,11 +3,11 @@ package arcomat.analysis.search.product;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.product.Certificate.Entry;
-import arcomat.analysis.search.side.Side;
-import arcomat.analysis.search.step.Outputs;
-import arcomat.analysis.search.step.Split;
+import arcomat.analysis.search.step.CubeSplit;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.StepUnion;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
 
 import java.util.ArrayDeque;
@@ -30,7 +30,7 @@ public final class CertificateCheck {
 
     private record Pair(int left, Set<Integer> right) {}
 
-    private final Pairing pairing;
+    private final Product pairing;
     private final Budget budget;
     private final Map<String, List<Set<String>>> entries = new HashMap<>();
     private final Deque<Pair> open = new ArrayDeque<>();
@@ -41,14 +41,14 @@ public final class CertificateCheck {
      * @param budget of time and memory
      */
     public CertificateCheck(
-            Side left,
-            Side right,
+            TransitionSystem left,
+            TransitionSystem right,
             List<Port> observed,
-            Outputs outputs,
+            OutputCubes outputs,
             Certificate certificate,
             Budget budget) {
         this.budget = budget;
-        this.pairing = new Pairing(left, right, observed, outputs, budget);
+        this.pairing = new Product(left, right, observed, outputs, budget);
         for (Entry entry : certificate.entries()) {
             entries.computeIfAbsent(entry.left(), each -> new ArrayList<>())
                     .add(new HashSet<>(entry.right()));
@@ -82,7 +82,7 @@ public final class CertificateCheck {
     /** Whether each step is allowed, and leads to a pair of the certificate. */
     private void leads(String from, Steps mine, Steps theirs) {
         for (int step = 0; step < mine.size(); step++) {
-            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
+            for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                 if (sent.allowed().length == 0) {
                     problem = "a step out of %s is forbidden".formatted(from);
                     return;

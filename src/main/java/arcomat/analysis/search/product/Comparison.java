@@ -3,10 +3,10 @@ package arcomat.analysis.search.product;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.letter.Alphabet;
-import arcomat.analysis.search.side.Side;
-import arcomat.analysis.search.step.Outputs;
-import arcomat.analysis.search.step.Split;
+import arcomat.analysis.search.step.CubeSplit;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
+import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -25,26 +25,31 @@ import java.util.Optional;
 public final class Comparison {
     private final List<Port> leftOutputs;
     private final List<String> observed;
-    private final Pairing pairing;
-    private final Inclusion inclusion;
+    private final Product pairing;
+    private final TraceInclusion inclusion;
 
     /**
      * @param observed the output ports of the right side, as cubes list them
      */
-    public Comparison(Side left, Side right, List<Port> observed, Outputs outputs, Budget budget) {
+    public Comparison(
+            TransitionSystem left,
+            TransitionSystem right,
+            List<Port> observed,
+            OutputCubes outputs,
+            Budget budget) {
         this.leftOutputs = left.outputs();
         this.observed = observed.stream().map(Port::name).toList();
-        this.pairing = new Pairing(left, right, observed, outputs, budget);
-        this.inclusion = new Inclusion(pairing, budget);
+        this.pairing = new Product(left, right, observed, outputs, budget);
+        this.inclusion = new TraceInclusion(pairing, budget);
     }
 
     /** Ends with the first failure, or where time, memory or letters are too much. */
-    public Inclusion.Result run() {
+    public TraceInclusion.Result run() {
         return inclusion.search();
     }
 
     /** As {@link #run}, but goes on behind failures. */
-    public Inclusion.Result runOn() {
+    public TraceInclusion.Result runOn() {
         return inclusion.search(true);
     }
 
@@ -54,7 +59,7 @@ public final class Comparison {
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */
-    public List<Inclusion.Failure> failures() {
+    public List<TraceInclusion.Failure> failures() {
         return inclusion.failures();
     }
 
@@ -91,7 +96,7 @@ public final class Comparison {
             boolean error) {}
 
     /** The moments of a failure, the forbidden one included. */
-    public List<Moment> moments(Inclusion.Failure failure) {
+    public List<Moment> moments(TraceInclusion.Failure failure) {
         List<Moment> moments = new ArrayList<>();
         List<Integer> path = inclusion.path(failure.node());
         Steps openings = pairing.left.openings();
@@ -116,7 +121,7 @@ public final class Comparison {
     private Moment opening(Steps mine, int node) {
         Steps theirs = pairing.right.openings();
         for (int step = 0; step < mine.size(); step++) {
-            for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
+            for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                 if (mine.next()[step] == inclusion.left(node)
                         && sent.messages() == inclusion.cost(node)
                         && inclusion.successor(theirs, sent.allowed()) == inclusion.set(node)) {
@@ -140,7 +145,7 @@ public final class Comparison {
                 if (mine.next()[step] != inclusion.left(after)) {
                     continue;
                 }
-                for (Split.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
+                for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
                     if (sent.allowed().length > 0
                             && alphabet.messages(letter) + sent.messages() == gain
                             && inclusion.successor(theirs, sent.allowed())
@@ -160,7 +165,7 @@ public final class Comparison {
     }
 
     private Moment moment(
-            Value[] letter, Steps mine, int step, Split.Case sent, List<String> right) {
+            Value[] letter, Steps mine, int step, CubeSplit.Case sent, List<String> right) {
         return new Moment(
                 letter == null ? Letter.SILENCE : Letter.of(pairing.left.inputs(), letter),
                 sent(mine.whole().get(step), sent),
@@ -173,7 +178,7 @@ public final class Comparison {
      * On compared ports, and on those that show the same message, the sample; on others what the
      * left side sends there. Where the run ends, only what is still seen.
      */
-    private Map<String, Sent> sent(Output whole, Split.Case sent) {
+    private Map<String, Sent> sent(Output whole, CubeSplit.Case sent) {
         Map<String, String> twins = pairing.left.twins();
         Map<String, Sent> shown = new LinkedHashMap<>();
         for (int i = 0; i < leftOutputs.size(); i++) {
@@ -192,7 +197,7 @@ public final class Comparison {
     }
 
     /** The last moment of a failure, from both sides. */
-    public Forbidden forbidden(Inclusion.Failure failure) {
+    public Forbidden forbidden(TraceInclusion.Failure failure) {
         List<Allowed> allowed = new ArrayList<>();
         String before = "";
         if (failure.node() < 0) {

@@ -1,0 +1,145 @@
+package arcomat.analysis.game;
+
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Numbering;
+import arcomat.analysis.search.product.Comparison.Allowed;
+import arcomat.analysis.search.step.Steps;
+import arcomat.model.Letter;
+import arcomat.model.Value;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * How the environment wins a game, turn by turn: with a single word if there is one, else by
+ * answering what the system does.
+ */
+public final class CounterStrategy {
+    private static final int BEGINNING = -1;
+
+    /**
+     * @param turns the first one is the beginning; answers refer to the others by number
+     * @param word the inputs, where one word works whatever the system answers
+     * @param decided whether there is no such word if none was found
+     */
+    public record Won(List<Turn> turns, Optional<List<Letter>> word, boolean decided) {}
+
+    /** Where a turn is played: after so many letters of the word, or anywhere; and the position. */
+    private record Place(int letters, int position) {}
+
+    private final Game game;
+    private final Arena rules;
+    private final List<Value[]> word;
+    private final AttractorRanks strategy;
+    private final Numbering<Place> places = new Numbering<>();
+
+    private CounterStrategy(Game game, List<Value[]> word, AttractorRanks strategy) {
+        this.game = game;
+        this.rules = game.rules();
+        this.word = word;
+        this.strategy = strategy;
+    }
+
+    /** Tells a game that the environment wins. */
+    public static Won of(Game game, Budget budget) {
+        int[] openings =
+                game.rules().openings().stream().mapToInt(Arena.Option::position).toArray();
+        int shortest = game.ranks().of(openings);
+        game.playOn(shortest);
+        AttractorRanks ranks = game.ranks();
+        BlindStrategy.Found found = new BlindStrategy(game, ranks, shortest, budget).search();
+        if (found.word().isEmpty()) {
+            game.playOn(AttractorRanks.NEVER);
+            found = new BlindStrategy(game, ranks, AttractorRanks.NEVER, budget).search();
+        }
+        CounterStrategy telling =
+                found.word().isPresent()
+                        ? new CounterStrategy(game, found.word().get(), null)
+                        : new CounterStrategy(game, null, ranks);
+        return new Won(telling.turns(), found.word().map(telling::letters), found.decided());
+    }
+
+    private List<Letter> letters(List<Value[]> inputs) {
+        return inputs.stream().map(this::letter).toList();
+    }
+
+    private List<Turn> turns() {
+        places.number(new Place(0, BEGINNING));
+        List<Turn> turns = new ArrayList<>();
+        for (int i = 0; i < places.size(); i++) {
+            turns.add(turn(places.get(i)));
+        }
+        return turns;
+    }
+
+    private Turn turn(Place place) {
+        boolean beginning = place.position == BEGINNING;
+        Value[] input = beginning ? new Value[rules.inputs().size()] : input(place);
+        List<Arena.Option> options =
+                beginning ? rules.openings() : rules.options(place.position, input);
+        List<Turn.Answer> answers = new ArrayList<>();
+        int letters = beginning || word == null ? 0 : place.letters + 1;
+        for (Arena.Option option : options) {
+            int next = places.number(new Place(letters, option.position()));
+            answers.add(new Turn.Answer(named(option.sent()), next));
+        }
+        return new Turn(
+                letter(input), answers, answers.isEmpty() ? demands(place, input) : List.of());
+    }
+
+    private Value[] input(Place place) {
+        return word != null
+                ? word.get(place.letters)
+                : rules.alphabet(place.position).letter(strategy.letter(place.position));
+    }
+
+    private List<Turn.Demand> demands(Place place, Value[] input) {
+        List<Turn.Demand> demands = new ArrayList<>();
+        for (int i = 0; i < rules.requirements().size(); i++) {
+            Requirement requirement = rules.requirements().get(i);
+            Reply reply =
+                    place.position == BEGINNING
+                            ? requirement.opening()
+                            : rules.replies(place.position, input)[i];
+            if (reply != null) {
+                demands.add(new Turn.Demand(i, allowed(requirement, reply)));
+            }
+        }
+        return demands;
+    }
+
+    private List<Allowed> allowed(Requirement requirement, Reply reply) {
+        List<Allowed> allowed = new ArrayList<>();
+        for (Reply.Part part : reply.before()) {
+            Steps steps = part.steps();
+            for (int step = 0; step < steps.size(); step++) {
+                allowed.add(
+                        new Allowed(
+                                part.configuration() < 0
+                                        ? ""
+                                        : requirement.side().describe(part.configuration()),
+                                steps.causes().get(step),
+                                named(requirement.sent(steps.outputs()[step])),
+                                requirement.sent(steps.outputs()[step]) == null));
+            }
+        }
+        return allowed;
+    }
+
+    private Map<String, Sent> named(Output output) {
+        Map<String, Sent> named = new LinkedHashMap<>();
+        for (int i = 0; output != null && i < rules.outputs().size(); i++) {
+            named.put(rules.outputs().get(i).name(), output.ports().get(i));
+        }
+        return named;
+    }
+
+    private Letter letter(Value[] messages) {
+        return Letter.of(rules.inputs(), messages);
+    }
+}

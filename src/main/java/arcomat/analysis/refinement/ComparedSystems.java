@@ -1,0 +1,116 @@
+package arcomat.analysis.refinement;
+
+import arcomat.analysis.refinement.Verdict.Explored;
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.product.Comparison;
+import arcomat.analysis.search.step.OutputCubes;
+import arcomat.analysis.search.system.AutomataSystem;
+import arcomat.analysis.search.system.DelayedSystem;
+import arcomat.analysis.search.system.DrivenSystem;
+import arcomat.analysis.search.system.NetworkSystem;
+import arcomat.analysis.search.system.ShiftedSystem;
+import arcomat.analysis.search.system.TransitionSystem;
+import arcomat.model.Port;
+
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Both sides of a comparison, ready to be explored. Where only one of them sends with delay, they
+ * are compared by what is seen.
+ */
+public final class ComparedSystems {
+    private final TransitionSystem plainLeft;
+    private final TransitionSystem plainRight;
+    private final TransitionSystem left;
+    private final TransitionSystem right;
+    private final List<Port> observed;
+    private final OutputCubes outputs;
+
+    private ComparedSystems(
+            TransitionSystem plainLeft,
+            TransitionSystem plainRight,
+            List<Port> observed,
+            OutputCubes outputs) {
+        this.plainLeft = plainLeft;
+        this.plainRight = plainRight;
+        this.observed = observed;
+        this.outputs = outputs;
+        List<Boolean> total = observed.stream().map(Port::total).toList();
+        this.left = ShiftedSystem.beside(plainLeft, plainRight, total, outputs);
+        this.right = ShiftedSystem.beside(plainRight, plainLeft, total, outputs);
+    }
+
+    public static ComparedSystems of(Promise left, Promise right, Budget budget) {
+        OutputCubes outputs = new OutputCubes();
+        List<Port> observed = right.ports().stream().filter(port -> !port.isInput()).toList();
+        List<String> names = observed.stream().map(Port::name).toList();
+        return new ComparedSystems(
+                DrivenSystem.of(side(left, names, outputs, budget)),
+                side(right, names, outputs, budget),
+                observed,
+                outputs);
+    }
+
+    private static TransitionSystem side(
+            Promise promise, List<String> observed, OutputCubes outputs, Budget budget) {
+        return promise.isComposition()
+                ? new NetworkSystem(
+                        promise.component(), promise.arguments(), observed, outputs, budget)
+                : new AutomataSystem(promise.behaviour(), observed, outputs, budget);
+    }
+
+    /** The same with a right side that is so many slices late. */
+    ComparedSystems late(int slices, Budget budget) {
+        TransitionSystem late =
+                new DelayedSystem(plainRight, slices, observed.size(), outputs, budget);
+        return new ComparedSystems(plainLeft, late, observed, outputs);
+    }
+
+    TransitionSystem left() {
+        return left;
+    }
+
+    TransitionSystem right() {
+        return right;
+    }
+
+    List<Port> observed() {
+        return observed;
+    }
+
+    OutputCubes outputs() {
+        return outputs;
+    }
+
+    /** Compared ports on which only one of the sides sends with delay, by name. */
+    List<String> shifted() {
+        return Stream.of(left, right).flatMap(this::late).sorted().map(this::name).toList();
+    }
+
+    /** Compared ports on which one of the sides is seen later than it sends, by name. */
+    static Set<String> late(Promise left, Promise right, boolean isLeft) {
+        ComparedSystems sides = of(left, right, Budget.ofMemory());
+        return sides.late(isLeft ? sides.left : sides.right)
+                .map(sides::name)
+                .collect(Collectors.toSet());
+    }
+
+    private Stream<Integer> late(TransitionSystem side) {
+        return side instanceof ShiftedSystem shown ? shown.late().stream().boxed() : Stream.of();
+    }
+
+    private String name(int port) {
+        return observed.get(port).name();
+    }
+
+    public Comparison comparison(Budget budget) {
+        return new Comparison(left, right, observed, outputs, budget);
+    }
+
+    Explored explored(long pairs) {
+        return new Explored(pairs, left.size(), right.size());
+    }
+}

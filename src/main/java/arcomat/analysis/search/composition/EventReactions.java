@@ -1,0 +1,284 @@
+package arcomat.analysis.search.composition;
+
+import arcomat.analysis.search.Budget;
+import arcomat.model.Trace;
+import arcomat.model.Value;
+import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.Behaviour.JointError;
+import arcomat.semantics.automaton.Behaviour.JointReaction;
+import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.Configuration;
+import arcomat.semantics.automaton.Input;
+import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.network.Network;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Kinds;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The parts of an event-driven network: how one of them takes an event, and where its messages go.
+ * A message that is left open, and that a part will read, is divided into all its values.
+ */
+final class EventReactions {
+    private final Budget budget;
+    private final Network network;
+    private final Wiring wiring;
+    private final List<Behaviour> behaviours;
+
+    /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
+    private final int[][] held;
+
+    private String leftOut;
+
+    EventReactions(Network network, Wiring wiring, Budget budget) {
+        this.budget = budget;
+        this.network = network;
+        this.wiring = wiring;
+        this.behaviours = Behaviour.ofParts(network, budget::insist);
+        this.held = new int[network.instances().size()][];
+        int[] latchedInputs = latchedInputs(network);
+        for (int part = 0; part < held.length; part++) {
+            Network.Instance instance = network.instances().get(part);
+            held[part] =
+                    instance.inputSignals().stream()
+                            .mapToInt(s -> s < 0 ? RunToCompletion.INSIDE : latchedInputs[s])
+                            .toArray();
+        }
+    }
+
+    private static int[] latchedInputs(Network network) {
+        int[] positions = new int[network.signals()];
+        Arrays.fill(positions, RunToCompletion.INSIDE);
+        for (int i = 0; i < network.inputs().size(); i++) {
+            if (network.inputs().get(i).port().latched()) {
+                positions[network.inputs().get(i).signal()] = i;
+            }
+        }
+        return positions;
+    }
+
+    List<Behaviour> behaviours() {
+        return behaviours;
+    }
+
+    /** The latched external input that a port of a part reads, else {@code INSIDE}. */
+    int held(int part, int port) {
+        return held[part][port];
+    }
+
+    Optional<String> leftOut() {
+        return Optional.ofNullable(leftOut);
+    }
+
+    /** Notes that not all runs are followed; the first reason is kept. */
+    void leaveOut(String reason) {
+        leftOut = leftOut == null ? reason : leftOut;
+    }
+
+    /** All ways in which a part begins. */
+    void start(RunToCompletion run, int part, List<RunToCompletion> next, List<GlobalStep> errors) {
+        for (JointStart start : behaviours.get(part).starts(budget::insist)) {
+            RunToCompletion longer = run.longer();
+            longer.set(part, start.configurations());
+            finish(longer, part, start.output().ports(), next, errors);
+        }
+    }
+
+    /** All ways in which a part is completed where there is nothing that it could handle. */
+    void idle(RunToCompletion run, int part, List<RunToCompletion> next, List<GlobalStep> errors) {
+        Behaviour behaviour = behaviours.get(part);
+        Input nothing = Input.of(new Value[behaviour.component().inputs().size()]);
+        Prospect prospect = behaviour.prospect(run.part(part), nothing, budget::insist);
+        prospect.errors().forEach(error -> errors.add(error(run, part, error)));
+        prospect.reactions().forEach(each -> follow(run.longer(), part, each, next, errors));
+    }
+
+    /**
+     * All ways in which the part whose turn it is takes its next event.
+     *
+     * @param looks by external input, widened by what the part looks at; null if nobody asks
+     */
+    void react(
+            RunToCompletion run,
+            Look[] looks,
+            List<RunToCompletion> next,
+            List<GlobalStep> errors) {
+        int part = run.nextPart();
+        RunToCompletion.Event event = run.first(part);
+        if (looks != null) {
+            look(run.part(part), part, event, looks);
+        }
+        Input input = Input.of(run.messages(part, event));
+        Prospect prospect = behaviours.get(part).prospect(run.part(part), input, budget::insist);
+        prospect.errors().forEach(error -> errors.add(error(run, part, error)));
+        List<JointReaction> reactions = prospect.reactions();
+        for (JointReaction reaction : reactions) {
+            RunToCompletion longer = run.longer();
+            longer.take(part);
+            if (reactions.size() > 1) {
+                longer.setAlternative();
+            }
+            follow(longer, part, reaction, next, errors);
+        }
+    }
+
+    private void follow(
+            RunToCompletion run,
+            int part,
+            JointReaction reaction,
+            List<RunToCompletion> next,
+            List<GlobalStep> errors) {
+        reaction.reactions().forEach(each -> run.note(each.cause()));
+        run.set(part, reaction.next());
+        finish(run, part, reaction.output().ports(), next, errors);
+    }
+
+    private void finish(
+            RunToCompletion run,
+            int part,
+            List<Sent> output,
+            List<RunToCompletion> next,
+            List<GlobalStep> errors) {
+        List<List<Sent>> settled = settled(part, output);
+        for (List<Sent> sent : settled) {
+            RunToCompletion own = settled.size() == 1 ? run : run.twin();
+            send(own, part, sent, next, errors);
+        }
+    }
+
+    private GlobalStep error(RunToCompletion run, int part, JointError error) {
+        List<Trace.Cause> causes = run.causes();
+        causes.addAll(error.causes());
+        return GlobalStep.error(path(part) + ": " + error.message(), causes);
+    }
+
+    private String path(int part) {
+        return network.instances().get(part).path();
+    }
+
+    /** Only messages from outside are looked at: those from inside are known. */
+    private void look(
+            List<Configuration> configurations,
+            int part,
+            RunToCompletion.Event event,
+            Look[] looks) {
+        List<StepRelation> relations = behaviours.get(part).relations();
+        for (int i = 0; i < configurations.size(); i++) {
+            Attention attention = relations.get(i).attention(configurations.get(i));
+            for (int port = 0; port < held[part].length; port++) {
+                int origin = port == event.port() ? event.origin() : held[part][port];
+                if (origin != RunToCompletion.INSIDE) {
+                    looks[origin] = looks[origin].and(attention.looks().get(port));
+                }
+            }
+        }
+    }
+
+    private void send(
+            RunToCompletion run,
+            int part,
+            List<Sent> sent,
+            List<RunToCompletion> next,
+            List<GlobalStep> errors) {
+        List<Integer> signals = network.instances().get(part).outputSignals();
+        for (int i = 0; i < sent.size(); i++) {
+            Optional<String> problem =
+                    sent.get(i) instanceof Sent.Messages messages
+                            ? deliver(
+                                    run, signals.get(i), messages.values(), RunToCompletion.INSIDE)
+                            : open(run, signals.get(i), sent.get(i));
+            if (problem.isPresent()) {
+                errors.add(GlobalStep.error(problem.get(), run.causes()));
+                return;
+            }
+        }
+        next.add(run);
+    }
+
+    private static Optional<String> open(RunToCompletion run, int signal, Sent sent) {
+        run.note(signal, sent);
+        return Optional.empty();
+    }
+
+    /**
+     * Puts messages on a signal: each into the latches and queues of all its readers.
+     *
+     * @return what goes wrong
+     */
+    Optional<String> deliver(RunToCompletion run, int signal, List<Value> messages, int origin) {
+        for (Value message : messages) {
+            run.note(signal, new Sent.Messages(List.of(message)));
+            for (Wiring.Reader reader : wiring.readers.get(signal)) {
+                if (wiring.port(reader).latched()) {
+                    run.latch(reader.part(), reader.port(), message);
+                } else if (run.waiting(reader.part()) >= capacity(reader)) {
+                    return Optional.of(
+                            "%s has no room for another event on '%s' (capacity %d)"
+                                    .formatted(
+                                            path(reader.part()),
+                                            wiring.port(reader).name(),
+                                            capacity(reader)));
+                } else {
+                    run.enqueue(
+                            reader.part(),
+                            new RunToCompletion.Event(reader.port(), message, origin));
+                }
+            }
+        }
+        return Optional.empty();
+    }
+
+    private int capacity(Wiring.Reader reader) {
+        return network.instances().get(reader.part()).component().queueCapacity();
+    }
+
+    /** All ways to settle what somebody reads of an output; the rest stays open. */
+    private List<List<Sent>> settled(int part, List<Sent> output) {
+        List<List<Sent>> settled = List.of(List.of());
+        for (int i = 0; i < output.size(); i++) {
+            List<List<Sent>> longer = new ArrayList<>();
+            for (Sent option : options(part, i, output.get(i))) {
+                for (List<Sent> each : settled) {
+                    budget.insist();
+                    List<Sent> copy = new ArrayList<>(each);
+                    copy.add(option);
+                    longer.add(copy);
+                }
+            }
+            settled = longer;
+        }
+        return settled;
+    }
+
+    private List<Sent> options(int part, int output, Sent sent) {
+        int signal = network.instances().get(part).outputSignals().get(output);
+        List<Wiring.Reader> readers = wiring.readers.get(signal);
+        if (sent instanceof Sent.Messages || readers.isEmpty() && !wiring.shared[signal]) {
+            return List.of(sent);
+        }
+        boolean all = sent instanceof Sent.AnyMessage;
+        if (!all
+                && (wiring.observed[signal]
+                        || !readers.stream().allMatch(r -> wiring.port(r).latched()))) {
+            leaveOut(
+                    "%s leaves open what it sends on '%s', %s; %s"
+                            .formatted(
+                                    path(part),
+                                    wiring.sender[signal].name(),
+                                    readers.isEmpty()
+                                            ? "and two ports show it"
+                                            : "and parts read it",
+                                    "decide with transitions, or with another completion"));
+            return List.of(Sent.SILENCE);
+        }
+        Kinds kinds = Kinds.of(wiring.sender[signal], all, new Attention.Whole());
+        return kinds.samples().stream().map(Sent::of).toList();
+    }
+}

@@ -1,0 +1,107 @@
+package arcomat.analysis.search.letter;
+
+import arcomat.analysis.search.Numbering;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.SmallType;
+import arcomat.semantics.value.TooManyMessages;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+
+/**
+ * What a configuration pays attention to, ready to sort letters: all letters with one number have
+ * the same steps.
+ */
+public final class LetterClasses {
+    /** Kinds of the other ports, and messages that are told apart one by one. */
+    private record Told(long kind, List<Value> messages) {}
+
+    private final int number;
+    private final Attention attention;
+    private final Kinds[] kinds;
+    private final int[] ports;
+    private final long[] strides;
+
+    /** Ports of too many values to be numbered beforehand. */
+    private final int[] copied;
+
+    private final Numbering<Told> told = new Numbering<>();
+
+    public LetterClasses(int number, Attention attention, List<Port> inputs) {
+        this.number = number;
+        this.attention = attention;
+        List<Look> looks = attention.looks();
+        kinds = new Kinds[inputs.size()];
+        strides = new long[inputs.size()];
+        long stride = 1;
+        int seen = 0;
+        int[] all = new int[inputs.size()];
+        for (int i = 0; i < kinds.length; i++) {
+            kinds[i] = Kinds.of(inputs.get(i), false, told(inputs.get(i), looks.get(i)));
+            strides[i] = stride;
+            stride = product(stride, kinds[i].count());
+            if (kinds[i].count() > 1) {
+                all[seen++] = i;
+            }
+        }
+        ports = Arrays.copyOf(all, seen);
+        copied =
+                IntStream.range(0, inputs.size())
+                        .filter(i -> isTold(inputs.get(i), looks.get(i)))
+                        .toArray();
+    }
+
+    /** Nobody tries more letters than can be numbered. */
+    private static long product(long stride, int count) {
+        if (stride > Long.MAX_VALUE / count) {
+            throw TooManyMessages.together(Letters.MOST);
+        }
+        return stride * count;
+    }
+
+    private static boolean isTold(Port port, Look look) {
+        return look instanceof Attention.Copied && SmallType.values(port.type()).isEmpty();
+    }
+
+    private static Look told(Port port, Look look) {
+        return isTold(port, look) ? new Attention.Unseen() : look;
+    }
+
+    /** LetterClassesPool of one side are numbered from 0. */
+    public int number() {
+        return number;
+    }
+
+    /** What is looked at, port by port. */
+    public Attention attention() {
+        return attention;
+    }
+
+    /**
+     * The number of a letter.
+     *
+     * @param letter messages by position
+     * @param positions where the ports of this side stand in the letter
+     */
+    public long kind(Value[] letter, int[] positions) {
+        long kind = 0;
+        for (int port : ports) {
+            kind += strides[port] * kinds[port].of(letter[positions[port]]);
+        }
+        return copied.length == 0 ? kind : told(kind, letter, positions);
+    }
+
+    private long told(long kind, Value[] letter, int[] positions) {
+        List<Value> messages = new ArrayList<>(copied.length);
+        for (int port : copied) {
+            messages.add(letter[positions[port]]);
+        }
+        return told.number(new Told(kind, messages));
+    }
+}

@@ -1,0 +1,127 @@
+package arcomat.analysis.search.letter;
+
+import arcomat.model.Component;
+import arcomat.model.Port;
+import arcomat.model.Value;
+import arcomat.semantics.expression.DataSorts.Sort;
+import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.Attention.Copied;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.ValueOrder;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * The letters that a pair of configurations tells apart, where of some data it only matters which
+ * of them are the same: a port carries a constant, a value that the pair holds, or a stranger. Of
+ * strangers it takes as many as ports may carry at once.
+ *
+ * @param sorts by position of the port; null where its data are not free
+ * @param held by number of the sort, what the pair holds of it, in natural order
+ */
+public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
+    public static final Representatives NONE = new Representatives(new Sort[0], Map.of());
+
+    /** As {@link Letters#of}. */
+    public List<Value[]> letters(Component.Profile profile, List<Port> inputs, List<Look> looks) {
+        List<Integer> open = new ArrayList<>();
+        for (int port = 0; port < sorts.length; port++) {
+            if (sorts[port] != null && looks.get(port) instanceof Copied) {
+                open.add(port);
+            }
+        }
+        if (open.isEmpty()) {
+            return Letters.of(profile, inputs, looks);
+        }
+        Map<Integer, FreshValues> strangers = new HashMap<>();
+        for (int port : open) {
+            int count = atOnce(sorts[port], profile, inputs, open);
+            strangers.computeIfAbsent(
+                    sorts[port].number(),
+                    sort -> FreshValues.of(sorts[port], held.get(sort), count));
+        }
+        List<Value[]> letters =
+                Letters.of(
+                        profile,
+                        inputs,
+                        (port, present) ->
+                                open.contains(port)
+                                        ? samples(inputs.get(port), present, port, strangers)
+                                        : Kinds.of(inputs.get(port), present, looks.get(port))
+                                                .samples());
+        letters.removeIf(letter -> !isFirst(letter, open, strangers));
+        return letters;
+    }
+
+    /**
+     * A run may compare a message with strangers that it has met on its way: with other ones, when
+     * these stand in for them.
+     */
+    public void copyWhatMeetsStrangers(Look[] looks) {
+        for (int port = 0; port < sorts.length; port++) {
+            if (sorts[port] != null
+                    && looks[port] instanceof Compared compared
+                    && !known(sorts[port]).containsAll(compared.values())) {
+                looks[port] = new Copied();
+            }
+        }
+    }
+
+    private Set<Value> known(Sort sort) {
+        Set<Value> known = new TreeSet<>(ValueOrder.NATURAL);
+        known.addAll(sort.constants());
+        known.addAll(held.get(sort.number()));
+        return known;
+    }
+
+    /** How many ports may carry a value of a sort at the same time. */
+    private int atOnce(
+            Sort sort, Component.Profile profile, List<Port> inputs, List<Integer> open) {
+        int ports = 0;
+        int events = 0;
+        for (int port : open) {
+            if (sorts[port].number() == sort.number()) {
+                boolean event =
+                        profile == Component.Profile.EVENT_DRIVEN && !inputs.get(port).latched();
+                events += event ? 1 : 0;
+                ports += event ? 0 : 1;
+            }
+        }
+        return ports + Math.min(events, 1);
+    }
+
+    private List<Value> samples(
+            Port port, boolean present, int position, Map<Integer, FreshValues> strangers) {
+        Sort sort = sorts[position];
+        List<Value> samples = new ArrayList<>();
+        if (!present) {
+            samples.add(null);
+        }
+        known(sort).stream().filter(value -> Kinds.isIn(port.type(), value)).forEach(samples::add);
+        samples.addAll(strangers.get(sort.number()).in(port.type()));
+        return samples;
+    }
+
+    /** Of letters that differ only in which stranger is which, the first is enough. */
+    private boolean isFirst(
+            Value[] letter, List<Integer> open, Map<Integer, FreshValues> strangers) {
+        for (Map.Entry<Integer, FreshValues> each : strangers.entrySet()) {
+            List<Value> met = new ArrayList<>();
+            for (int port : open) {
+                if (sorts[port].number() == each.getKey() && letter[port] != null) {
+                    met.add(letter[port]);
+                }
+            }
+            if (!each.getValue().areInOrder(met)) {
+                return false;
+            }
+        }
+        return true;
+    }
+}

@@ -1,0 +1,134 @@
+package arcomat.analysis.search.system;
+
+import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.Numbering;
+import arcomat.analysis.search.letter.LetterClasses;
+import arcomat.analysis.search.letter.Letters;
+import arcomat.analysis.search.step.OutputCubes;
+import arcomat.analysis.search.step.StepCollector;
+import arcomat.analysis.search.step.Steps;
+import arcomat.model.Value;
+import arcomat.semantics.expression.Output;
+import arcomat.semantics.expression.Sent;
+import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.GivenUp;
+import arcomat.semantics.value.TooManyMessages;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+
+/**
+ * A side whose reactions are expected some slices later than it sends them; before the first one,
+ * anything may be sent. It reads each letter as many slices later, and holds those that it has not
+ * read yet. Only for the right side of a comparison.
+ *
+ * <p>Remembers the kinds of the letters that it will read, the oldest first.
+ */
+public final class DelayedSystem extends HistorySystem<List<Long>> {
+    /** With more, there would be too many rows of letters that are held. */
+    private static final int MOST_LETTERS = 1_000;
+
+    private final int slices;
+    private final LetterClasses focus;
+    private final int open;
+    private final Output openWhole;
+    private final Map<Long, Value[]> letters = new HashMap<>();
+
+    /**
+     * @param side works in slices
+     * @param slices at least 1
+     * @param observed how many output ports are compared
+     * @throws TooManyMessages where there are too many letters to hold
+     * @throws GivenUp where the budget does not suffice to explore the side
+     */
+    public DelayedSystem(
+            TransitionSystem side, int slices, int observed, OutputCubes outputs, Budget budget) {
+        super(side);
+        this.slices = slices;
+        this.focus = new LetterClasses(0, everything(budget), side.inputs());
+        this.open = outputs.number(anything(observed));
+        this.openWhole = anything(side.outputs().size());
+    }
+
+    private static Output anything(int ports) {
+        return new Output(Collections.nCopies(ports, new Sent.Anything()));
+    }
+
+    /** Whatever a letter that is held may be looked at for, in whichever configuration. */
+    private Attention everything(Budget budget) {
+        Attention all = Attention.none(side.inputs().size());
+        Numbering<Integer> met = new Numbering<>();
+        IntStream.of(side.openings().next()).forEach(met::number);
+        for (int i = 0; i < met.size(); i++) {
+            String exhausted = budget.exhausted(met.size());
+            if (exhausted != null) {
+                throw new GivenUp(exhausted);
+            }
+            int configuration = met.get(i);
+            Attention attention = side.focus(configuration).attention();
+            all = all.and(attention);
+            for (Value[] letter : letters(attention)) {
+                budget.insist();
+                IntStream.of(own(configuration, letter).next()).forEach(met::number);
+            }
+        }
+        letters(all); // to be told that there are too many
+        return all;
+    }
+
+    private List<Value[]> letters(Attention attention) {
+        return Letters.atMost(MOST_LETTERS, side.inputs(), attention.looks());
+    }
+
+    @Override
+    public Steps openings() {
+        return waiting(side.openings().next(), List.of());
+    }
+
+    @Override
+    public LetterClasses focus(int configuration) {
+        return focus;
+    }
+
+    @Override
+    Steps compute(State<List<Long>> before, long kind, Value[] letter) {
+        letters.putIfAbsent(kind, letter);
+        List<Long> held = new ArrayList<>(before.memory());
+        held.add(kind);
+        if (held.size() <= slices) {
+            return waiting(new int[] {before.inner()}, held);
+        }
+        Value[] oldest = letters.get(held.remove(0));
+        return remembering(own(before.inner(), oldest), held);
+    }
+
+    /** Anything may be sent. */
+    private Steps waiting(int[] inner, List<Long> held) {
+        StepCollector collector = new StepCollector();
+        for (int each : inner) {
+            collector.add(open, number(each, held), List.of(), openWhole);
+        }
+        return collector.steps();
+    }
+
+    @Override
+    void held(List<Long> kinds, DataPlaces data, DataPlaces.Holding holding) {
+        for (long kind : kinds) {
+            Value[] letter = letters.get(kind);
+            for (int i = 0; i < letter.length; i++) {
+                if (letter[i] != null) {
+                    holding.value(data.input(side.inputs().get(i).name()), letter[i]);
+                }
+            }
+        }
+    }
+
+    @Override
+    String words(List<Long> held) {
+        return held.toString();
+    }
+}

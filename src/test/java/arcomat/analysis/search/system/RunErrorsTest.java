@@ -1,0 +1,64 @@
+package arcomat.analysis.search.system;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.lower.Lowering;
+import arcomat.model.Component;
+import arcomat.symbols.Scenario;
+
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Which automata may end a run with an error, as far as their text tells. */
+class RunErrorsTest {
+    private static boolean possible(String completion, String transition) {
+        String text =
+                """
+                ==== a/C.arc
+                package a;
+                component C {
+                  port in Integer[0..9] x, in Integer w, out Integer[0..9] y;
+                  <<completion = "%s">> automaton {
+                    variable Integer[0..9] n = 0;
+                    variable Integer[0..5] few = 0;
+                    state s;
+                    initial s;
+                    s %s;
+                  }
+                }
+                """
+                        .formatted(completion, transition);
+        Component component =
+                Lowering.lower(Scenario.of(text).workspace()).component("a.C").orElseThrow();
+        return RunErrors.arePossible(component.automata().get(0));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            textBlock =
+                    """
+                    {x == ?}                 | false
+                    {x == ?} / {y = 3}       | false
+                    {x == ?} / {y = x}       | false
+                    {x == ?} / {y = n}       | false
+                    {x == ?} / {n = x}       | false
+                    {x == ?} / {n = 9}       | false
+                    {x == ?} / {y = --}      | false
+                    [x + 1 > n] / {y = x}    | false
+                    {x == ?} / {y = x + 1}   | true
+                    {x == ?} / {n = n + 1}   | true
+                    {w == ?} / {y = w}       | true
+                    {x == ?} / {few = x}     | true
+                    {x == ?} / {few = few}   | false
+                    [6 / n == 1]             | true
+                    [w % n == 1] / {y = x}   | true
+                    {x = alt {1, 6 / n}}     | true
+                    {x = alt {1, n}}         | false
+                    """)
+    void whatIsCalculatedMayGoWrong(String transition, boolean possible) {
+        assertThat(possible("ignore", transition)).isEqualTo(possible);
+        assertThat(possible("output", transition)).isEqualTo(possible);
+        assertThat(possible("error", transition)).isTrue();
+    }
+}
