@@ -3,8 +3,12 @@ package arcomat.check;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import static java.util.Comparator.comparing;
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.mapping;
+import static java.util.stream.Collectors.toList;
 
 import arcomat.check.law.Check;
+import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -18,13 +22,14 @@ import org.junit.jupiter.api.TestFactory;
 
 import java.io.File;
 import java.io.IOException;
+import java.lang.reflect.Modifier;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -38,9 +43,9 @@ class ChecksTest {
     private static final Path ACTUAL = Path.of("build/check-actual");
 
     private static final Set<String> ABOUT_ALL_FILES =
-            Checks.ALL.stream()
-                    .filter(Check.OnWorkspace.class::isInstance)
-                    .map(check -> check.law().code())
+            Checks.LAWS.stream()
+                    .filter(law -> law.check() instanceof Check.OnWorkspace)
+                    .map(Law::code)
                     .collect(Collectors.toSet());
 
     @TestFactory
@@ -60,7 +65,7 @@ class ChecksTest {
         DataFile data = DataFile.read(path);
         Workspace workspace = Checking.workspace(data.files());
         for (Unit unit : workspace.units()) {
-            Review review = Checks.review(workspace, data.profile(), unit::equals);
+            Review review = Checks.review(workspace, data.profile(), unit::equals, () -> {});
             assertThat(review.findings())
                     .filteredOn(finding -> !ABOUT_ALL_FILES.contains(finding.code()))
                     .allMatch(finding -> finding.span().file() == unit.file());
@@ -129,29 +134,29 @@ class ChecksTest {
 
     @TestFactory
     Stream<DynamicTest> everyCheckIsComplete() {
-        return Checks.ALL.stream()
-                .map(check -> DynamicTest.dynamicTest(name(check), () -> checkComplete(check)));
+        return Checks.LAWS.stream()
+                .map(law -> DynamicTest.dynamicTest(name(law), () -> checkComplete(law)));
     }
 
-    private static void checkComplete(Check check) throws IOException {
-        String code = check.law().code();
+    private static void checkComplete(Law law) throws IOException {
+        String code = law.code();
         assertThat(EXPLAIN.resolve(code + ".md")).content().startsWith("# " + code + " ");
         List<DataFile> data = new ArrayList<>();
-        for (Path path : dataFilesOf(check)) {
+        for (Path path : dataFilesOf(law)) {
             data.add(DataFile.read(path));
         }
-        assertThat(data).as("data files of %s", name(check)).isNotEmpty();
+        assertThat(data).as("data files of %s", name(law)).isNotEmpty();
         List<Expectation> expected =
                 data.stream()
                         .flatMap(d -> d.expectations().stream())
                         .filter(e -> e.code().equals(code))
                         .toList();
-        assertThat(expected).as("bad examples of %s", name(check)).isNotEmpty();
+        assertThat(expected).as("bad examples of %s", name(law)).isNotEmpty();
         assertThat(expected)
-                .as("one expectation of %s with its message", name(check))
+                .as("one expectation of %s with its message", name(law))
                 .anyMatch(e -> !e.message().isEmpty());
         assertThat(data.stream().flatMap(d -> d.files().stream()))
-                .as("good examples of %s", name(check))
+                .as("good examples of %s", name(law))
                 .anyMatch(f -> isGood(f, expected));
     }
 
@@ -162,48 +167,62 @@ class ChecksTest {
 
     @Test
     void everyCheckIsListedOnceInAlphabeticalOrder() throws IOException {
-        List<String> listed = Checks.ALL.stream().map(ChecksTest::name).toList();
-        assertThat(listed).isSorted().doesNotHaveDuplicates();
-        assertThat(new TreeSet<>(listed)).isEqualTo(new TreeSet<>(checkClasses()));
+        Map<String, List<String>> listed =
+                Checks.LAWS.stream()
+                        .map(law -> law.check().getClass())
+                        .collect(
+                                groupingBy(
+                                        Class::getPackageName,
+                                        mapping(Class::getSimpleName, toList())));
+        Map<String, List<String>> written =
+                checkClasses().stream()
+                        .sorted(comparing(Class::getSimpleName))
+                        .collect(
+                                groupingBy(
+                                        Class::getPackageName,
+                                        mapping(Class::getSimpleName, toList())));
+        assertThat(listed).isEqualTo(written);
     }
 
-    private static List<String> checkClasses() throws IOException {
+    private static List<Class<?>> checkClasses() throws IOException {
         Path main = Path.of("src/main/java");
         try (Stream<Path> files = Files.walk(main.resolve("arcomat/check"))) {
             return files.map(file -> main.relativize(file).toString())
                     .filter(name -> name.endsWith(".java"))
                     .map(name -> name.substring(0, name.length() - ".java".length()))
                     .map(name -> name.replace(File.separatorChar, '.'))
-                    .filter(ChecksTest::isCheck)
-                    .map(name -> name.substring(name.lastIndexOf('.') + 1))
+                    .flatMap(ChecksTest::checks)
                     .toList();
         }
     }
 
-    private static boolean isCheck(String name) {
+    /** None where a class is no check. */
+    private static Stream<Class<?>> checks(String name) {
         try {
             Class<?> type = Class.forName(name);
-            return Check.class.isAssignableFrom(type) && !type.isInterface();
+            boolean isAbstract = Modifier.isAbstract(type.getModifiers());
+            return Stream.<Class<?>>of(type)
+                    .filter(each -> Check.class.isAssignableFrom(each) && !isAbstract);
         } catch (ClassNotFoundException e) {
-            return false;
+            return Stream.empty();
         }
     }
 
     @Test
     void everyCodeIsUsedOnce() {
-        assertThat(Checks.ALL.stream().map(c -> c.law().code()))
+        assertThat(Checks.LAWS.stream().map(Law::code))
                 .doesNotHaveDuplicates()
                 .allMatch(code -> code.matches("ARC\\d{4}"));
     }
 
     @Test
     void everyDataFileBelongsToACheck() {
-        List<String> names = Checks.ALL.stream().map(ChecksTest::name).toList();
+        List<String> names = Checks.LAWS.stream().map(ChecksTest::name).toList();
         assertThat(dataFiles(DATA)).allMatch(path -> names.contains(owner(path)));
     }
 
-    private static String name(Check check) {
-        return check.getClass().getSimpleName();
+    private static String name(Law law) {
+        return law.check().getClass().getSimpleName();
     }
 
     private static String name(Path path) {
@@ -214,8 +233,8 @@ class ChecksTest {
         return DATA.relativize(path).getName(0).toString().replace(".arc", "");
     }
 
-    private static List<Path> dataFilesOf(Check check) {
-        return dataFiles(DATA).stream().filter(p -> owner(p).equals(name(check))).toList();
+    private static List<Path> dataFilesOf(Law law) {
+        return dataFiles(DATA).stream().filter(p -> owner(p).equals(name(law))).toList();
     }
 
     private static List<Path> dataFiles(Path folder) {

@@ -2,7 +2,7 @@ package arcomat.check;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.check.law.Check;
+import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -41,42 +41,42 @@ class ExplainPagesTest {
 
     @TestFactory
     Stream<DynamicTest> wrongModelsBreakTheLaw() {
-        return Checks.ALL.stream()
-                .filter(check -> !TOO_LONG_TO_SHOW.contains(check.law().code()))
-                .map(check -> DynamicTest.dynamicTest(check.law().code(), () -> wrong(check)));
+        return Checks.LAWS.stream()
+                .filter(law -> !TOO_LONG_TO_SHOW.contains(law.code()))
+                .map(law -> DynamicTest.dynamicTest(law.code(), () -> wrong(law)));
     }
 
     @TestFactory
     Stream<DynamicTest> rightModelsBreakNone() {
-        return Checks.ALL.stream()
-                .map(check -> DynamicTest.dynamicTest(check.law().code(), () -> right(check)));
+        return Checks.LAWS.stream()
+                .map(law -> DynamicTest.dynamicTest(law.code(), () -> right(law)));
     }
 
-    private static void wrong(Check check) throws IOException {
-        String code = check.law().code();
-        assertThat(findings(check, "## Wrong"))
+    private static void wrong(Law law) throws IOException {
+        String code = law.code();
+        assertThat(findings(law, "## Wrong"))
                 .as("findings about the wrong model of %s", code)
                 .anyMatch(finding -> finding.code().equals(code))
                 .allMatch(finding -> finding.code().equals(code) || !finding.isError());
     }
 
-    private static void right(Check check) throws IOException {
-        assertThat(findings(check, "## Right"))
-                .as("findings about the right model of %s", check.law().code())
+    private static void right(Law law) throws IOException {
+        assertThat(findings(law, "## Right"))
+                .as("findings about the right model of %s", law.code())
                 .isEmpty();
     }
 
     /** About the models below a heading, with those that both headings share. */
-    private static List<Diagnostic> findings(Check check, String heading) throws IOException {
-        String page = Files.readString(PAGES.resolve(check.law().code() + ".md"));
+    private static List<Diagnostic> findings(Law law, String heading) throws IOException {
+        String page = Files.readString(PAGES.resolve(law.code() + ".md"));
         List<SourceFile> files = new ArrayList<>(files(section(page, heading)));
         files.addAll(files(section(page, "## The component")));
         assertThat(files).as("models below %s", heading).isNotEmpty();
-        return Checking.review(files, profile(check)).findings();
+        return Checking.review(files, profile(law)).findings();
     }
 
-    private static Profile profile(Check check) {
-        return check.law().inRequirements().isPresent() ? Profile.REQUIREMENTS : Profile.EXECUTABLE;
+    private static Profile profile(Law law) {
+        return law.inRequirements().isPresent() ? Profile.REQUIREMENTS : Profile.EXECUTABLE;
     }
 
     /** From a heading to the next one of its level; empty where the page does not have it. */

@@ -100,7 +100,7 @@ class ErrorIndexTest {
     @Test
     void modelsOnThePagesFollowTheGrammar() throws IOException {
         Set<String> checks = new TreeSet<>();
-        Checks.laws().forEach(law -> checks.add(law.code()));
+        Checks.LAWS.forEach(law -> checks.add(law.code()));
         for (String code : Explanations.titles().keySet()) {
             boolean aboutFiles = code.startsWith("ARC00");
             for (Fence fence : Fence.of(Path.of(PAGES + code + ".md"))) {
@@ -132,7 +132,7 @@ class ErrorIndexTest {
     }
 
     private static String severity(String code) {
-        Optional<Law> law = Checks.laws().stream().filter(l -> l.code().equals(code)).findFirst();
+        Optional<Law> law = Checks.LAWS.stream().filter(l -> l.code().equals(code)).findFirst();
         return law.map(ErrorIndexTest::severity)
                 .orElseGet(
                         () ->

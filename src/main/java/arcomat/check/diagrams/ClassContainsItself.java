@@ -3,11 +3,8 @@ package arcomat.check.diagrams;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.ClassSymbol.AttributeSymbol;
-import arcomat.symbols.names.DefinedType;
-import arcomat.symbols.names.DiagramSymbol;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -22,24 +19,17 @@ import java.util.stream.Collectors;
  * ARC0607: no object contains one of its own class, over any number of attributes. Messages are
  * values, and such a value would have no end.
  */
-public final class ClassContainsItself implements Check.OnClassDiagram {
+public final class ClassContainsItself implements Check.OnClass {
     private record Step(ClassSymbol from, AttributeSymbol attribute) {}
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0607");
-    }
 
     /** A cycle is reported at its first class in the text. */
     @Override
-    public void check(DiagramSymbol diagram, Context context, Findings findings) {
-        for (DefinedType type : diagram.types()) {
-            if (type instanceof ClassSymbol symbol) {
-                List<AttributeSymbol> cycle = shortestCycle(symbol);
-                if (!cycle.isEmpty() && isFirst(symbol, cycle)) {
-                    report(symbol, cycle, findings);
-                }
-            }
+    public void check(ClassSymbol symbol, Context context, Findings findings) {
+        List<AttributeSymbol> cycle = shortestCycle(symbol);
+        List<ClassSymbol> classes =
+                cycle.stream().flatMap(each -> contained(each).stream()).toList();
+        if (!cycle.isEmpty() && ClassInheritanceAcyclic.isFirst(symbol, classes)) {
+            report(symbol, cycle, findings);
         }
     }
 
@@ -71,15 +61,6 @@ public final class ClassContainsItself implements Check.OnClassDiagram {
         return attribute.type() instanceof ClassSymbol type ? Optional.of(type) : Optional.empty();
     }
 
-    private static boolean isFirst(ClassSymbol symbol, List<AttributeSymbol> cycle) {
-        return cycle.stream()
-                .flatMap(attribute -> contained(attribute).stream())
-                .allMatch(
-                        other ->
-                                !other.unit().equals(symbol.unit())
-                                        || other.nameSpan().start() >= symbol.nameSpan().start());
-    }
-
     private static void report(ClassSymbol symbol, List<AttributeSymbol> cycle, Findings findings) {
         String names =
                 cycle.stream()
@@ -88,14 +69,12 @@ public final class ClassContainsItself implements Check.OnClassDiagram {
         AttributeSymbol first = cycle.get(0);
         findings.report(
                 first.node().type(),
-                "class '"
-                        + symbol.text()
-                        + "' would contain itself without end ("
-                        + symbol.text()
-                        + names
-                        + "); remove attribute '"
-                        + first.name()
-                        + "', or send a number that stands for the other object");
+                "class '%s' would contain itself without end (%s%s); remove attribute '%s', or send"
+                    + " a number that stands for the other object",
+                symbol.text(),
+                symbol.text(),
+                names,
+                first.name());
         for (AttributeSymbol other : cycle.subList(1, cycle.size())) {
             findings.related(other.node().name().span(), "on the cycle");
         }

@@ -1,39 +1,26 @@
 package arcomat.check.diagrams;
 
+import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
-import arcomat.tree.Name;
-
-import java.util.HashMap;
-import java.util.Map;
 
 /** ARC0601: the types of one class diagram differ in name. */
 public final class DiagramTypesUnique implements Check.OnClassDiagram {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0601");
-    }
-
-    @Override
     public void check(DiagramSymbol diagram, Context context, Findings findings) {
-        Map<String, Name> seen = new HashMap<>();
-        for (ClassDiagram.TypeDefinition type : diagram.node().types()) {
-            Name first = seen.putIfAbsent(type.name().text(), type.name());
-            if (first != null) {
-                findings.report(
-                                type.name(),
-                                "class diagram '"
-                                        + diagram.node().name()
-                                        + "' defines '"
-                                        + type.name()
-                                        + "' twice; rename or remove one")
-                        .related(first, "first defined here");
-            }
-        }
+        Duplicates.report(
+                diagram.node().types().stream().map(ClassDiagram.TypeDefinition::name).toList(),
+                (name, first) ->
+                        findings.report(
+                                        name,
+                                        "class diagram '%s' defines '%s' twice; rename or remove"
+                                            + " one",
+                                        diagram.node().name(),
+                                        name)
+                                .related(first, "first defined here"));
     }
 }

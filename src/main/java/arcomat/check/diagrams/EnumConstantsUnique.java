@@ -1,47 +1,24 @@
 package arcomat.check.diagrams;
 
+import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
-import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
-import arcomat.tree.Name;
-
-import java.util.HashMap;
-import java.util.Map;
 
 /** ARC0602: the constants of an enum differ in name. */
-public final class EnumConstantsUnique implements Check.OnClassDiagram {
+public final class EnumConstantsUnique implements Check.OnEnum {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0602");
-    }
-
-    @Override
-    public void check(DiagramSymbol diagram, Context context, Findings findings) {
-        for (ClassDiagram.TypeDefinition type : diagram.node().types()) {
-            if (type instanceof ClassDiagram.EnumDefinition definition) {
-                check(definition, findings);
-            }
-        }
-    }
-
-    private static void check(ClassDiagram.EnumDefinition definition, Findings findings) {
-        Map<String, Name> seen = new HashMap<>();
-        for (Name constant : definition.constants()) {
-            Name first = seen.putIfAbsent(constant.text(), constant);
-            if (first != null) {
-                findings.report(
-                                constant,
-                                "enum '"
-                                        + definition.name()
-                                        + "' lists '"
-                                        + constant
-                                        + "' twice; rename or remove one")
-                        .related(first, "first listed here");
-            }
-        }
+    public void check(ClassDiagram.EnumDefinition definition, Context context, Findings findings) {
+        Duplicates.report(
+                definition.constants(),
+                (constant, first) ->
+                        findings.report(
+                                        constant,
+                                        "enum '%s' lists '%s' twice; rename or remove one",
+                                        definition.name(),
+                                        constant)
+                                .related(first, "first listed here"));
     }
 }

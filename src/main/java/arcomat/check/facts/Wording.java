@@ -31,11 +31,11 @@ public final class Wording {
 
     /** {@code Integer, but '"slow"' is of type String}. */
     public static String mismatch(TypeSymbol wanted, Typed typed) {
-        return Types.distinct(wanted, typed.type())
-                + ", but '"
-                + shortened(typed.expression().node())
-                + "' is of type "
-                + Types.distinct(typed.type(), wanted);
+        return "%s, but '%s' is of type %s"
+                .formatted(
+                        Types.distinct(wanted, typed.type()),
+                        shortened(typed.expression().node()),
+                        Types.distinct(typed.type(), wanted));
     }
 
     /** The text of a node, cut where it would burst the sentence. */

@@ -3,6 +3,7 @@ package arcomat.check.law;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.StateSymbol;
@@ -13,10 +14,11 @@ import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.Block;
-import arcomat.tree.Node;
+import arcomat.tree.ClassDiagram;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
@@ -25,14 +27,12 @@ import arcomat.tree.Unit;
 import java.util.List;
 
 /**
- * A context condition. A check implements the interfaces of the things that it wants to see; one
- * walk over the workspace shows each thing to the checks that asked for its kind, once and where it
- * is declared, not where it is inherited. A check has no state: what it needs to know beyond the
- * thing is in the context.
+ * Looks whether a {@link Law} is broken. A check implements the interfaces of the things that it
+ * wants to see; one walk over the workspace shows each thing to the checks that asked for its kind,
+ * once and where it is declared, not where it is inherited. A check has no state: what it needs to
+ * know beyond the thing is in the context.
  */
 public interface Check {
-
-    Law law();
 
     /** Called once, for laws about all files together. */
     interface OnWorkspace extends Check {
@@ -57,6 +57,11 @@ public interface Check {
         void check(InstanceSymbol instance, Context context, Findings findings);
     }
 
+    /** Called for the connectors that are written in a component, once for each target. */
+    interface OnConnector extends Check {
+        void check(ConnectorSymbol connector, Context context, Findings findings);
+    }
+
     interface OnAutomaton extends Check {
         void check(AutomatonSymbol automaton, Context context, Findings findings);
     }
@@ -76,10 +81,10 @@ public interface Check {
 
     /**
      * Called for the blocks of transitions and initial states; the context knows the side. Calls
-     * and increments are in the block, but not among the items.
+     * and increments are in the block, but are shown as no item.
      */
     interface OnBlock extends Check {
-        void check(Block block, List<ItemSymbol> items, Context context, Findings findings);
+        void check(Block block, Context context, Findings findings);
     }
 
     interface OnItem extends Check {
@@ -108,14 +113,9 @@ public interface Check {
         void check(VariableSymbol variable, Context context, Findings findings);
     }
 
-    /** Called for every node that carries stereotypes. */
-    interface OnStereotypes extends Check {
-        void check(
-                List<Stereotype> stereotypes,
-                Carrier carrier,
-                Node owner,
-                Context context,
-                Findings findings);
+    /** Called for every stereotype. */
+    interface OnStereotype extends Check {
+        void check(Stereotype stereotype, Carrier carrier, Context context, Findings findings);
     }
 
     /**
@@ -123,11 +123,19 @@ public interface Check {
      * types, of components, and those in expressions.
      */
     interface OnNames extends Check {
-        void check(Unit unit, List<QualifiedName> names, Context context, Findings findings);
+        void check(List<QualifiedName> names, Context context, Findings findings);
     }
 
     interface OnClassDiagram extends Check {
         void check(DiagramSymbol diagram, Context context, Findings findings);
+    }
+
+    interface OnClass extends Check {
+        void check(ClassSymbol symbol, Context context, Findings findings);
+    }
+
+    interface OnEnum extends Check {
+        void check(ClassDiagram.EnumDefinition definition, Context context, Findings findings);
     }
 
     interface OnTestSuite extends Check {

@@ -43,35 +43,17 @@ public record Context(
 
     public Context in(ComponentSymbol inner) {
         return new Context(
-                workspace,
-                profile,
-                unit,
-                Optional.of(inner),
-                Optional.empty(),
-                Optional.empty(),
-                Optional.empty());
+                workspace, profile, unit, Optional.of(inner), automaton, transition, side);
     }
 
     public Context in(AutomatonSymbol inner) {
         return new Context(
-                workspace,
-                profile,
-                unit,
-                component,
-                Optional.of(inner),
-                Optional.empty(),
-                Optional.empty());
+                workspace, profile, unit, component, Optional.of(inner), transition, side);
     }
 
     public Context in(TransitionSymbol inner) {
         return new Context(
-                workspace,
-                profile,
-                unit,
-                component,
-                automaton,
-                Optional.of(inner),
-                Optional.empty());
+                workspace, profile, unit, component, automaton, Optional.of(inner), side);
     }
 
     public Context in(ItemSymbol.Side inner) {

@@ -10,6 +10,7 @@ import arcomat.tree.Node;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /** Collects what one check finds, under the code and the severity of its law. */
@@ -26,14 +27,17 @@ public final class Findings {
     /**
      * Reports a finding. The message names the thing and says what to do; it starts with a small
      * letter, puts names in single quotes and ends without a full stop.
+     *
+     * @param values what stands in the message for each {@code %s}; without any, the message is the
+     *     text itself
      */
-    public Findings report(Node place, String message) {
-        return report(place.span(), message);
+    public Findings report(Node place, String message, Object... values) {
+        return report(place.span(), message, values);
     }
 
-    public Findings report(Span place, String message) {
-        diagnostics.add(
-                new Diagnostic(code, severity, place, message, List.of(), Optional.empty()));
+    public Findings report(Span place, String message, Object... values) {
+        String text = values.length == 0 ? message : String.format(Locale.ROOT, message, values);
+        diagnostics.add(new Diagnostic(code, severity, place, text, List.of(), Optional.empty()));
         return this;
     }
 
@@ -51,9 +55,9 @@ public final class Findings {
             String otherwise) {
         Optional<String> nearest = Nearest.to(name, candidates);
         if (nearest.isEmpty()) {
-            return report(place, message + "; " + otherwise);
+            return report(place, "%s; %s", message, otherwise);
         }
-        report(place, message + "; did you mean '" + nearest.get() + "'?");
+        report(place, "%s; did you mean '%s'?", message, nearest.get());
         String title = "Replace '" + name + "' by '" + nearest.get() + "'";
         return fix(Fix.replace(title, place, nearest.get()));
     }

@@ -3,16 +3,10 @@ package arcomat.check.naming;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.tree.Unit;
 
 /** ARC0207: a file is named after what it defines, so that it can be found. */
 public final class ComponentNameIsFileName implements Check.OnUnit {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0207");
-    }
 
     @Override
     public void check(Unit unit, Context context, Findings findings) {
@@ -25,16 +19,13 @@ public final class ComponentNameIsFileName implements Check.OnUnit {
                         name ->
                                 findings.report(
                                         name,
-                                        "'"
-                                                + name
-                                                + "' stands in the file '"
-                                                + file
-                                                + "'; rename the file to '"
-                                                + name
-                                                + (dot < 0 ? "" : file.substring(dot))
-                                                + "' or this to '"
-                                                + expected
-                                                + "'"));
+                                        "'%s' stands in the file '%s'; rename the file to '%s%s' or"
+                                            + " this to '%s'",
+                                        name,
+                                        file,
+                                        name,
+                                        dot < 0 ? "" : file.substring(dot),
+                                        expected));
     }
 
     private static String fileName(String path) {

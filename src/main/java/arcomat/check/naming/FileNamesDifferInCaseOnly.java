@@ -1,14 +1,11 @@
 package arcomat.check.naming;
 
+import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.Workspace;
-import arcomat.tree.Unit;
 
-import java.util.HashMap;
 import java.util.Locale;
-import java.util.Map;
 
 /**
  * ARC0213: no two files differ in upper and lower case only. Some file systems keep only one of
@@ -17,27 +14,17 @@ import java.util.Map;
 public final class FileNamesDifferInCaseOnly implements Check.OnWorkspace {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0213");
-    }
-
-    @Override
     public void check(Workspace workspace, Findings findings) {
-        Map<String, Unit> seen = new HashMap<>();
-        for (Unit unit : workspace.units()) {
-            String path = unit.file().path();
-            Unit first = seen.putIfAbsent(path.toLowerCase(Locale.ROOT), unit);
-            if (first != null) {
-                findings.report(
-                                Definitions.nameOf(unit),
-                                "the files '"
-                                        + first.file().path()
-                                        + "' and '"
-                                        + path
-                                        + "' differ in upper and lower case only; rename one of"
-                                        + " them")
-                        .related(Definitions.nameOf(first), "the other file");
-            }
-        }
+        Duplicates.report(
+                workspace.units(),
+                unit -> unit.file().path().toLowerCase(Locale.ROOT),
+                (unit, first) ->
+                        findings.report(
+                                        Definitions.nameOf(unit),
+                                        "the files '%s' and '%s' differ in upper and lower case"
+                                            + " only; rename one of them",
+                                        first.file().path(),
+                                        unit.file().path())
+                                .related(Definitions.nameOf(first), "the other file"));
     }
 }

@@ -2,7 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.law.Check;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Span;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -19,11 +18,6 @@ import java.util.Map;
 public final class JavaClassUnique implements Check.OnWorkspace {
 
     private record Model(String qualifiedName, Span place) {}
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0214").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(Workspace workspace, Findings findings) {
@@ -91,10 +85,8 @@ public final class JavaClassUnique implements Check.OnWorkspace {
                 packageName.isEmpty()
                         ? component.qualifiedName()
                         : component.qualifiedName().substring(packageName.length() + 1);
-        return packageName
-                + "."
-                + component.signature().layer().text()
-                + "."
-                + name.replace(".", "");
+        return "%s.%s.%s"
+                .formatted(
+                        packageName, component.signature().layer().text(), name.replace(".", ""));
     }
 }

@@ -4,7 +4,6 @@ import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -27,11 +26,6 @@ public final class MemberNamesUnique implements Check.OnComponent {
         boolean mayReplace(Member inherited) {
             return kind.equals(inherited.kind) && (kind.equals("port") || kind.equals("parameter"));
         }
-    }
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0201");
     }
 
     @Override
@@ -60,14 +54,11 @@ public final class MemberNamesUnique implements Check.OnComponent {
             ComponentSymbol component, Member member, Member other, Findings findings) {
         findings.report(
                         member.place(),
-                        "component '"
-                                + component.name()
-                                + "' has a "
-                                + other.kind()
-                                + " '"
-                                + member.name()
-                                + "' already; "
-                                + member.advice())
+                        "component '%s' has a %s '%s' already; %s",
+                        component.name(),
+                        other.kind(),
+                        member.name(),
+                        member.advice())
                 .related(other.place(), "the " + other.kind() + " '" + other.name() + "'");
     }
 

@@ -3,7 +3,6 @@ package arcomat.check.naming;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
@@ -18,11 +17,6 @@ import java.util.List;
 public final class PackageIsFolder implements Check.OnUnit {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0208");
-    }
-
-    @Override
     public void check(Unit unit, Context context, Findings findings) {
         List<String> folders = folders(unit.file().path());
         unit.packageName()
@@ -35,13 +29,11 @@ public final class PackageIsFolder implements Check.OnUnit {
         String lies = String.join("/", folders.subList(folders.size() - depth, folders.size()));
         findings.report(
                 name,
-                "package '"
-                        + name
-                        + "' belongs in the folder '"
-                        + name.text().replace('.', '/')
-                        + "', but the file lies in '"
-                        + lies
-                        + "'; move the file or change the package");
+                "package '%s' belongs in the folder '%s', but the file lies in '%s'; move the file"
+                    + " or change the package",
+                name,
+                name.text().replace('.', '/'),
+                lies);
     }
 
     private static boolean endsWith(List<String> folders, List<Name> parts) {

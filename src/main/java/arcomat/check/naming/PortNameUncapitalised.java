@@ -3,16 +3,10 @@ package arcomat.check.naming;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.expressions.PortSymbol;
 
 /** ARC0210: names of ports start with a small letter, unlike those of types. (Hab16 CV2) */
 public final class PortNameUncapitalised implements Check.OnPort {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC0210");
-    }
 
     @Override
     public void check(PortSymbol port, Context context, Findings findings) {
@@ -20,7 +14,8 @@ public final class PortNameUncapitalised implements Check.OnPort {
         if (capital && !port.implicit()) {
             findings.report(
                     port.nameSpan(),
-                    "port '" + port.name() + "' should start with a small letter; rename it");
+                    "port '%s' should start with a small letter; rename it",
+                    port.name());
         }
     }
 }

@@ -4,7 +4,6 @@ import arcomat.check.facts.StateNames;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.StateSymbol;
 
@@ -16,11 +15,6 @@ import java.util.Set;
  * AC8).
  */
 public final class StateNamesCapitalisedAlike implements Check.OnAutomaton {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC0211").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -49,13 +43,11 @@ public final class StateNamesCapitalisedAlike implements Check.OnAutomaton {
         String better = recapitalised(name, upperRules);
         findings.report(
                 state.nameSpan(),
-                "state '"
-                        + name
-                        + "' starts with "
-                        + (upperRules ? "a lower" : "an upper")
-                        + " case letter, unlike the other states; call it '"
-                        + better
-                        + "' or rename the others");
+                "state '%s' starts with %s case letter, unlike the other states; call it '%s' or"
+                    + " rename the others",
+                name,
+                upperRules ? "a lower" : "an upper",
+                better);
         if (taken.add(better)) {
             findings.fix(StateNames.rename(automaton, name, better));
         }

@@ -3,7 +3,6 @@ package arcomat.check.naming;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
@@ -12,11 +11,6 @@ import arcomat.tree.TypeParameter;
 
 /** ARC0209: names of components and message types start with a capital letter. (Hab16 CV1) */
 public final class TypeNameCapitalised implements Check.OnComponent, Check.OnClassDiagram {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC0209");
-    }
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
@@ -36,7 +30,7 @@ public final class TypeNameCapitalised implements Check.OnComponent, Check.OnCla
     private static void check(String kind, Name name, Findings findings) {
         if (Character.isLowerCase(name.text().charAt(0))) {
             findings.report(
-                    name, kind + " '" + name + "' should start with a capital letter; rename it");
+                    name, "%s '%s' should start with a capital letter; rename it", kind, name);
         }
     }
 }

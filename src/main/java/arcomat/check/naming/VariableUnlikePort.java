@@ -4,7 +4,6 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
@@ -15,11 +14,6 @@ import java.util.Map;
 
 /** ARC0205: a variable of an automaton has a name of its own in its component. (Wor16 AU3) */
 public final class VariableUnlikePort implements Check.OnAutomaton {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0205");
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -48,11 +42,9 @@ public final class VariableUnlikePort implements Check.OnAutomaton {
     private static void report(VariableSymbol variable, ValueSymbol other, Findings findings) {
         findings.report(
                         variable.nameSpan(),
-                        "variable '"
-                                + variable.name()
-                                + "' is named like "
-                                + Items.words(other)
-                                + "; rename the variable")
+                        "variable '%s' is named like %s; rename the variable",
+                        variable.name(),
+                        Items.words(other))
                 .related(other.nameSpan(), "declared here");
     }
 }

@@ -4,7 +4,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.names.TypeSymbol;
@@ -17,11 +16,6 @@ import java.util.Optional;
 
 /** ARC0402: every port of a refined component exists here with the same direction and type. */
 public final class RefinesInterface implements Check.OnComponent {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0402").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
@@ -72,15 +66,12 @@ public final class RefinesInterface implements Check.OnComponent {
         boolean declaredHere = component.signature().ownPorts().contains(port);
         findings.report(
                         declaredHere ? port.nameSpan() : refinement.node().span(),
-                        "port '"
-                                + port.name()
-                                + "' is '"
-                                + Wording.declaration(port)
-                                + "', but in the refined '"
-                                + refinement.node()
-                                + "' it is '"
-                                + Wording.declaration(promised)
-                                + "'; declare it as there")
+                        "port '%s' is '%s', but in the refined '%s' it is '%s'; declare it as"
+                            + " there",
+                        port.name(),
+                        Wording.declaration(port),
+                        refinement.node(),
+                        Wording.declaration(promised))
                 .related(promised.nameSpan(), "the port of the refined component");
     }
 
@@ -92,14 +83,11 @@ public final class RefinesInterface implements Check.OnComponent {
         List<String> ports = missing.stream().map(Wording::declaration).toList();
         findings.report(
                 refinement.node(),
-                "'"
-                        + refinement.node()
-                        + "' has "
-                        + (missing.size() == 1 ? "a port" : "ports")
-                        + " that '"
-                        + component.name()
-                        + "' lacks; declare "
-                        + Wording.quoted(ports));
+                "'%s' has %s that '%s' lacks; declare %s",
+                refinement.node(),
+                missing.size() == 1 ? "a port" : "ports",
+                component.name(),
+                Wording.quoted(ports));
         for (PortSymbol port : missing) {
             findings.related(port.nameSpan(), "not declared in '" + component.name() + "'");
         }

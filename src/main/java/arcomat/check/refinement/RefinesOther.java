@@ -3,7 +3,6 @@ package arcomat.check.refinement;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.signatures.Signature;
 
@@ -11,19 +10,13 @@ import arcomat.symbols.signatures.Signature;
 public final class RefinesOther implements Check.OnComponent {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0403");
-    }
-
-    @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
         for (Signature.Refinement refinement : component.signature().refines()) {
             if (refinement.resolution().found().filter(component.signature()::equals).isPresent()) {
                 findings.report(
                         refinement.node(),
-                        "component '"
-                                + component.name()
-                                + "' refines itself; name the other version with its package");
+                        "component '%s' refines itself; name the other version with its package",
+                        component.name());
             }
         }
     }

@@ -3,7 +3,6 @@ package arcomat.check.stereotypes;
 import arcomat.check.law.Carrier;
 import arcomat.check.law.Suppressions;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -69,19 +68,10 @@ record KnownStereotype(String name, Form form, Set<Carrier> carriers, List<Strin
     }
 
     static Optional<KnownStereotype> find(String name) {
-        for (KnownStereotype known : ALL) {
-            if (known.name().equals(name)) {
-                return Optional.of(known);
-            }
-        }
-        return Optional.empty();
+        return ALL.stream().filter(known -> known.name().equals(name)).findFirst();
     }
 
     static List<String> names() {
-        List<String> names = new ArrayList<>();
-        for (KnownStereotype known : ALL) {
-            names.add(known.name());
-        }
-        return names;
+        return ALL.stream().map(KnownStereotype::name).toList();
     }
 }

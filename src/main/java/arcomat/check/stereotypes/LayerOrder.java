@@ -4,7 +4,6 @@ import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -16,11 +15,6 @@ import java.util.Optional;
 
 /** ARC0505: messages flow from sensors to logic to actuators, and not back. */
 public final class LayerOrder implements Check.OnComponent {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0505");
-    }
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
@@ -41,15 +35,12 @@ public final class LayerOrder implements Check.OnComponent {
         if (from.isPresent() && to.isPresent() && from.get().compareTo(to.get()) > 0) {
             findings.report(
                     connector.span(),
-                    "'"
-                            + connector.source().text()
-                            + "' of the "
-                            + from.get().text()
-                            + " cannot send to '"
-                            + connector.target().text()
-                            + "' of the "
-                            + to.get().text()
-                            + "; messages flow from sensors to logic to actuators");
+                    "'%s' of the %s cannot send to '%s' of the %s; messages flow from sensors to"
+                        + " logic to actuators",
+                    connector.source().text(),
+                    from.get().text(),
+                    connector.target().text(),
+                    to.get().text());
         }
     }
 

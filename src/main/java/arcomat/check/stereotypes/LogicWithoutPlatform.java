@@ -3,7 +3,6 @@ package arcomat.check.stereotypes;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.signatures.Layer;
@@ -18,11 +17,6 @@ import java.util.List;
 public final class LogicWithoutPlatform implements Check.OnComponent {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0504");
-    }
-
-    @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
         if (component.signature().layer() != Layer.LOGIC || hasUnknownLayer(component)) {
             return;
@@ -30,10 +24,9 @@ public final class LogicWithoutPlatform implements Check.OnComponent {
         if (component.isPlatform()) {
             findings.report(
                     component.nameSpan(),
-                    "platform component '"
-                            + component.name()
-                            + "' cannot belong to the logic; add <<layer = \"sensors\">> or"
-                            + " <<layer = \"actuators\">>");
+                    "platform component '%s' cannot belong to the logic; add <<layer ="
+                        + " \"sensors\">> or <<layer = \"actuators\">>",
+                    component.name());
             return;
         }
         List<InstanceSymbol> path =
@@ -42,11 +35,10 @@ public final class LogicWithoutPlatform implements Check.OnComponent {
             InstanceSymbol device = path.get(path.size() - 1);
             findings.report(
                             path.get(0).nameSpan(),
-                            "'"
-                                    + component.name()
-                                    + "' is logic, but contains the platform component '"
-                                    + text(path)
-                                    + "'; connect the device from outside")
+                            "'%s' is logic, but contains the platform component '%s'; connect the"
+                                + " device from outside",
+                            component.name(),
+                            text(path))
                     .related(device.component().orElseThrow().nameSpan(), "the platform component");
         }
     }

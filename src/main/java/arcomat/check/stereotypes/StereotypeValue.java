@@ -4,38 +4,22 @@ import arcomat.check.law.Carrier;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Fix;
 import arcomat.source.Nearest;
 import arcomat.source.Span;
 import arcomat.tree.Name;
-import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 
 import java.util.List;
-import java.util.Optional;
 
 /** ARC0502: a stereotype has a value that it knows, or none if it takes none. */
-public final class StereotypeValue implements Check.OnStereotypes {
+public final class StereotypeValue implements Check.OnStereotype {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0502");
-    }
-
-    @Override
-    public void check(
-            List<Stereotype> stereotypes,
-            Carrier carrier,
-            Node owner,
-            Context context,
-            Findings findings) {
-        for (Stereotype stereotype : stereotypes) {
-            Optional<KnownStereotype> known = KnownStereotype.find(stereotype.name().text());
-            if (known.isPresent() && known.get().carriers().contains(carrier)) {
-                check(stereotype, known.get(), findings);
-            }
-        }
+    public void check(Stereotype stereotype, Carrier carrier, Context context, Findings findings) {
+        KnownStereotype.find(stereotype.name().text())
+                .filter(known -> known.carriers().contains(carrier))
+                .ifPresent(known -> check(stereotype, known, findings));
     }
 
     private static void check(Stereotype stereotype, KnownStereotype known, Findings findings) {
@@ -66,7 +50,8 @@ public final class StereotypeValue implements Check.OnStereotypes {
             Span all = stereotype.span();
             findings.report(
                             stereotype.value().get(),
-                            "stereotype '" + stereotype.name() + "' takes no value; delete it")
+                            "stereotype '%s' takes no value; delete it",
+                            stereotype.name())
                     .fix(
                             Fix.replace(
                                     "Delete the value",
@@ -80,7 +65,9 @@ public final class StereotypeValue implements Check.OnStereotypes {
         if (stereotype.value().isEmpty()) {
             findings.report(
                     stereotype,
-                    "stereotype '" + known.name() + "' needs a value: " + list(known.values()));
+                    "stereotype '%s' needs a value: %s",
+                    known.name(),
+                    list(known.values()));
         } else if (!known.values().contains(stereotype.value().get().text())) {
             reportUnknown(stereotype.value().get(), known, findings);
         }
@@ -89,12 +76,10 @@ public final class StereotypeValue implements Check.OnStereotypes {
     private static void reportUnknown(Name value, KnownStereotype known, Findings findings) {
         findings.report(
                 value,
-                "stereotype '"
-                        + known.name()
-                        + "' has no value '"
-                        + value
-                        + "'; it can be "
-                        + list(known.values()));
+                "stereotype '%s' has no value '%s'; it can be %s",
+                known.name(),
+                value,
+                list(known.values()));
         Nearest.to(value.text(), known.values())
                 .ifPresent(
                         nearest ->
@@ -110,9 +95,8 @@ public final class StereotypeValue implements Check.OnStereotypes {
         if (!value.matches("[1-9][0-9]{0,5}")) {
             findings.report(
                     stereotype,
-                    "stereotype '"
-                            + stereotype.name()
-                            + "' needs a whole number from 1 to 999999 as its value");
+                    "stereotype '%s' needs a whole number from 1 to 999999 as its value",
+                    stereotype.name());
         }
     }
 
@@ -121,10 +105,9 @@ public final class StereotypeValue implements Check.OnStereotypes {
         if (!stereotype.value().map(Name::text).orElse("").matches(form)) {
             findings.report(
                     stereotype,
-                    "stereotype '"
-                            + stereotype.name()
-                            + "' needs "
-                            + example.formatted(stereotype.name()));
+                    "stereotype '%s' needs %s",
+                    stereotype.name(),
+                    example.formatted(stereotype.name()));
         }
     }
 

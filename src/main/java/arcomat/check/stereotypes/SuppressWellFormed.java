@@ -7,44 +7,30 @@ import arcomat.check.law.Findings;
 import arcomat.check.law.Law;
 import arcomat.check.law.Suppressions;
 import arcomat.tree.Name;
-import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
 /** ARC0506: who suppresses a finding names its code and a reason. */
-public final class SuppressWellFormed implements Check.OnStereotypes {
+public final class SuppressWellFormed implements Check.OnStereotype {
     /** Findings of analyses have codes that this room does not know one by one. */
     private static final String ANALYSIS = "ARC10\\d\\d";
 
-    private final Supplier<List<Check>> checks;
+    private final Supplier<List<Law>> laws;
 
     /**
-     * @param checks all of them, this one included
+     * @param laws all of them, this one included
      */
-    public SuppressWellFormed(Supplier<List<Check>> checks) {
-        this.checks = checks;
+    SuppressWellFormed(Supplier<List<Law>> laws) {
+        this.laws = laws;
     }
 
     @Override
-    public Law law() {
-        return Law.error("ARC0506");
-    }
-
-    @Override
-    public void check(
-            List<Stereotype> stereotypes,
-            Carrier carrier,
-            Node owner,
-            Context context,
-            Findings findings) {
-        for (Stereotype stereotype : stereotypes) {
-            if (stereotype.name().text().equals(Suppressions.STEREOTYPE)) {
-                check(stereotype, findings);
-            }
+    public void check(Stereotype stereotype, Carrier carrier, Context context, Findings findings) {
+        if (stereotype.name().text().equals(Suppressions.STEREOTYPE)) {
+            check(stereotype, findings);
         }
     }
 
@@ -59,24 +45,17 @@ public final class SuppressWellFormed implements Check.OnStereotypes {
             return;
         }
         String code = value.get().code();
-        List<String> codes = codes();
-        if (!codes.contains(code) && !isOfAnalysis(code)) {
+        boolean isOfLaw = laws.get().stream().anyMatch(law -> law.code().equals(code));
+        if (!isOfLaw && !isOfAnalysis(code)) {
             findings.report(
                     stereotype.value().get(),
-                    "no check has the code '" + code + "'; 'suppress' takes the code of a finding");
+                    "no check has the code '%s'; 'suppress' takes the code of a finding",
+                    code);
         }
     }
 
     /** Whether others than checks find that, too. */
     static boolean isOfAnalysis(String code) {
         return code.matches(ANALYSIS);
-    }
-
-    private List<String> codes() {
-        List<String> codes = new ArrayList<>();
-        for (Check check : checks.get()) {
-            codes.add(check.law().code());
-        }
-        return codes;
     }
 }

@@ -11,29 +11,14 @@ import arcomat.source.Severity;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
-import java.util.TreeSet;
-import java.util.function.Supplier;
+import java.util.stream.Collectors;
 
 /**
  * ARC0507: a suppression suppresses something. Asked when all other checks are done, since only
  * then is known what there was to suppress.
  */
 public final class SuppressionUsed implements Check {
-    public static final Law LAW = Law.warning("ARC0507");
-
-    private final Supplier<List<Check>> checks;
-
-    /**
-     * @param checks all of them, this one included
-     */
-    public SuppressionUsed(Supplier<List<Check>> checks) {
-        this.checks = checks;
-    }
-
-    @Override
-    public Law law() {
-        return LAW;
-    }
+    public static final String CODE = "ARC0507";
 
     /**
      * Reports suppressions of laws that hold in a profile but are not broken there. Laws about all
@@ -41,31 +26,30 @@ public final class SuppressionUsed implements Check {
      * analyses find, since this room does not know that.
      *
      * @param used those that did suppress something
+     * @param laws all that there are
      */
-    public Findings unused(Suppressions all, Collection<Suppression> used, Profile profile) {
-        Findings findings = new Findings(law().code(), Severity.WARNING);
-        Set<String> judged = judged(profile);
-        List<Suppression> idle = all.all().stream().filter(each -> !used.contains(each)).toList();
-        for (Suppression each : idle) {
-            if (judged.contains(each.code())) {
+    public static Findings unused(
+            Suppressions all, Collection<Suppression> used, List<Law> laws, Profile profile) {
+        Findings findings = new Findings(CODE, Severity.WARNING);
+        Set<String> judged =
+                laws.stream()
+                        .filter(law -> isJudged(law) && law.severity(profile).isPresent())
+                        .map(Law::code)
+                        .collect(Collectors.toSet());
+        for (Suppression each : all.all()) {
+            if (!used.contains(each) && judged.contains(each.code())) {
                 findings.report(
                         each.place(),
-                        "there is no finding %s here to suppress; delete the suppression"
-                                .formatted(each.code()));
+                        "there is no finding %s here to suppress; delete the suppression",
+                        each.code());
             }
         }
         return findings;
     }
 
-    private Set<String> judged(Profile profile) {
-        Set<String> judged = new TreeSet<>();
-        for (Check check : checks.get()) {
-            if (!(check instanceof Check.OnWorkspace)) {
-                check.law().severity(profile).ifPresent(s -> judged.add(check.law().code()));
-            }
-        }
-        judged.remove(law().code());
-        judged.removeIf(SuppressWellFormed::isOfAnalysis);
-        return judged;
+    private static boolean isJudged(Law law) {
+        return !(law.check() instanceof Check.OnWorkspace)
+                && !law.code().equals(CODE)
+                && !SuppressWellFormed.isOfAnalysis(law.code());
     }
 }

@@ -3,7 +3,6 @@ package arcomat.check.tests;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.tree.TestSuite;
@@ -12,11 +11,6 @@ import java.util.List;
 
 /** ARC0707: events drive untimed components, input streams drive the others. */
 public final class EventsForUntimedOnly implements Check.OnStreamTest {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0707").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(StreamTestSymbol test, Context context, Findings findings) {
@@ -32,15 +26,13 @@ public final class EventsForUntimedOnly implements Check.OnStreamTest {
             if (streams.kind() == TestSuite.Kind.EVENTS && !eventDriven) {
                 findings.report(
                         Tests.keywordSpan(streams),
-                        "component '"
-                                + component.name()
-                                + "' works slice by slice; drive it with an 'input' block");
+                        "component '%s' works slice by slice; drive it with an 'input' block",
+                        component.name());
             } else if (streams.kind() == TestSuite.Kind.INPUT && eventDriven) {
                 findings.report(
                         Tests.keywordSpan(streams),
-                        "component '"
-                                + component.name()
-                                + "' is untimed; drive it with an 'events' block");
+                        "component '%s' is untimed; drive it with an 'events' block",
+                        component.name());
             } else if (eventDriven) {
                 streams.streams().forEach(stream -> checkTicks(stream.elements(), findings));
             }

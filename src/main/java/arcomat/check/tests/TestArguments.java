@@ -5,7 +5,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
@@ -17,11 +16,6 @@ import java.util.List;
 public final class TestArguments implements Check.OnTestSuite {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0705");
-    }
-
-    @Override
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
         suite.component().found().ifPresent(component -> check(suite, component, findings));
     }
@@ -30,10 +24,9 @@ public final class TestArguments implements Check.OnTestSuite {
         if (component.signature().isGeneric()) {
             findings.report(
                             suite.node().component(),
-                            "component '"
-                                    + component.name()
-                                    + "' needs type arguments, which a suite cannot give; test a"
-                                    + " component that uses it with given types")
+                            "component '%s' needs type arguments, which a suite cannot give; test a"
+                                + " component that uses it with given types",
+                            component.name())
                     .related(component.nameSpan(), "declared with type parameters");
             return;
         }
@@ -44,13 +37,11 @@ public final class TestArguments implements Check.OnTestSuite {
             if (i >= parameters.size()) {
                 findings.report(
                         arguments.get(i).expression().node(),
-                        "component '"
-                                + component.name()
-                                + "' has "
-                                + (parameters.isEmpty()
-                                        ? "no parameters"
-                                        : Wording.count(parameters.size(), "parameter"))
-                                + "; remove this argument");
+                        "component '%s' has %s; remove this argument",
+                        component.name(),
+                        parameters.isEmpty()
+                                ? "no parameters"
+                                : Wording.count(parameters.size(), "parameter"));
             } else if (!arguments.get(i).isAssignableTo(parameters.get(i).type())) {
                 reportType(arguments.get(i), parameters.get(i), findings);
             }
@@ -69,11 +60,10 @@ public final class TestArguments implements Check.OnTestSuite {
         if (!missing.isEmpty()) {
             findings.report(
                             suite.node().component(),
-                            "component '"
-                                    + component.name()
-                                    + "' needs a value for "
-                                    + Wording.quoted(missing)
-                                    + "; write it in parentheses behind the name")
+                            "component '%s' needs a value for %s; write it in parentheses behind"
+                                + " the name",
+                            component.name(),
+                            Wording.quoted(missing))
                     .related(component.nameSpan(), "declared with parameters");
         }
     }
@@ -81,9 +71,9 @@ public final class TestArguments implements Check.OnTestSuite {
     private static void reportType(Typed argument, ParameterSymbol parameter, Findings findings) {
         findings.report(
                         argument.expression().node(),
-                        Items.words(parameter)
-                                + " takes "
-                                + Wording.mismatch(parameter.type(), argument))
+                        "%s takes %s",
+                        Items.words(parameter),
+                        Wording.mismatch(parameter.type(), argument))
                 .related(parameter.nameSpan(), "declared here");
     }
 }

@@ -3,17 +3,11 @@ package arcomat.check.tests;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.tree.TestSuite;
 
 /** ARC0708: fields and Java blocks of the suites of 2012 are kept and have no effect. */
 public final class TestFieldUnsupported implements Check.OnTestSuite {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC0708");
-    }
 
     @Override
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
@@ -22,9 +16,8 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
                 findings.report(
                         member,
                         "fields of test suites are not used; give the tested component its values"
-                                + " as arguments, as in 'for "
-                                + suite.node().component()
-                                + "(3)'");
+                            + " as arguments, as in 'for %s(3)'",
+                        suite.node().component());
             } else if (member instanceof TestSuite.Before before) {
                 report(before, findings);
             } else if (member instanceof TestSuite.Test test) {
@@ -36,9 +29,8 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
     private static void report(TestSuite.Before before, Findings findings) {
         findings.report(
                 before.name(),
-                "the Java block '@"
-                        + before.name()
-                        + "' is not run; say what should happen before with messages in the first"
-                        + " slices");
+                "the Java block '@%s' is not run; say what should happen before with messages in"
+                    + " the first slices",
+                before.name());
     }
 }

@@ -4,7 +4,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
 import arcomat.symbols.expressions.Typed;
@@ -13,21 +12,15 @@ import arcomat.symbols.expressions.Typed;
 public final class TestMessageType implements Check.OnStreamTest {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0703");
-    }
-
-    @Override
     public void check(StreamTestSymbol test, Context context, Findings findings) {
         for (StreamSymbol stream : test.streams()) {
             for (Typed message : stream.messages()) {
                 if (!message.isAssignableTo(stream.type())) {
                     findings.report(
                             message.expression().node(),
-                            "port '"
-                                    + stream.node().port()
-                                    + "' takes "
-                                    + Wording.mismatch(stream.type(), message));
+                            "port '%s' takes %s",
+                            stream.node().port(),
+                            Wording.mismatch(stream.type(), message));
                 }
             }
         }

@@ -4,7 +4,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
@@ -16,11 +15,6 @@ import java.util.List;
 
 /** ARC0702: a stream names a port of the tested component, in the block of its direction. */
 public final class TestPortExists implements Check.OnStreamTest {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0702").needing(Law.Needs.NAMES);
-    }
 
     @Override
     public void check(StreamTestSymbol test, Context context, Findings findings) {

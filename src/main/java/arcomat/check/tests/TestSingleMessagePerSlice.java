@@ -3,7 +3,6 @@ package arcomat.check.tests;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.tree.TestSuite;
@@ -12,11 +11,6 @@ import java.util.Optional;
 
 /** ARC0706: a stream of a component that works slice by slice has one message in a slice. */
 public final class TestSingleMessagePerSlice implements Check.OnTestSuite {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0706");
-    }
 
     @Override
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
@@ -39,9 +33,8 @@ public final class TestSingleMessagePerSlice implements Check.OnTestSuite {
                 message ->
                         findings.report(
                                 message.expression(),
-                                "this slice of '"
-                                        + stream.port()
-                                        + "' has a message already; write 'Tk' between two"
-                                        + " messages"));
+                                "this slice of '%s' has a message already; write 'Tk' between two"
+                                    + " messages",
+                                stream.port()));
     }
 }

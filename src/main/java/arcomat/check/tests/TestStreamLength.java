@@ -3,7 +3,6 @@ package arcomat.check.tests;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.StreamExtent;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
@@ -11,15 +10,9 @@ import arcomat.tree.TestSuite;
 
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 
 /** ARC0710: repetitions stay within what can be run: some, and not too many. */
 public final class TestStreamLength implements Check.OnStreamTest {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0710");
-    }
 
     @Override
     public void check(StreamTestSymbol test, Context context, Findings findings) {
@@ -36,11 +29,9 @@ public final class TestStreamLength implements Check.OnStreamTest {
     private static void reportLength(StreamSymbol longest, Findings findings) {
         findings.report(
                 longest.node().port(),
-                String.format(
-                        Locale.ROOT,
-                        "the streams of this test have more than %,d slices and messages, most of"
-                                + " them here; repeat fewer times",
-                        StreamExtent.LIMIT));
+                "the streams of this test have more than %,d slices and messages, most of them"
+                    + " here; repeat fewer times",
+                StreamExtent.LIMIT);
     }
 
     private static void checkCounts(List<TestSuite.StreamElement> elements, Findings findings) {
@@ -49,9 +40,8 @@ public final class TestStreamLength implements Check.OnStreamTest {
                 if (repeat.count() < 1) {
                     findings.report(
                             repeat,
-                            "this repeats "
-                                    + repeat.count()
-                                    + " times; repeat at least once, or remove it");
+                            "this repeats %s times; repeat at least once, or remove it",
+                            repeat.count());
                 }
                 checkCounts(repeat.elements(), findings);
             }

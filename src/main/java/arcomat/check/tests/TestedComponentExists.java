@@ -1,10 +1,9 @@
 package arcomat.check.tests;
 
-import arcomat.check.facts.ComponentNames;
+import arcomat.check.facts.UnresolvedComponents;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 
@@ -12,13 +11,8 @@ import arcomat.symbols.bodies.TestSuiteSymbol;
 public final class TestedComponentExists implements Check.OnTestSuite {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0701");
-    }
-
-    @Override
     public void check(TestSuiteSymbol suite, Context context, Findings findings) {
-        ComponentNames.check(
+        UnresolvedComponents.check(
                 suite.node().component(),
                 suite.component().map(ComponentSymbol::signature),
                 context,

@@ -1,9 +1,7 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Carrier;
-import arcomat.check.law.Check;
 import arcomat.check.law.Context;
-import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -36,9 +34,7 @@ final class BehaviourWalk {
         Context context = around.in(automaton);
         stereotypes.visit(
                 automaton.node().stereotypes(), Carrier.AUTOMATON, automaton.node(), context);
-        for (Listener<Check.OnAutomaton> each : listeners.onAutomaton) {
-            each.check().check(automaton, context, each.findings());
-        }
+        listeners.onAutomaton.ask((check, found) -> check.check(automaton, context, found));
         declarations(automaton, context);
         for (StateSymbol state : automaton.states()) {
             state(state, context);
@@ -54,9 +50,7 @@ final class BehaviourWalk {
             expressions.type(declaration.type(), context);
         }
         for (PortSymbol port : automaton.declaredPorts()) {
-            for (Listener<Check.OnPort> each : listeners.onPort) {
-                each.check().check(port, context, each.findings());
-            }
+            listeners.onPort.ask((check, found) -> check.check(port, context, found));
         }
         for (VariableSymbol variable : automaton.variables()) {
             expressions.variable(variable, context);
@@ -65,9 +59,7 @@ final class BehaviourWalk {
 
     private void state(StateSymbol state, Context context) {
         stereotypes.visit(state.node().stereotypes(), Carrier.STATE, state.node(), context);
-        for (Listener<Check.OnState> each : listeners.onState) {
-            each.check().check(state, context, each.findings());
-        }
+        listeners.onState.ask((check, found) -> check.check(state, context, found));
     }
 
     /** A clause that names several states has one block for all of them. */
@@ -76,9 +68,7 @@ final class BehaviourWalk {
         for (InitialSymbol symbol : automaton.initials()) {
             AutomatonElement.Initial initial = symbol.node();
             if (initial != last) {
-                for (Listener<Check.OnInitial> each : listeners.onInitial) {
-                    each.check().check(initial, context, each.findings());
-                }
+                listeners.onInitial.ask((check, found) -> check.check(initial, context, found));
                 if (initial.output().isPresent()) {
                     block(initial.output().get(), symbol.items(), context.in(Side.INITIAL));
                 }
@@ -89,9 +79,7 @@ final class BehaviourWalk {
 
     private void transition(TransitionSymbol transition, Context around) {
         Context context = around.in(transition);
-        for (Listener<Check.OnTransition> each : listeners.onTransition) {
-            each.check().check(transition, context, each.findings());
-        }
+        listeners.onTransition.ask((check, found) -> check.check(transition, context, found));
         expressions.optional(transition.guard(), context);
         if (transition.node().input().isPresent()) {
             block(transition.node().input().get(), transition.input(), context.in(Side.INPUT));
@@ -102,22 +90,16 @@ final class BehaviourWalk {
     }
 
     private void block(Block block, List<ItemSymbol> items, Context context) {
-        for (Listener<Check.OnBlock> each : listeners.onBlock) {
-            each.check().check(block, items, context, each.findings());
-        }
+        listeners.onBlock.ask((check, found) -> check.check(block, context, found));
         for (ItemSymbol item : items) {
-            for (Listener<Check.OnItem> each : listeners.onItem) {
-                each.check().check(item, context, each.findings());
-            }
+            listeners.onItem.ask((check, found) -> check.check(item, context, found));
             expressions.all(item.value().expressions(), context);
         }
     }
 
     void table(TableSymbol table, Context context) {
         stereotypes.visit(table.node().stereotypes(), Carrier.TABLE, table.node(), context);
-        for (Listener<Check.OnTable> each : listeners.onTable) {
-            each.check().check(table, context, each.findings());
-        }
+        listeners.onTable.ask((check, found) -> check.check(table, context, found));
         for (TableSymbol.Row row : table.rows()) {
             cells(row.inputs(), context.in(Side.INPUT));
             cells(row.outputs(), context.in(Side.OUTPUT));

@@ -1,11 +1,11 @@
 package arcomat.check.walk;
 
+import arcomat.check.facts.Connections;
 import arcomat.check.law.Carrier;
-import arcomat.check.law.Check;
 import arcomat.check.law.Context;
-import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.InvariantSymbol;
 import arcomat.symbols.bodies.TableSymbol;
@@ -39,9 +39,7 @@ final class ComponentWalk {
     void component(ComponentSymbol component, Context around) {
         Context context = around.in(component);
         stereotypes.visit(component.stereotypes(), Carrier.COMPONENT, component.node(), context);
-        for (Listener<Check.OnComponent> each : listeners.onComponent) {
-            each.check().check(component, context, each.findings());
-        }
+        listeners.onComponent.ask((check, found) -> check.check(component, context, found));
         head(component, context);
         for (Element element : component.node().elements()) {
             element(element, context);
@@ -102,18 +100,17 @@ final class ComponentWalk {
 
     private void members(ComponentSymbol component, Context context) {
         for (PortSymbol port : component.signature().ownPorts()) {
-            for (Listener<Check.OnPort> each : listeners.onPort) {
-                each.check().check(port, context, each.findings());
-            }
+            listeners.onPort.ask((check, found) -> check.check(port, context, found));
         }
         for (VariableSymbol variable : component.signature().ownVariables()) {
             expressions.variable(variable, context);
         }
         for (InstanceSymbol instance : component.ownInstances()) {
-            for (Listener<Check.OnInstance> each : listeners.onInstance) {
-                each.check().check(instance, context, each.findings());
-            }
+            listeners.onInstance.ask((check, found) -> check.check(instance, context, found));
             expressions.all(instance.arguments(), context);
+        }
+        for (ConnectorSymbol connector : Connections.own(component)) {
+            listeners.onConnector.ask((check, found) -> check.check(connector, context, found));
         }
         for (InvariantSymbol invariant : component.ownInvariants()) {
             invariant.condition().ifPresent(condition -> expressions.mentioned(condition, context));

@@ -1,8 +1,6 @@
 package arcomat.check.walk;
 
-import arcomat.check.law.Check;
 import arcomat.check.law.Context;
-import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.tree.Expression;
@@ -35,9 +33,7 @@ final class ExpressionWalk {
     }
 
     void variable(VariableSymbol variable, Context context) {
-        for (Listener<Check.OnVariable> each : listeners.onVariable) {
-            each.check().check(variable, context, each.findings());
-        }
+        listeners.onVariable.ask((check, found) -> check.check(variable, context, found));
         optional(variable.initial(), context);
     }
 
@@ -59,59 +55,24 @@ final class ExpressionWalk {
     }
 
     private void one(Typed expression, Context context) {
-        for (Listener<Check.OnExpression> each : listeners.onExpression) {
-            each.check().check(expression, context, each.findings());
-        }
+        listeners.onExpression.ask((check, found) -> check.check(expression, context, found));
         parts(expression.expression().node(), context);
     }
 
+    /** A call without a target makes an object of a class in stream tests: {@code Cup(5)}. */
     private void parts(Expression expression, Context context) {
         if (expression instanceof Expression.Reference reference) {
             name(reference.name());
-        } else if (expression instanceof Expression.Binary binary) {
-            parts(binary.left(), context);
-            parts(binary.right(), context);
-        } else if (expression instanceof Expression.Unary unary) {
-            parts(unary.operand(), context);
-        } else if (expression instanceof Expression.Absence absence) {
-            parts(absence.operand(), context);
-        } else if (expression instanceof Expression.Conditional conditional) {
-            parts(conditional.condition(), context);
-            parts(conditional.then(), context);
-            parts(conditional.otherwise(), context);
-        } else if (expression instanceof Expression.Membership membership) {
-            parts(membership.element(), context);
-            parts(membership.set(), context);
         } else if (expression instanceof Expression.Cast cast) {
             type(cast.type(), context);
-            parts(cast.operand(), context);
-        } else if (expression instanceof Expression.InstanceOf test) {
-            parts(test.operand(), context);
-        } else if (expression instanceof Expression.Call call) {
-            call(call, context);
-        }
-    }
-
-    private void parts(List<Expression> expressions, Context context) {
-        for (Expression expression : expressions) {
-            parts(expression, context);
-        }
-    }
-
-    /** A call without a target makes an object of a class in stream tests: {@code Cup(5)}. */
-    private void call(Expression.Call call, Context context) {
-        if (call.target().isPresent()) {
-            parts(call.target().get(), context);
-        } else {
+        } else if (expression instanceof Expression.Call call && call.target().isEmpty()) {
             name(new QualifiedName(call.name().span(), List.of(call.name())));
         }
-        parts(call.arguments(), context);
+        expression.operands().forEach(operand -> parts(operand, context));
     }
 
     void type(TypeReference type, Context context) {
-        for (Listener<Check.OnType> each : listeners.onType) {
-            each.check().check(type, context, each.findings());
-        }
+        listeners.onType.ask((check, found) -> check.check(type, context, found));
         componentType(type, context);
     }
 

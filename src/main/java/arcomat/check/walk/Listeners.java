@@ -7,91 +7,92 @@ import arcomat.check.law.Profile;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 
 /** The checks of one run, sorted by what they look at, each with the list of its findings. */
 public final class Listeners {
 
-    record Listener<C extends Check>(C check, Findings findings) {}
+    /** The checks that look at things of one kind. */
+    static final class Audience<C extends Check> {
+        private record Listener<C>(C check, Findings findings) {}
 
-    private final List<Listener<Check>> all;
-    final List<Listener<Check.OnWorkspace>> onWorkspace;
-    final List<Listener<Check.OnUnit>> onUnit;
-    final List<Listener<Check.OnComponent>> onComponent;
-    final List<Listener<Check.OnPort>> onPort;
-    final List<Listener<Check.OnInstance>> onInstance;
-    final List<Listener<Check.OnAutomaton>> onAutomaton;
-    final List<Listener<Check.OnState>> onState;
-    final List<Listener<Check.OnInitial>> onInitial;
-    final List<Listener<Check.OnTransition>> onTransition;
-    final List<Listener<Check.OnBlock>> onBlock;
-    final List<Listener<Check.OnItem>> onItem;
-    final List<Listener<Check.OnTable>> onTable;
-    final List<Listener<Check.OnExpression>> onExpression;
-    final List<Listener<Check.OnType>> onType;
-    final List<Listener<Check.OnVariable>> onVariable;
-    final List<Listener<Check.OnStereotypes>> onStereotypes;
-    final List<Listener<Check.OnNames>> onNames;
-    final List<Listener<Check.OnClassDiagram>> onClassDiagram;
-    final List<Listener<Check.OnTestSuite>> onTestSuite;
-    final List<Listener<Check.OnStreamTest>> onStreamTest;
+        private final Class<C> kind;
+        private final List<Listener<C>> listeners = new ArrayList<>();
 
-    /** The checks whose laws hold in a profile. */
-    public Listeners(List<Check> checks, Profile profile) {
-        all = new ArrayList<>();
-        for (Check check : checks) {
-            Law law = check.law();
-            law.severity(profile)
-                    .ifPresent(
-                            severity ->
-                                    all.add(
-                                            new Listener<>(
-                                                    check, new Findings(law.code(), severity))));
+        private Audience(Class<C> kind) {
+            this.kind = kind;
         }
-        onWorkspace = those(Check.OnWorkspace.class);
-        onUnit = those(Check.OnUnit.class);
-        onComponent = those(Check.OnComponent.class);
-        onPort = those(Check.OnPort.class);
-        onInstance = those(Check.OnInstance.class);
-        onAutomaton = those(Check.OnAutomaton.class);
-        onState = those(Check.OnState.class);
-        onInitial = those(Check.OnInitial.class);
-        onTransition = those(Check.OnTransition.class);
-        onBlock = those(Check.OnBlock.class);
-        onItem = those(Check.OnItem.class);
-        onTable = those(Check.OnTable.class);
-        onExpression = those(Check.OnExpression.class);
-        onType = those(Check.OnType.class);
-        onVariable = those(Check.OnVariable.class);
-        onStereotypes = those(Check.OnStereotypes.class);
-        onNames = those(Check.OnNames.class);
-        onClassDiagram = those(Check.OnClassDiagram.class);
-        onTestSuite = those(Check.OnTestSuite.class);
-        onStreamTest = those(Check.OnStreamTest.class);
-    }
 
-    private <C extends Check> List<Listener<C>> those(Class<C> kind) {
-        List<Listener<C>> chosen = new ArrayList<>();
-        for (Listener<Check> listener : all) {
-            if (kind.isInstance(listener.check())) {
-                chosen.add(new Listener<>(kind.cast(listener.check()), listener.findings()));
+        private void add(Check check, Findings findings) {
+            if (kind.isInstance(check)) {
+                listeners.add(new Listener<>(kind.cast(check), findings));
             }
         }
-        return chosen;
+
+        /** Asks each of them, which adds to what it has found. */
+        void ask(BiConsumer<C, Findings> question) {
+            for (Listener<C> each : listeners) {
+                question.accept(each.check(), each.findings());
+            }
+        }
+    }
+
+    private final List<Findings> findings = new ArrayList<>();
+    private final List<Audience<?>> audiences = new ArrayList<>();
+
+    final Audience<Check.OnWorkspace> onWorkspace = audience(Check.OnWorkspace.class);
+    final Audience<Check.OnUnit> onUnit = audience(Check.OnUnit.class);
+    final Audience<Check.OnComponent> onComponent = audience(Check.OnComponent.class);
+    final Audience<Check.OnPort> onPort = audience(Check.OnPort.class);
+    final Audience<Check.OnInstance> onInstance = audience(Check.OnInstance.class);
+    final Audience<Check.OnConnector> onConnector = audience(Check.OnConnector.class);
+    final Audience<Check.OnAutomaton> onAutomaton = audience(Check.OnAutomaton.class);
+    final Audience<Check.OnState> onState = audience(Check.OnState.class);
+    final Audience<Check.OnInitial> onInitial = audience(Check.OnInitial.class);
+    final Audience<Check.OnTransition> onTransition = audience(Check.OnTransition.class);
+    final Audience<Check.OnBlock> onBlock = audience(Check.OnBlock.class);
+    final Audience<Check.OnItem> onItem = audience(Check.OnItem.class);
+    final Audience<Check.OnTable> onTable = audience(Check.OnTable.class);
+    final Audience<Check.OnExpression> onExpression = audience(Check.OnExpression.class);
+    final Audience<Check.OnType> onType = audience(Check.OnType.class);
+    final Audience<Check.OnVariable> onVariable = audience(Check.OnVariable.class);
+    final Audience<Check.OnStereotype> onStereotype = audience(Check.OnStereotype.class);
+    final Audience<Check.OnNames> onNames = audience(Check.OnNames.class);
+    final Audience<Check.OnClassDiagram> onClassDiagram = audience(Check.OnClassDiagram.class);
+    final Audience<Check.OnClass> onClass = audience(Check.OnClass.class);
+    final Audience<Check.OnEnum> onEnum = audience(Check.OnEnum.class);
+    final Audience<Check.OnTestSuite> onTestSuite = audience(Check.OnTestSuite.class);
+    final Audience<Check.OnStreamTest> onStreamTest = audience(Check.OnStreamTest.class);
+
+    /** The checks whose laws hold in a profile. */
+    public Listeners(List<Law> laws, Profile profile) {
+        for (Law law : laws) {
+            law.severity(profile)
+                    .map(severity -> new Findings(law.code(), severity))
+                    .ifPresent(own -> add(law.check(), own));
+        }
+    }
+
+    private <C extends Check> Audience<C> audience(Class<C> kind) {
+        Audience<C> audience = new Audience<>(kind);
+        audiences.add(audience);
+        return audience;
+    }
+
+    private void add(Check check, Findings own) {
+        findings.add(own);
+        audiences.forEach(audience -> audience.add(check, own));
     }
 
     /** Adds what the same checks found elsewhere. */
     void addAll(Listeners other) {
-        for (int i = 0; i < all.size(); i++) {
-            all.get(i).findings().addAll(other.all.get(i).findings());
+        for (int i = 0; i < findings.size(); i++) {
+            findings.get(i).addAll(other.findings.get(i));
         }
     }
 
     /** What every check has found so far. */
     List<Findings> findings() {
-        List<Findings> found = new ArrayList<>();
-        for (Listener<Check> listener : all) {
-            found.add(listener.findings());
-        }
-        return found;
+        return findings;
     }
 }

@@ -1,10 +1,8 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Carrier;
-import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Suppressions;
-import arcomat.check.walk.Listeners.Listener;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 
@@ -25,8 +23,9 @@ final class StereotypeWalk {
             return;
         }
         suppressions.add(stereotypes, owner);
-        for (Listener<Check.OnStereotypes> each : listeners.onStereotypes) {
-            each.check().check(stereotypes, carrier, owner, context, each.findings());
+        for (Stereotype each : stereotypes) {
+            listeners.onStereotype.ask(
+                    (check, found) -> check.check(each, carrier, context, found));
         }
     }
 }

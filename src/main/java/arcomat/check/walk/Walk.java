@@ -1,24 +1,26 @@
 package arcomat.check.walk;
 
 import arcomat.check.Checks;
-import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
 import arcomat.check.law.Profile;
 import arcomat.check.law.Suppressions;
-import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.DiagramSymbol;
-import arcomat.tree.ClassDiagram;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.tree.QualifiedName;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 
@@ -48,26 +50,29 @@ public final class Walk {
     /** The laws about all files together, then one step for each definition in wanted files. */
     public static List<Consumer<Walk>> steps(Workspace workspace, Predicate<Unit> wanted) {
         List<Consumer<Walk>> steps = new ArrayList<>();
-        steps.add(Walk::workspace);
+        steps.add(walk -> walk.listeners.onWorkspace.ask((check, f) -> check.check(workspace, f)));
         for (ComponentSymbol each : workspace.topLevelComponents()) {
-            add(wanted, each.unit(), walk -> walk.component(each), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.components.component(each, at), steps);
         }
         for (AutomatonSymbol each : workspace.bareAutomata()) {
-            add(wanted, each.unit(), walk -> walk.automaton(each), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.behaviours.automaton(each, at), steps);
         }
         for (DiagramSymbol each : workspace.diagrams()) {
-            add(wanted, each.unit(), walk -> walk.diagram(each), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.classDiagram(each, at), steps);
         }
         for (TestSuiteSymbol each : workspace.testSuites()) {
-            add(wanted, each.unit(), walk -> walk.suite(each), steps);
+            add(wanted, each.unit(), (walk, at) -> walk.testSuite(each, at), steps);
         }
         return steps;
     }
 
     private static void add(
-            Predicate<Unit> wanted, Unit unit, Consumer<Walk> step, List<Consumer<Walk>> steps) {
+            Predicate<Unit> wanted,
+            Unit unit,
+            BiConsumer<Walk, Context> definition,
+            List<Consumer<Walk>> steps) {
         if (wanted.test(unit)) {
-            steps.add(step);
+            steps.add(walk -> walk.unit(unit, definition));
         }
     }
 
@@ -86,73 +91,32 @@ public final class Walk {
         return suppressions;
     }
 
-    private void workspace() {
-        for (Listener<Check.OnWorkspace> each : listeners.onWorkspace) {
-            each.check().check(workspace, each.findings());
-        }
-    }
-
-    private void component(ComponentSymbol component) {
-        Context context = enter(component.unit());
-        components.component(component, context);
-        leave(context);
-    }
-
-    private void automaton(AutomatonSymbol automaton) {
-        Context context = enter(automaton.unit());
-        behaviours.automaton(automaton, context);
-        leave(context);
-    }
-
-    private void diagram(DiagramSymbol diagram) {
-        Context context = enter(diagram.unit());
-        classDiagram(diagram, context);
-        leave(context);
-    }
-
-    private void suite(TestSuiteSymbol suite) {
-        Context context = enter(suite.unit());
-        testSuite(suite, context);
-        leave(context);
-    }
-
-    private Context enter(Unit unit) {
+    private void unit(Unit unit, BiConsumer<Walk, Context> definition) {
         Context context = Context.of(workspace, profile, unit);
-        for (Listener<Check.OnUnit> each : listeners.onUnit) {
-            each.check().check(unit, context, each.findings());
-        }
-        return context;
-    }
-
-    private void leave(Context context) {
-        var names = expressions.takeNames();
-        if (context.unit().imports().isEmpty()) {
-            return;
-        }
-        for (Listener<Check.OnNames> each : listeners.onNames) {
-            each.check().check(context.unit(), names, context, each.findings());
+        listeners.onUnit.ask((check, found) -> check.check(unit, context, found));
+        definition.accept(this, context);
+        List<QualifiedName> names = expressions.takeNames();
+        if (!unit.imports().isEmpty()) {
+            listeners.onNames.ask((check, found) -> check.check(names, context, found));
         }
     }
 
     private void classDiagram(DiagramSymbol diagram, Context context) {
-        for (Listener<Check.OnClassDiagram> each : listeners.onClassDiagram) {
-            each.check().check(diagram, context, each.findings());
-        }
-        for (ClassDiagram.TypeDefinition type : diagram.node().types()) {
-            if (type instanceof ClassDiagram.ClassDefinition definition) {
-                definition.superClass().ifPresent(t -> expressions.type(t, context));
-                for (ClassDiagram.Attribute attribute : definition.attributes()) {
-                    expressions.type(attribute.type(), context);
-                }
+        listeners.onClassDiagram.ask((check, found) -> check.check(diagram, context, found));
+        for (DefinedType type : diagram.types()) {
+            if (type instanceof ClassSymbol symbol) {
+                listeners.onClass.ask((check, found) -> check.check(symbol, context, found));
+                symbol.node().superClass().ifPresent(above -> expressions.type(above, context));
+                symbol.node().attributes().forEach(a -> expressions.type(a.type(), context));
+            } else if (type instanceof EnumSymbol symbol) {
+                listeners.onEnum.ask((check, found) -> check.check(symbol.node(), context, found));
             }
         }
     }
 
     private void testSuite(TestSuiteSymbol suite, Context context) {
         expressions.name(suite.node().component());
-        for (Listener<Check.OnTestSuite> each : listeners.onTestSuite) {
-            each.check().check(suite, context, each.findings());
-        }
+        listeners.onTestSuite.ask((check, found) -> check.check(suite, context, found));
         expressions.all(suite.arguments(), context);
         for (TestSuite.Member member : suite.node().members()) {
             if (member instanceof TestSuite.Field field) {
@@ -165,9 +129,7 @@ public final class Walk {
     }
 
     private void streamTest(StreamTestSymbol test, Context context) {
-        for (Listener<Check.OnStreamTest> each : listeners.onStreamTest) {
-            each.check().check(test, context, each.findings());
-        }
+        listeners.onStreamTest.ask((check, found) -> check.check(test, context, found));
         for (StreamTestSymbol.StreamSymbol stream : test.streams()) {
             expressions.all(stream.messages(), context);
         }

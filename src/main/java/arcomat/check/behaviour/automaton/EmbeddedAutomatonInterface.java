@@ -3,7 +3,6 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.tree.AutomatonElement.Declaration;
 import arcomat.tree.AutomatonElement.Kind;
@@ -12,11 +11,6 @@ import java.util.Locale;
 
 /** ARC0324: an automaton inside a component declares neither inputs nor outputs. */
 public final class EmbeddedAutomatonInterface implements Check.OnAutomaton {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0324");
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -31,10 +25,9 @@ public final class EmbeddedAutomatonInterface implements Check.OnAutomaton {
     }
 
     private static String message(Declaration declaration, Context context) {
-        return "an automaton inside a component uses the component's ports; move this "
-                + declaration.kind().name().toLowerCase(Locale.ROOT)
-                + " to the ports of '"
-                + context.component().orElseThrow().name()
-                + "'";
+        return "an automaton inside a component uses the component's ports; move this %s to the ports of '%s'"
+                .formatted(
+                        declaration.kind().name().toLowerCase(Locale.ROOT),
+                        context.component().orElseThrow().name());
     }
 }

@@ -3,18 +3,12 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.names.TypeSymbol;
 
 /** ARC0315: a guard is Boolean. (Wor16 AT1) */
 public final class GuardIsBoolean implements Check.OnTransition {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0315");
-    }
 
     @Override
     public void check(TransitionSymbol transition, Context context, Findings findings) {
@@ -26,9 +20,8 @@ public final class GuardIsBoolean implements Check.OnTransition {
         if (!type.isErroneous() && !type.isBoolean()) {
             findings.report(
                     guard.expression().node(),
-                    "a guard is true or false, but this is of type "
-                            + type.text()
-                            + "; compare it with something");
+                    "a guard is true or false, but this is of type %s; compare it with something",
+                    type.text());
         }
     }
 }

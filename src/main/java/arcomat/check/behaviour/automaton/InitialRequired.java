@@ -3,7 +3,6 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.StateSymbol;
 
@@ -12,11 +11,6 @@ import java.util.List;
 /** ARC0302: an automaton has at least one initial state (Wor16 AC4). */
 public final class InitialRequired implements Check.OnAutomaton {
 
-    @Override
-    public Law law() {
-        return Law.error("ARC0302").needing(Law.Needs.ALL);
-    }
-
     /** An automaton without states has a finding already. */
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -24,11 +18,9 @@ public final class InitialRequired implements Check.OnAutomaton {
         if (!states.isEmpty() && automaton.initials().isEmpty()) {
             findings.report(
                     Automata.head(automaton),
-                    Automata.subject(automaton)
-                            + " has no initial state; say where it starts, for example with"
-                            + " 'initial "
-                            + states.get(0).name()
-                            + ";'");
+                    "%s has no initial state; say where it starts, for example with 'initial %s;'",
+                    Automata.subject(automaton),
+                    states.get(0).name());
         }
     }
 }

@@ -5,7 +5,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -22,11 +21,6 @@ import java.util.Optional;
 
 /** ARC0320: a transition, or a row, of an untimed component names exactly one event. */
 public final class SingleEvent implements Check.OnAutomaton, Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0320").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {

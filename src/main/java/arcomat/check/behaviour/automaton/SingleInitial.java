@@ -4,7 +4,6 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.check.naming.InitialDeclaredOnce;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
@@ -14,11 +13,6 @@ import java.util.List;
 
 /** ARC0303: an automaton that code is generated from starts in exactly one state. */
 public final class SingleInitial implements Check.OnAutomaton {
-
-    @Override
-    public Law law() {
-        return Law.executableError("ARC0303");
-    }
 
     /** A state that is initial twice is the business of {@link InitialDeclaredOnce}. */
     @Override
@@ -33,9 +27,9 @@ public final class SingleInitial implements Check.OnAutomaton {
             if (!name.text().equals(first.text())) {
                 findings.report(
                                 name,
-                                "generated code starts in one state, and '"
-                                        + first
-                                        + "' is initial already; decide for one of the two")
+                                "generated code starts in one state, and '%s' is initial already;"
+                                    + " decide for one of the two",
+                                first)
                         .related(first, "also initial");
             }
         }

@@ -4,7 +4,6 @@ import arcomat.check.facts.StateNames;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Fix;
 import arcomat.source.Nearest;
 import arcomat.source.TextEdit;
@@ -20,11 +19,6 @@ import java.util.Set;
 
 /** ARC0304: initial states, sources and targets are declared states (Wor16 AR3). */
 public final class StateExists implements Check.OnAutomaton {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0304").needing(Law.Needs.NAMES);
-    }
 
     /** One finding per unknown name; an automaton without any state has a finding already. */
     @Override

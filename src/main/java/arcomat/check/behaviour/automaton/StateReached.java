@@ -3,7 +3,6 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.StateSymbol;
@@ -20,11 +19,6 @@ import java.util.List;
  * guards have to do with it, the analysis of that code knows, which says all that this law says.
  */
 public final class StateReached implements Check.OnAutomaton {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC1003").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -93,12 +87,11 @@ public final class StateReached implements Check.OnAutomaton {
                         .toList();
         findings.report(
                 state.node().name(),
-                "state %s is never reached: %s"
-                        .formatted(
-                                state.name(),
-                                leading.isEmpty()
-                                        ? "no transition leads to it"
-                                        : "no run carries out a transition that leads to it"));
+                "state %s is never reached: %s",
+                state.name(),
+                leading.isEmpty()
+                        ? "no transition leads to it"
+                        : "no run carries out a transition that leads to it");
         leading.forEach(each -> findings.related(each.node(), "leads to it"));
     }
 }

@@ -3,24 +3,18 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 
 /** ARC0301: an automaton has at least one state (Wor16 AC3). */
 public final class StateRequired implements Check.OnAutomaton {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0301").needing(Law.Needs.ALL);
-    }
-
-    @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
         if (automaton.states().isEmpty()) {
             findings.report(
                     Automata.head(automaton),
-                    Automata.subject(automaton)
-                            + " has no state; declare its states with 'state a, b;'");
+                    "%s has no state; declare its states with 'state a, b;'",
+                    Automata.subject(automaton));
         }
     }
 }

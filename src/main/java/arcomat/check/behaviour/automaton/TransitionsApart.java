@@ -3,7 +3,6 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -27,11 +26,6 @@ import java.util.Set;
 public final class TransitionsApart implements Check.OnAutomaton {
     /** Under these, all that transitions do not say is decided; under others, much is left open. */
     private static final Set<String> DECIDED = Set.of("ignore", "error");
-
-    @Override
-    public Law law() {
-        return Law.executableWarning("ARC1001").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -107,8 +101,8 @@ public final class TransitionsApart implements Check.OnAutomaton {
         findings.report(
                         first.node(),
                         "two transitions out of %s are enabled together: 'arcomat analyze' shows a"
-                                        .formatted(first.source().orElseThrow().name())
-                                + " run")
+                            + " run",
+                        first.source().orElseThrow().name())
                 .related(second.node(), "this one is enabled as well");
     }
 }

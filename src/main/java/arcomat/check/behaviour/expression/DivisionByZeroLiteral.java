@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.expressions.ConstantFolding;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.expressions.Typed;
@@ -21,11 +20,6 @@ import java.util.Set;
  */
 public final class DivisionByZeroLiteral implements Check.OnExpression {
     private static final Set<Kind> KINDS = EnumSet.of(Kind.DIVISION_BY_ZERO);
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0323");
-    }
 
     @Override
     public void check(Typed typed, Context context, Findings findings) {

@@ -4,7 +4,6 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ExpressionProblem;
@@ -17,11 +16,6 @@ import java.util.Optional;
 
 /** ARC0309: initial outputs and initial values do not depend on input. */
 public final class InitialReadsNoInput implements Check.OnExpression {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0309");
-    }
 
     @Override
     public void check(Typed expression, Context context, Findings findings) {
@@ -65,10 +59,9 @@ public final class InitialReadsNoInput implements Check.OnExpression {
                         : " where initial values are set";
         findings.report(
                         place,
-                        Items.words(value)
-                                + " cannot be read"
-                                + reason
-                                + "; write a constant or a parameter")
+                        "%s cannot be read%s; write a constant or a parameter",
+                        Items.words(value),
+                        reason)
                 .related(value.nameSpan(), "declared here");
     }
 }

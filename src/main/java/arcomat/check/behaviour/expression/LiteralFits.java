@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.expressions.Typed;
 
@@ -13,11 +12,6 @@ import java.util.Set;
 /** ARC0331: a literal has a value of its type. */
 public final class LiteralFits implements Check.OnExpression {
     private static final Set<Kind> KINDS = EnumSet.of(Kind.LITERAL_OVERFLOW);
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0331");
-    }
 
     @Override
     public void check(Typed typed, Context context, Findings findings) {

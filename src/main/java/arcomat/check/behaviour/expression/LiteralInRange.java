@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -29,11 +28,6 @@ public final class LiteralInRange
                 Check.OnTable,
                 Check.OnTestSuite,
                 Check.OnStreamTest {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0322");
-    }
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
@@ -107,13 +101,10 @@ public final class LiteralInRange
     private static void report(Typed typed, long number, RangeType range, Findings findings) {
         findings.report(
                 typed.expression().node(),
-                number
-                        + " lies outside of "
-                        + range.text()
-                        + "; write a number from "
-                        + range.low()
-                        + " to "
-                        + range.high()
-                        + " or widen the range");
+                "%s lies outside of %s; write a number from %s to %s or widen the range",
+                number,
+                range.text(),
+                range.low(),
+                range.high());
     }
 }

@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.expressions.ExpressionProblem;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.expressions.Typed;
@@ -19,11 +18,6 @@ public final class NameExists implements Check.OnExpression {
                     Kind.AMBIGUOUS_NAME,
                     Kind.UNKNOWN_CONSTANT,
                     Kind.UNKNOWN_ATTRIBUTE);
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0329").needing(Law.Needs.NAMES);
-    }
 
     /** What exists but is read too early is the business of {@link InitialReadsNoInput}. */
     @Override

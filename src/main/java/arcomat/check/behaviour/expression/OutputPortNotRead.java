@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Span;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
@@ -11,11 +10,6 @@ import arcomat.symbols.expressions.TypedExpression;
 
 /** ARC0308: no expression reads an output port. (RRW14a T6) */
 public final class OutputPortNotRead implements Check.OnExpression {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0308");
-    }
 
     @Override
     public void check(Typed typed, Context context, Findings findings) {
@@ -31,9 +25,8 @@ public final class OutputPortNotRead implements Check.OnExpression {
     private static void report(Span place, PortSymbol port, Findings findings) {
         findings.report(
                         place,
-                        "output port '"
-                                + port.name()
-                                + "' cannot be read; keep what was sent in a variable")
+                        "output port '%s' cannot be read; keep what was sent in a variable",
+                        port.name())
                 .related(port.nameSpan(), "declared as an output here");
     }
 }

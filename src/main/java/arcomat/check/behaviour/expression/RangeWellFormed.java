@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Fix;
 import arcomat.source.Span;
 import arcomat.source.TextEdit;
@@ -17,11 +16,6 @@ import java.util.List;
 
 /** ARC0332: a range has two constant ends in order, on a type of whole numbers. */
 public final class RangeWellFormed implements Check.OnType {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0332");
-    }
 
     @Override
     public void check(TypeReference type, Context context, Findings findings) {
@@ -48,13 +42,11 @@ public final class RangeWellFormed implements Check.OnType {
         } else if (type.low() < carrier.low() || type.high() > carrier.high()) {
             findings.report(
                     range,
-                    carrier
-                            + " holds numbers from "
-                            + carrier.low()
-                            + " to "
-                            + carrier.high()
-                            + "; narrow the range"
-                            + (carrier == BuiltinType.LONG ? "" : " or use a wider type"));
+                    "%s holds numbers from %s to %s; narrow the range%s",
+                    carrier,
+                    carrier.low(),
+                    carrier.high(),
+                    carrier == BuiltinType.LONG ? "" : " or use a wider type");
         }
     }
 

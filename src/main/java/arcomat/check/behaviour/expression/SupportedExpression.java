@@ -3,7 +3,6 @@ package arcomat.check.behaviour.expression;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.expressions.Typed;
 
@@ -14,11 +13,6 @@ import java.util.Set;
 public final class SupportedExpression implements Check.OnExpression {
     private static final Set<Kind> KINDS =
             EnumSet.of(Kind.UNSUPPORTED_CALL, Kind.UNSUPPORTED_EXPRESSION);
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0319");
-    }
 
     @Override
     public void check(Typed typed, Context context, Findings findings) {

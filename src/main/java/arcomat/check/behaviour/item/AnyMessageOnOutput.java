@@ -3,7 +3,6 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;
@@ -11,11 +10,6 @@ import arcomat.tree.Block;
 
 /** ARC0333: an automaton or a table that code is generated from knows what it sends. */
 public final class AnyMessageOnOutput implements Check.OnItem, Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.executableError("ARC0333");
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {

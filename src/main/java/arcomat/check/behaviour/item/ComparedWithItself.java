@@ -3,7 +3,6 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Fix;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ItemValue;
@@ -19,11 +18,6 @@ import java.util.Optional;
  * but waits for a message that equals itself: every message does.
  */
 public final class ComparedWithItself implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC0337");
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -74,11 +68,9 @@ public final class ComparedWithItself implements Check.OnItem {
         String meant = name + " == false";
         findings.report(
                 item.node(),
-                "this compares '"
-                        + name
-                        + "' with its own negation, so no message fits; write '"
-                        + meant
-                        + "'");
+                "this compares '%s' with its own negation, so no message fits; write '%s'",
+                name,
+                meant);
         fix(item, meant, findings);
     }
 

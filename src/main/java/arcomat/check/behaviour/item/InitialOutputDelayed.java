@@ -3,17 +3,11 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
 /** ARC0321: an initial output is sent on ports with delay 1 only. */
 public final class InitialOutputDelayed implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0321").needing(Law.Needs.ALL);
-    }
 
     /** Untimed components have no delays. */
     @Override
@@ -31,11 +25,10 @@ public final class InitialOutputDelayed implements Check.OnItem {
     private static void report(ItemSymbol item, PortSymbol port, Findings findings) {
         findings.report(
                         item.node(),
-                        "output port '"
-                                + port.name()
-                                + "' has no delay: its first message already answers the first"
-                                + " input; drop the initial output or delay the port with <<delay"
-                                + " = \"1\">>")
+                        "output port '%s' has no delay: its first message already answers the first"
+                            + " input; drop the initial output or delay the port with <<delay ="
+                            + " \"1\">>",
+                        port.name())
                 .related(port.nameSpan(), "declared here");
     }
 }

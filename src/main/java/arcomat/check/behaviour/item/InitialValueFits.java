@@ -4,17 +4,11 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 
 /** ARC0317: an initial value has the type of its variable. (RRW14a T2) */
 public final class InitialValueFits implements Check.OnVariable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0317");
-    }
 
     @Override
     public void check(VariableSymbol variable, Context context, Findings findings) {
@@ -25,7 +19,9 @@ public final class InitialValueFits implements Check.OnVariable {
         if (!initial.isAssignableTo(variable.type())) {
             findings.report(
                     initial.expression().node(),
-                    Items.words(variable) + " takes " + Wording.mismatch(variable.type(), initial));
+                    "%s takes %s",
+                    Items.words(variable),
+                    Wording.mismatch(variable.type(), initial));
         }
     }
 }

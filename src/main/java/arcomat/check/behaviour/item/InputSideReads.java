@@ -3,18 +3,12 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 
 /** ARC0306: the input side asks for messages on input ports and for variables. (Wor16 AR2) */
 public final class InputSideReads implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0306");
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -30,7 +24,9 @@ public final class InputSideReads implements Check.OnItem {
                         : "ask for its value in a guard, as in '[" + target.name() + " == ..]'";
         findings.report(
                         Items.place(item),
-                        "the input side cannot ask for " + Items.words(target) + "; " + advice)
+                        "the input side cannot ask for %s; %s",
+                        Items.words(target),
+                        advice)
                 .related(target.nameSpan(), "declared here");
     }
 }

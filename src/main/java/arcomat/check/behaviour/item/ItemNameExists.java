@@ -3,18 +3,12 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.tree.Name;
 
 /** ARC0305: the name of an item is a port or a variable. (Wor16 AR1) */
 public final class ItemNameExists implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0305").needing(Law.Needs.NAMES);
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {

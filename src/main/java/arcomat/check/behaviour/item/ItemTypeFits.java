@@ -4,18 +4,12 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.ValueSymbol;
 
 /** ARC0316: each message of an item has the type of its port or variable. (Wor16 AT2) */
 public final class ItemTypeFits implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0316").needing(Law.Needs.NAMES);
-    }
 
     /** What stands on the wrong side has a finding already. */
     @Override
@@ -26,9 +20,9 @@ public final class ItemTypeFits implements Check.OnItem {
                 if (!typed.isAssignableTo(target.type())) {
                     findings.report(
                                     typed.expression().node(),
-                                    Items.words(target)
-                                            + " takes "
-                                            + Wording.mismatch(target.type(), typed))
+                                    "%s takes %s",
+                                    Items.words(target),
+                                    Wording.mismatch(target.type(), typed))
                             .related(target.nameSpan(), "declared here");
                 }
             }

@@ -3,7 +3,6 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.tree.Block;
 
@@ -11,23 +10,15 @@ import arcomat.tree.Block;
 public final class NoAlternativesOnOutput implements Check.OnItem {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0311");
-    }
-
-    @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
         if (item.side() != ItemSymbol.Side.INPUT
                 && item.value().node() instanceof Block.Alternatives alternatives) {
             findings.report(
                     alternatives,
-                    "'alt' says what is waited for; to leave open what is sent, write one "
-                            + (item.side() == ItemSymbol.Side.OUTPUT
-                                    ? "transition"
-                                    : "initial clause")
-                            + " for each of the "
-                            + alternatives.values().size()
-                            + " alternatives");
+                    "'alt' says what is waited for; to leave open what is sent, write one %s for"
+                        + " each of the %s alternatives",
+                    item.side() == ItemSymbol.Side.OUTPUT ? "transition" : "initial clause",
+                    alternatives.values().size());
         }
     }
 }

@@ -3,18 +3,12 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.VariableSymbol;
 
 /** ARC0312: no list of messages is stored in a variable or compared with one. (RRW14a T5) */
 public final class NoSequenceOnVariable implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0312");
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -28,12 +22,11 @@ public final class NoSequenceOnVariable implements Check.OnItem {
             if (part instanceof ItemValue.Sequence) {
                 findings.report(
                         part.node(),
-                        "variable '"
-                                + variable.name()
-                                + "' holds one value, not a list; write "
-                                + (item.side() == ItemSymbol.Side.INPUT
-                                        ? "one value, or several in 'alt {..}'"
-                                        : "one value"));
+                        "variable '%s' holds one value, not a list; write %s",
+                        variable.name(),
+                        item.side() == ItemSymbol.Side.INPUT
+                                ? "one value, or several in 'alt {..}'"
+                                : "one value");
             }
         }
     }

@@ -3,18 +3,12 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.VariableSymbol;
 
 /** ARC0313: neither silence nor "any message" makes sense for a variable. (Wor16 AT3) */
 public final class NoSilenceOnVariable implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0313");
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -28,11 +22,10 @@ public final class NoSilenceOnVariable implements Check.OnItem {
             if (part instanceof ItemValue.Mark) {
                 findings.report(
                         part.node(),
-                        "'"
-                                + part.node().span().text()
-                                + "' is about messages, but variable '"
-                                + variable.name()
-                                + "' always has a value; write a value or drop the item");
+                        "'%s' is about messages, but variable '%s' always has a value; write a"
+                            + " value or drop the item",
+                        part.node().span().text(),
+                        variable.name());
             }
         }
     }

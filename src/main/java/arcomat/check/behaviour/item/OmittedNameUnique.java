@@ -4,7 +4,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 
@@ -14,11 +13,6 @@ import java.util.List;
 public final class OmittedNameUnique implements Check.OnItem {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0318").needing(Law.Needs.ALL);
-    }
-
-    @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
         if (item.hasName()) {
             return;
@@ -26,11 +20,10 @@ public final class OmittedNameUnique implements Check.OnItem {
         if (item.target().isUnknown()) {
             findings.report(
                     item.node(),
-                    "no "
-                            + side(item)
-                            + " port or variable takes '"
-                            + text(item)
-                            + "'; correct the message, or write the name that is meant before it");
+                    "no %s port or variable takes '%s'; correct the message, or write the name that"
+                        + " is meant before it",
+                    side(item),
+                    text(item));
         } else if (item.target().isAmbiguous()) {
             reportAmbiguous(item, item.target().candidates(), findings);
         }
@@ -42,13 +35,10 @@ public final class OmittedNameUnique implements Check.OnItem {
         String relation = item.side() == ItemSymbol.Side.INPUT ? " == " : " = ";
         findings.report(
                 item.node(),
-                "'"
-                        + text(item)
-                        + "' could be meant for "
-                        + Wording.quoted(names)
-                        + "; write the name before it, as in '"
-                        + example(candidates, relation, text(item))
-                        + "'");
+                "'%s' could be meant for %s; write the name before it, as in '%s'",
+                text(item),
+                Wording.quoted(names),
+                example(candidates, relation, text(item)));
         for (ValueSymbol candidate : candidates) {
             findings.related(candidate.nameSpan(), "could be meant");
         }

@@ -3,18 +3,12 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 
 /** ARC0307: the output side sends on output ports and stores in variables. (Wor16 AR2) */
 public final class OutputSideWrites implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0307");
-    }
 
     /** Constants of the component are the business of ARC0128. */
     @Override
@@ -34,7 +28,9 @@ public final class OutputSideWrites implements Check.OnItem {
                                 + " changes";
         findings.report(
                         Items.place(item),
-                        "nothing can be written to " + Items.words(target) + ": " + advice)
+                        "nothing can be written to %s: %s",
+                        Items.words(target),
+                        advice)
                 .related(target.nameSpan(), "declared here");
     }
 }

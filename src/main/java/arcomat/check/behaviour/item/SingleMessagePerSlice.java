@@ -3,17 +3,11 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ItemValue;
 
 /** ARC0314: a list of several messages needs the event-driven profile. (RRW14a S3ts) */
 public final class SingleMessagePerSlice implements Check.OnItem {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0314").needing(Law.Needs.NAMES);
-    }
 
     /** Lists at variables are the business of {@link NoSequenceOnVariable}. */
     @Override

@@ -3,23 +3,15 @@ package arcomat.check.behaviour.item;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.source.Fix;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.tree.Block;
-
-import java.util.List;
 
 /** ARC0325: a block holds messages and assignments, no calls and no increments. */
 public final class SupportedItem implements Check.OnBlock {
 
     @Override
-    public Law law() {
-        return Law.error("ARC0325");
-    }
-
-    @Override
-    public void check(Block block, List<ItemSymbol> items, Context context, Findings findings) {
+    public void check(Block block, Context context, Findings findings) {
         for (Block.Item item : block.items()) {
             if (item instanceof Block.Call) {
                 findings.report(
@@ -37,16 +29,13 @@ public final class SupportedItem implements Check.OnBlock {
         if (context.side().orElseThrow() == ItemSymbol.Side.INPUT) {
             findings.report(
                     increment,
-                    "the input side only reads; write the new value of '"
-                            + increment.name()
-                            + "' behind the '/'");
+                    "the input side only reads; write the new value of '%s' behind the '/'",
+                    increment.name());
             return;
         }
         String name = increment.name().text();
         String assignment = name + " = " + name + (increment.up() ? " + 1" : " - 1");
-        findings.report(
-                        increment,
-                        "write '" + assignment + "' for '" + increment.span().text() + "'")
+        findings.report(increment, "write '%s' for '%s'", assignment, increment.span().text())
                 .fix(Fix.replace("Write '" + assignment + "'", increment.span(), assignment));
     }
 }

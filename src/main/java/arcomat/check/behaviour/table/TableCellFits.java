@@ -5,7 +5,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.Typed;
@@ -15,11 +14,6 @@ import java.util.List;
 
 /** ARC0336: a cell of a table has the type of its column and a form that its side allows. */
 public final class TableCellFits implements Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0336");
-    }
 
     @Override
     public void check(TableSymbol table, Context context, Findings findings) {
@@ -68,10 +62,9 @@ public final class TableCellFits implements Check.OnTable {
             if (!typed.isAssignableTo(column.type())) {
                 findings.report(
                         typed.expression().node(),
-                        "column '"
-                                + column.node()
-                                + "' takes "
-                                + Wording.mismatch(column.type(), typed));
+                        "column '%s' takes %s",
+                        column.node(),
+                        Wording.mismatch(column.type(), typed));
             }
         }
     }

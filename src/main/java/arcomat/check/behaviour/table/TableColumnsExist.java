@@ -3,7 +3,6 @@ package arcomat.check.behaviour.table;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.tree.Name;
@@ -14,11 +13,6 @@ import java.util.Map;
 
 /** ARC0334: the columns of a table are ports of the right direction, each once. */
 public final class TableColumnsExist implements Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0334").needing(Law.Needs.NAMES);
-    }
 
     @Override
     public void check(TableSymbol table, Context context, Findings findings) {
@@ -38,7 +32,7 @@ public final class TableColumnsExist implements Check.OnTable {
         } else if (column.port().get().isInput() != column.input()) {
             reportDirection(name, column.port().get(), findings);
         } else if (seen.putIfAbsent(name.text(), name) != null) {
-            findings.report(name, "'" + name + "' is a column already; remove one")
+            findings.report(name, "'%s' is a column already; remove one", name)
                     .related(seen.get(name.text()), "the other column");
         }
     }

@@ -4,7 +4,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.tree.IoTable;
 
@@ -13,11 +12,6 @@ import java.util.List;
 
 /** ARC0335: a row of an I/O table has one cell for each column. */
 public final class TableRowWidth implements Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0335").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(TableSymbol table, Context context, Findings findings) {
@@ -29,10 +23,9 @@ public final class TableRowWidth implements Check.OnTable {
             if (!wrong.isEmpty()) {
                 findings.report(
                         row,
-                        "the row has "
-                                + String.join(" and ", wrong)
-                                + "; give each column one cell, '*' where an input does not matter"
-                                + " and '--' where nothing is sent");
+                        "the row has %s; give each column one cell, '*' where an input does not"
+                            + " matter and '--' where nothing is sent",
+                        String.join(" and ", wrong));
             }
         }
     }

@@ -3,7 +3,6 @@ package arcomat.check.behaviour.total;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.WrittenMessage;
@@ -12,11 +11,6 @@ import arcomat.tree.Name;
 
 /** ARC0340: what a port holds from the beginning is one of its messages, and it can hold some. */
 public final class FirstValueFits implements Check.OnPort {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0340").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(PortSymbol port, Context context, Findings findings) {
@@ -28,20 +22,16 @@ public final class FirstValueFits implements Check.OnPort {
         if (!port.isInput() || context.component().filter(FirstValueFits::holds).isEmpty()) {
             findings.report(
                     first,
-                    "port '"
-                            + port.name()
-                            + "' holds nothing itself: only inputs of untimed components without"
-                            + " parts do; write the value where it is held");
+                    "port '%s' holds nothing itself: only inputs of untimed components without"
+                        + " parts do; write the value where it is held",
+                    port.name());
         } else if (!type.isErroneous() && WrittenMessage.read(first.text(), type).isEmpty()) {
             findings.report(
                     first,
-                    "port '"
-                            + port.name()
-                            + "' carries "
-                            + type.text()
-                            + ", and '"
-                            + first
-                            + "' is no message of that type");
+                    "port '%s' carries %s, and '%s' is no message of that type",
+                    port.name(),
+                    type.text(),
+                    first);
         }
     }
 

@@ -3,7 +3,6 @@ package arcomat.check.behaviour.total;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.PortSymbol;
@@ -13,11 +12,6 @@ import java.util.List;
 
 /** ARC0328: the completion {@code ignore} and a total output exclude each other. */
 public final class IgnoreExcludesTotalOutput implements Check.OnAutomaton, Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0328");
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -42,9 +36,9 @@ public final class IgnoreExcludesTotalOutput implements Check.OnAutomaton, Check
     private static void report(Stereotype completion, PortSymbol port, Findings findings) {
         findings.report(
                         completion,
-                        "'ignore' sends nothing where no transition is enabled, but '"
-                                + port.name()
-                                + "' carries a message in every slice; use \"output\" or \"error\"")
+                        "'ignore' sends nothing where no transition is enabled, but '%s' carries a"
+                            + " message in every slice; use \"output\" or \"error\"",
+                        port.name())
                 .related(port.nameSpan(), "declared <<total>>");
     }
 }

@@ -5,7 +5,6 @@ import arcomat.check.facts.OpenPorts;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -16,11 +15,6 @@ import arcomat.symbols.expressions.PortSymbol;
  * of a part, and for a total output of a decomposed component, which some part has to send.
  */
 public final class TotalInputHasTotalSender implements Check.OnComponent {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0326").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
@@ -44,12 +38,10 @@ public final class TotalInputHasTotalSender implements Check.OnComponent {
         if (target.isTotal() && !source.isTotal()) {
             findings.report(
                             connector.span(),
-                            "'"
-                                    + connector.target().text()
-                                    + "' is total, but its sender '"
-                                    + connector.source().text()
-                                    + "' may be silent; make the sender <<total>>, or the"
-                                    + " receiver not")
+                            "'%s' is total, but its sender '%s' may be silent; make the sender"
+                                + " <<total>>, or the receiver not",
+                            connector.target().text(),
+                            connector.source().text())
                     .related(source.nameSpan(), "the sender")
                     .related(target.nameSpan(), "the total receiver");
         }
@@ -59,11 +51,9 @@ public final class TotalInputHasTotalSender implements Check.OnComponent {
         if (port.isInput() && port.isTotal()) {
             findings.report(
                             instance.nameSpan(),
-                            "total input '"
-                                    + port.name()
-                                    + "' of '"
-                                    + instance.name()
-                                    + "' has no sender; connect it with a total one")
+                            "total input '%s' of '%s' has no sender; connect it with a total one",
+                            port.name(),
+                            instance.name())
                     .related(port.nameSpan(), "declared <<total>> here");
         }
     }

@@ -4,7 +4,6 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;
@@ -16,11 +15,6 @@ import arcomat.tree.Node;
 /** ARC0338: nobody waits for silence on an input that carries a message in every slice. */
 public final class TotalInputNeverSilent
         implements Check.OnItem, Check.OnTable, Check.OnExpression {
-
-    @Override
-    public Law law() {
-        return Law.warning("ARC0338");
-    }
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -64,10 +58,8 @@ public final class TotalInputNeverSilent
         if (port.isInput() && port.isTotal()) {
             findings.report(
                             place,
-                            "'"
-                                    + port.name()
-                                    + "' is never silent (<<total>>); remove this, or the"
-                                    + " stereotype")
+                            "'%s' is never silent (<<total>>); remove this, or the stereotype",
+                            port.name())
                     .related(port.nameSpan(), "declared <<total>>");
         }
     }

@@ -5,7 +5,6 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -21,11 +20,6 @@ import java.util.Optional;
 
 /** ARC0327: every block, and every row of a table, sends a message on each total output. */
 public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0327").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(AutomatonSymbol automaton, Context context, Findings findings) {
@@ -95,11 +89,10 @@ public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable 
         List<String> names = missing.stream().map(PortSymbol::name).toList();
         findings.report(
                 place,
-                "no message is sent here on "
-                        + Wording.quoted(names)
-                        + ", which "
-                        + (names.size() == 1 ? "carries" : "carry")
-                        + " one in every slice (<<total>>); say which one");
+                "no message is sent here on %s, which %s one in every slice (<<total>>); say which"
+                    + " one",
+                Wording.quoted(names),
+                names.size() == 1 ? "carries" : "carry");
         for (PortSymbol port : missing) {
             findings.related(port.nameSpan(), "declared <<total>>");
         }

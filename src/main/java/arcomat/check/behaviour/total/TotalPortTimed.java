@@ -3,18 +3,12 @@ package arcomat.check.behaviour.total;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
-import arcomat.check.law.Law;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.tree.Stereotype;
 
 /** ARC0339: only a component that works slice by slice has ports that speak in every slice. */
 public final class TotalPortTimed implements Check.OnPort {
-
-    @Override
-    public Law law() {
-        return Law.error("ARC0339").needing(Law.Needs.ALL);
-    }
 
     @Override
     public void check(PortSymbol port, Context context, Findings findings) {
@@ -26,10 +20,8 @@ public final class TotalPortTimed implements Check.OnPort {
                         total ->
                                 findings.report(
                                         total,
-                                        "port '"
-                                                + port.name()
-                                                + "' cannot carry a message in every slice: an"
-                                                + " untimed component knows no slices; remove"
-                                                + " 'total'"));
+                                        "port '%s' cannot carry a message in every slice: an"
+                                            + " untimed component knows no slices; remove 'total'",
+                                        port.name()));
     }
 }

@@ -1,0 +1,84 @@
+package arcomat.check;
+
+import arcomat.check.law.Law;
+import arcomat.check.law.Law.Needs;
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+import arcomat.tree.Recovered;
+
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * What may be said of the parts that could be read of a file with syntax errors: only what would
+ * still be true if the gaps were filled.
+ */
+final class SureFindings {
+    private static final Pattern WORD = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
+
+    /** A connector, a transition or a row of a table: they have an arrow. */
+    private static final Pattern ARROW = Pattern.compile("->|=>");
+
+    /** Guards, and the connectors of a part, which is declared in front of them. */
+    private static final Pattern BRACKETS = Pattern.compile("\\[[^\\]]*\\]");
+
+    private static final Set<String> DECLARING =
+            Set.of(
+                    "automaton",
+                    "class",
+                    "component",
+                    "enum",
+                    "extends",
+                    "import",
+                    "in",
+                    "input",
+                    "out",
+                    "output",
+                    "port",
+                    "ports",
+                    "state",
+                    "table",
+                    "var",
+                    "variable");
+
+    private static final Map<String, Needs> NEEDS =
+            Checks.LAWS.stream().collect(Collectors.toMap(Law::code, Law::needs));
+
+    private final Set<String> missing = new HashSet<>();
+    private final boolean namesAreKnown;
+
+    SureFindings(Recovered recovered) {
+        recovered.gaps().forEach(gap -> missing.addAll(words(gap)));
+        namesAreKnown = recovered.gaps().stream().noneMatch(SureFindings::mayDeclare);
+    }
+
+    /** A misspelt word may be that of a declaration, and its name a misspelt one. */
+    private static boolean mayDeclare(Span gap) {
+        String outside = BRACKETS.matcher(gap.text()).replaceAll(" ");
+        return !ARROW.matcher(outside).find() || words(gap).stream().anyMatch(DECLARING::contains);
+    }
+
+    /** Whether nothing that a gap may hold is at the bottom of a finding. */
+    boolean contains(Diagnostic finding) {
+        return switch (NEEDS.getOrDefault(finding.code(), Needs.ALL)) {
+            case NOTHING ->
+                    namesAreKnown || words(finding.span()).stream().noneMatch(missing::contains);
+            case NAMES -> namesAreKnown;
+            case ALL -> false;
+        };
+    }
+
+    /** As they are, and as what is called after them: a type {@code Light} makes a port light. */
+    private static Set<String> words(Span span) {
+        return WORD.matcher(span.text())
+                .results()
+                .map(MatchResult::group)
+                .map(word -> word.substring(0, 1).toLowerCase(Locale.ROOT) + word.substring(1))
+                .collect(Collectors.toSet());
+    }
+}

@@ -1,0 +1,52 @@
+package arcomat.check.structure.component;
+
+import arcomat.check.law.Check;
+import arcomat.check.law.Findings;
+import arcomat.source.Span;
+import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+
+import java.util.List;
+
+/** ARC0112: no component is a part of itself, over any number of steps. (Hab16 R13) */
+public final class SubcomponentAcyclic implements Check.OnWorkspace {
+
+    @Override
+    public void check(Workspace workspace, Findings findings) {
+        for (List<ComponentSymbol> cycle : workspace.subcomponentCycles()) {
+            ComponentSymbol first = cycle.get(0);
+            findings.report(
+                    place(first, next(cycle, 0)),
+                    "component '%s' is a part of itself: %s; replace one of these parts",
+                    first.name(),
+                    text(cycle));
+            for (int i = 1; i < cycle.size(); i++) {
+                findings.related(
+                        place(cycle.get(i), next(cycle, i)),
+                        "'" + cycle.get(i).name() + "' contains '" + next(cycle, i).name() + "'");
+            }
+        }
+    }
+
+    private static ComponentSymbol next(List<ComponentSymbol> cycle, int index) {
+        return cycle.get((index + 1) % cycle.size());
+    }
+
+    private static Span place(ComponentSymbol whole, ComponentSymbol part) {
+        for (InstanceSymbol instance : whole.instances()) {
+            if (instance.component().filter(part::equals).isPresent()) {
+                return instance.nameSpan();
+            }
+        }
+        throw new AssertionError(whole + " has no part " + part);
+    }
+
+    private static String text(List<ComponentSymbol> cycle) {
+        StringBuilder text = new StringBuilder();
+        for (ComponentSymbol component : cycle) {
+            text.append(component.name()).append(" -> ");
+        }
+        return text.append(cycle.get(0).name()).toString();
+    }
+}

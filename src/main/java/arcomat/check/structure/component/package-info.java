@@ -1,0 +1,2 @@
+/** What a component is made of: parts, parameters, clauses, ancestors, behaviours. */
+package arcomat.check.structure.component;

@@ -1,0 +1,125 @@
+package arcomat.check.structure.connector;
+
+import arcomat.check.facts.Connections;
+import arcomat.check.law.Check;
+import arcomat.check.law.Context;
+import arcomat.check.law.Findings;
+import arcomat.source.Fix;
+import arcomat.source.Nearest;
+import arcomat.source.Span;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** ARC0103: the ends of connectors name ports and instances that exist. (Hab16 CO3, R5 to R7) */
+public final class ConnectorEndExists implements Check.OnConnector {
+
+    @Override
+    public void check(ConnectorSymbol connector, Context context, Findings findings) {
+        ComponentSymbol component = context.component().orElseThrow();
+        check(component, connector.source(), findings);
+        check(component, connector.target(), findings);
+    }
+
+    private static void check(ComponentSymbol component, End end, Findings findings) {
+        switch (end.status()) {
+            case NO_SUCH_PORT -> reportPort(component, end, findings);
+            case NO_SUCH_INSTANCE -> reportInstance(component, end, findings);
+            case NO_SUCH_PORT_OF_INSTANCE -> reportPortOfInstance(end, findings);
+            case RESOLVED, MALFORMED, EXCUSED -> {}
+        }
+    }
+
+    private static void reportPort(ComponentSymbol component, End end, Findings findings) {
+        if (Connections.lacksAncestor(component)) {
+            return;
+        }
+        if (end.instance().isPresent()) {
+            findings.report(
+                    end.span(),
+                    "'%s' is a part, not a port; connect one of its ports%s",
+                    end.text(),
+                    examplePort(end.instance().get()));
+            return;
+        }
+        String message = "component '" + component.name() + "' has no port '" + end.text() + "'";
+        List<String> owners = instancesWithPort(component, end.text());
+        List<String> candidates = portNames(component.ports());
+        if (owners.size() == 1 && Nearest.to(end.text(), candidates).isEmpty()) {
+            String meant = owners.get(0) + "." + end.text();
+            findings.report(end.span(), "%s; did you mean '%s'?", message, meant)
+                    .fix(Fix.replace("Put the name of the part before it", end.span(), meant));
+        } else {
+            findings.reportUnknown(
+                    end.span(),
+                    message,
+                    end.text(),
+                    candidates,
+                    "declare it, or connect another port");
+        }
+    }
+
+    private static List<String> instancesWithPort(ComponentSymbol component, String port) {
+        List<String> names = new ArrayList<>();
+        for (InstanceSymbol instance : component.instances()) {
+            if (instance.port(port).isPresent()) {
+                names.add(instance.name());
+            }
+        }
+        return names;
+    }
+
+    private static String examplePort(InstanceSymbol instance) {
+        List<PortSymbol> ports = instance.ports();
+        return ports.isEmpty()
+                ? ""
+                : ", such as '" + instance.name() + "." + ports.get(0).name() + "'";
+    }
+
+    private static void reportInstance(ComponentSymbol component, End end, Findings findings) {
+        String name = end.text().substring(0, end.text().indexOf('.'));
+        List<String> candidates = new ArrayList<>();
+        for (InstanceSymbol instance : component.instances()) {
+            candidates.add(instance.name());
+        }
+        Span span =
+                new Span(end.span().file(), end.span().start(), end.span().start() + name.length());
+        findings.reportUnknown(
+                span,
+                "component '" + component.name() + "' has no part '" + name + "'",
+                name,
+                candidates,
+                "declare it, or name another part");
+    }
+
+    private static void reportPortOfInstance(End end, Findings findings) {
+        InstanceSymbol instance = end.instance().orElseThrow();
+        String name = end.text().substring(end.text().lastIndexOf('.') + 1);
+        Span span = new Span(end.span().file(), end.span().end() - name.length(), end.span().end());
+        findings.reportUnknown(
+                span,
+                "'"
+                        + instance.name()
+                        + "' of type '"
+                        + instance.type().name()
+                        + "' has no port '"
+                        + name
+                        + "'",
+                name,
+                portNames(instance.ports()),
+                "connect another port");
+    }
+
+    private static List<String> portNames(List<PortSymbol> ports) {
+        List<String> names = new ArrayList<>();
+        for (PortSymbol port : ports) {
+            names.add(port.name());
+        }
+        return names;
+    }
+}

@@ -1,0 +1,2 @@
+/** Where connectors lead, and which ports they reach. */
+package arcomat.check.structure.connector;

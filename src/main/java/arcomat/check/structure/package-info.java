@@ -1,2 +1,0 @@
-/** Laws about components, ports, parts and connectors: ARC01. */
-package arcomat.check.structure;
