@@ -27,7 +27,7 @@ record BuildTasks(String scripts) {
                         "benchmarks/build.gradle")) {
             scripts.append(Files.readString(Path.of(script)));
         }
-        Path plugin = Path.of("gradle-plugin/src/main/java/arcomat/gradle");
+        Path plugin = Path.of("plugins/gradle/src/main/java/arcomat/gradle");
         try (var files = Files.list(plugin)) {
             for (Path file : files.sorted().toList()) {
                 scripts.append(Files.readString(file));

@@ -8,7 +8,10 @@ final class ProgramFailure {
         throw ProgramFailure.<RuntimeException>cast(error);
     }
 
-    @SuppressWarnings("unchecked") // never checked at run time: that is the point
+    @SuppressWarnings({
+        "unchecked",
+        "TypeParameterUnusedInFormals"
+    }) // never checked at run time: that is the point
     private static <E extends Throwable> E cast(Throwable error) throws E {
         throw (E) error;
     }

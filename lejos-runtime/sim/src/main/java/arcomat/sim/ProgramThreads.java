@@ -41,7 +41,7 @@ final class ProgramThreads implements Lifetime {
         if (!started.add(thread)) {
             throw new IllegalThreadStateException("a thread is started only once");
         }
-        start(thread, thread::run);
+        start(thread, thread);
     }
 
     /** The thread object of main is never started either. */

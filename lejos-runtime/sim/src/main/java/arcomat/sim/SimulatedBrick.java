@@ -48,7 +48,7 @@ public final class SimulatedBrick {
             main.setAccessible(true); // its class need not be public
             main.invoke(null, (Object) null);
         } catch (InvocationTargetException e) {
-            throw ProgramFailure.unwrapped(e.getCause());
+            throw ProgramFailure.unwrapped(e.getTargetException());
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(
                     mainClass + " has no method public static void main(String[])", e);

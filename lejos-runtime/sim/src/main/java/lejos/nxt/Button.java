@@ -139,6 +139,7 @@ public class Button implements ListenerCaller {
     }
 
     /** What is seen now; a change that was undone before is not told. */
+    @Override
     public int callListeners() {
         wasDown = isDown();
         for (int i = 0; i < count; i++) {

@@ -36,10 +36,12 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
     }
 
     /** The number of the colour as lejos.robotics.Color counts; -1 for none. */
+    @Override
     public int getColorID() {
         return port.socket().observed(port.socket().eye().color());
     }
 
+    @Override
     public Color getColor() {
         int color = getColorID();
         return color(color, ColorEye.FULL_PART, color);
@@ -59,6 +61,7 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
                 name);
     }
 
+    @Override
     public boolean setFloodlight(int color) {
         int newType =
                 switch (color) {
@@ -77,14 +80,17 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         return true;
     }
 
+    @Override
     public void setFloodlight(boolean floodlight) {
         setFloodlight(floodlight ? Color.RED : Color.NONE);
     }
 
+    @Override
     public int getFloodlight() {
         return floodlight;
     }
 
+    @Override
     public boolean isFloodlightOn() {
         return floodlight != Color.NONE;
     }
@@ -93,6 +99,7 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
      * As on the brick, percent by the light of one lamp, but up to 255 where all three are used;
      * and calibrated ends change nothing.
      */
+    @Override
     public int getLightValue() {
         int full = type == TYPE_COLORFULL ? ColorEye.FULL_PART : 100;
         return port.socket().observed(scaled(port.raw(), full));
@@ -105,6 +112,7 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         return type == TYPE_COLORFULL ? 0 : level;
     }
 
+    @Override
     public int getNormalizedLightValue() {
         return getRawLightValue();
     }
@@ -129,10 +137,12 @@ public class ColorSensor implements LampLightDetector, ColorDetector, SensorCons
         hundred = MAX_AD_RAW - high;
     }
 
+    @Override
     public int getLow() {
         return MAX_AD_RAW - zero;
     }
 
+    @Override
     public int getHigh() {
         return MAX_AD_RAW - hundred;
     }

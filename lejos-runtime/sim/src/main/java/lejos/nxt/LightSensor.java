@@ -21,12 +21,14 @@ public class LightSensor implements LampLightDetector, SensorConstants {
         setFloodlight(floodlight);
     }
 
+    @Override
     public void setFloodlight(boolean floodlight) {
         this.floodlight = floodlight;
         port.setTypeAndMode(
                 floodlight ? TYPE_LIGHT_ACTIVE : TYPE_LIGHT_INACTIVE, MODE_PCTFULLSCALE);
     }
 
+    @Override
     public boolean setFloodlight(int color) {
         if (color != RED && color != NONE) {
             return false;
@@ -35,14 +37,17 @@ public class LightSensor implements LampLightDetector, SensorConstants {
         return true;
     }
 
+    @Override
     public int getFloodlight() {
         return floodlight ? RED : NONE;
     }
 
+    @Override
     public boolean isFloodlightOn() {
         return floodlight;
     }
 
+    @Override
     public int getLightValue() {
         int value = hundred == zero ? 0 : 100 * (raw() - zero) / (hundred - zero);
         return observed(value);
@@ -52,6 +57,7 @@ public class LightSensor implements LampLightDetector, SensorConstants {
         return getLightValue();
     }
 
+    @Override
     public int getNormalizedLightValue() {
         return observed(MAX_AD_RAW - raw());
     }
@@ -76,10 +82,12 @@ public class LightSensor implements LampLightDetector, SensorConstants {
         hundred = MAX_AD_RAW - high;
     }
 
+    @Override
     public int getLow() {
         return MAX_AD_RAW - zero;
     }
 
+    @Override
     public int getHigh() {
         return MAX_AD_RAW - hundred;
     }

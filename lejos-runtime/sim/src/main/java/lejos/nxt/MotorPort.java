@@ -37,6 +37,7 @@ public class MotorPort implements TachoMotorPort {
         return BRICK.called().motor(id);
     }
 
+    @Override
     public void controlMotor(int power, int mode) {
         switch (mode) {
             case FORWARD -> device().power(power);
@@ -47,14 +48,17 @@ public class MotorPort implements TachoMotorPort {
     }
 
     /** Between pulses a simulated motor neither brakes nor floats. */
+    @Override
     public void setPWMMode(int mode) {
         BRICK.called();
     }
 
+    @Override
     public int getTachoCount() {
         return device().tachoCount();
     }
 
+    @Override
     public void resetTachoCount() {
         device().resetTachoCount();
     }

@@ -20,10 +20,12 @@ public class NXTMotor extends BasicMotor implements EncoderMotor {
 
     private static final int MAX_POWER = BasicMotorPort.MAX_POWER;
 
+    @Override
     public int getTachoCount() {
         return encoderPort.getTachoCount();
     }
 
+    @Override
     public void resetTachoCount() {
         encoderPort.resetTachoCount();
     }

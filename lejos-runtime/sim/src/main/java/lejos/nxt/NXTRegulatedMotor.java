@@ -50,10 +50,12 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         return ((MotorPort) tachoPort).device();
     }
 
+    @Override
     public void forward() {
         turn(1);
     }
 
+    @Override
     public void backward() {
         turn(-1);
     }
@@ -66,24 +68,29 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         started(wasMoving, device);
     }
 
+    @Override
     public void stop() {
         stop(false);
     }
 
+    @Override
     public void stop(boolean immediateReturn) {
         device().stop(acceleration);
         ended(immediateReturn);
     }
 
+    @Override
     public void flt() {
         flt(false);
     }
 
+    @Override
     public void flt(boolean immediateReturn) {
         device().letGo(acceleration);
         ended(immediateReturn);
     }
 
+    @Override
     public void waitComplete() {
         MotorDevice device = device();
         while (device.isMoving()) {
@@ -91,18 +98,22 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         }
     }
 
+    @Override
     public void rotate(int angle) {
         rotate(angle, false);
     }
 
+    @Override
     public void rotate(int angle, boolean immediateReturn) {
         rotateTo(device().tachoCount() + angle, immediateReturn);
     }
 
+    @Override
     public void rotateTo(int limitAngle) {
         rotateTo(limitAngle, false);
     }
 
+    @Override
     public void rotateTo(int limitAngle, boolean immediateReturn) {
         MotorDevice device = device();
         boolean wasMoving = device.isMoving();
@@ -113,6 +124,7 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     }
 
     /** As on the brick, a new speed also changes a turn that is going on. */
+    @Override
     public void setSpeed(int speed) {
         setSpeed((float) speed);
     }
@@ -127,14 +139,17 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         }
     }
 
+    @Override
     public int getSpeed() {
         return Math.round(speed);
     }
 
+    @Override
     public float getMaxSpeed() {
         return BRICK.batteryMillivolts() / MILLI * SPEED_PER_VOLT;
     }
 
+    @Override
     public void setAcceleration(int acceleration) {
         this.acceleration = Math.abs(acceleration);
     }
@@ -143,6 +158,7 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         return acceleration;
     }
 
+    @Override
     public int getLimitAngle() {
         return limitAngle;
     }
@@ -151,11 +167,13 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         return device().tachoCount();
     }
 
+    @Override
     public int getTachoCount() {
         return device().tachoCount();
     }
 
     /** As on the brick, the motor stops first. */
+    @Override
     public void resetTachoCount() {
         MotorDevice device = device();
         if (device.isMoving()) {
@@ -164,18 +182,22 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         device.resetTachoCount();
     }
 
+    @Override
     public int getRotationSpeed() {
         return (int) Math.round(device().speed());
     }
 
+    @Override
     public boolean isMoving() {
         return device().isMoving();
     }
 
+    @Override
     public boolean isStalled() {
         return stalled;
     }
 
+    @Override
     public void setStallThreshold(int error, int time) {
         stallLimit = error;
         stallTime = time / PERIOD;
@@ -193,6 +215,7 @@ public class NXTRegulatedMotor implements RegulatedMotor {
     }
 
     /** As on the brick, there is one listener at most: the last one. */
+    @Override
     public void addListener(RegulatedMotorListener listener) {
         this.listener = listener;
         if (!isWatched) {
@@ -201,6 +224,7 @@ public class NXTRegulatedMotor implements RegulatedMotor {
         }
     }
 
+    @Override
     public RegulatedMotorListener removeListener() {
         RegulatedMotorListener removed = listener;
         listener = null;

@@ -64,18 +64,22 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         return socket().bus();
     }
 
+    @Override
     public int getMode() {
         return mode;
     }
 
+    @Override
     public int getType() {
         return type;
     }
 
+    @Override
     public void setMode(int mode) {
         this.mode = mode;
     }
 
+    @Override
     public void setType(int newType) {
         if (newType < MIN_TYPE || newType > MAX_TYPE) {
             throw new IllegalArgumentException();
@@ -83,6 +87,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         type = newType;
     }
 
+    @Override
     public void setTypeAndMode(int type, int mode) {
         setType(type);
         setMode(mode);
@@ -105,14 +110,17 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         BRICK.called();
     }
 
+    @Override
     public final void activate() {
         setPowerType(POWER_RCX9V);
     }
 
+    @Override
     public final void passivate() {
         setPowerType(POWER_STD);
     }
 
+    @Override
     public final boolean readBooleanValue() {
         int raw = raw();
         boolean pressed = raw < RAW_PRESSED;
@@ -120,10 +128,12 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         return pressed;
     }
 
+    @Override
     public final int readRawValue() {
         return socket().observed(raw());
     }
 
+    @Override
     public int readValue() {
         return socket().observed(isColorSensor() ? colorValue() : value(raw()));
     }
@@ -210,6 +220,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         listeners().setTolerance(tolerance);
     }
 
+    @Override
     public int callListeners() {
         return listeners().callListeners();
     }
@@ -221,14 +232,17 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         return listeners;
     }
 
+    @Override
     public void i2cEnable(int mode) {
         bus().enable((mode & HIGH_SPEED) != 0);
     }
 
+    @Override
     public void i2cDisable() {
         bus().disable();
     }
 
+    @Override
     public int i2cStatus() {
         return bus().status();
     }
@@ -249,6 +263,7 @@ public class SensorPort implements LegacySensorPort, I2CPort, ListenerCaller {
         return bus().complete(buffer, offset, numBytes);
     }
 
+    @Override
     public int i2cTransaction(
             int deviceAddress,
             byte[] writeBuf,

@@ -11,6 +11,7 @@ public class TouchSensor implements SensorConstants, Touch {
         port.setTypeAndMode(TYPE_SWITCH, MODE_BOOLEAN);
     }
 
+    @Override
     public boolean isPressed() {
         return port.readBooleanValue();
     }

@@ -115,11 +115,13 @@ public class UltrasonicSensor extends I2CSensor implements RangeFinder {
         return mode == MODE_PING ? LISTENING_ONCE : LISTENING;
     }
 
+    @Override
     public float getRange() {
         return getDistance();
     }
 
     /** As on the brick, this leaves the sensor where it listens no more by itself. */
+    @Override
     public float[] getRanges() {
         ping();
         int[] distances = new int[MOST_ECHOES];

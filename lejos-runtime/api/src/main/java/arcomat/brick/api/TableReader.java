@@ -13,7 +13,7 @@ import java.util.Optional;
  */
 final class TableReader {
     private final List<BrickType> types = new ArrayList<>();
-    private String[] head;
+    private String[] head = {};
     private Optional<BrickType.Nesting> nesting = Optional.empty();
     private List<BrickField> fields = new ArrayList<>();
     private List<BrickMethod> methods = new ArrayList<>();
@@ -52,7 +52,7 @@ final class TableReader {
     }
 
     private void finishType() {
-        if (head == null) {
+        if (head.length == 0) {
             return;
         }
         types.add(

@@ -1,5 +1,7 @@
 package arcomat.sim.device;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Collections;
 import java.util.Set;
 import java.util.WeakHashMap;
@@ -21,13 +23,13 @@ public final class Errors {
     }
 
     /** Its message; null if it has none, as all that the machine throws. */
-    public String message(Throwable error) {
+    public @Nullable String message(Throwable error) {
         boolean silent = ErrorNumbers.isOfMachine(error.getClass()) && !made.contains(error);
         return silent ? null : error.getMessage();
     }
 
     /** A program's own error may fail to say what it is. */
-    private String shownMessage(Throwable error) {
+    private @Nullable String shownMessage(Throwable error) {
         try {
             return message(error);
         } catch (RuntimeException | Error e) {

@@ -3,6 +3,8 @@ package arcomat.sim.device;
 import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.time.VirtualTime;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The two wires of a socket: takes a request, lets it take its time, and has the device answer when
  * it is over. One device at most is connected. It is the one that somebody has plugged in, or else
@@ -39,8 +41,8 @@ public final class I2CBus {
     private final byte[][] written = new byte[MOST + 1][];
     private final byte[][] answers = new byte[MOST + 1][];
     private final byte[] request = new byte[MOST];
-    private I2CDevice plugged;
-    private I2CDevice assumed;
+    private @Nullable I2CDevice plugged;
+    private @Nullable I2CDevice assumed;
     private boolean isConnected;
     private int users;
     private boolean isFast;
@@ -122,7 +124,7 @@ public final class I2CBus {
     }
 
     private long duration() {
-        int bytes = 1 + sent + (wanted > 0 ? 1 + wanted : 0);
+        long bytes = 1L + sent + (wanted > 0 ? 1 + wanted : 0);
         return isFast
                 ? FAST_REST + bytes * BITS_OF_A_BYTE * FAST_BIT
                 : REST + bytes * BITS_OF_A_BYTE * BIT;

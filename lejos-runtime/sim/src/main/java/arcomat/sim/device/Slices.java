@@ -1,5 +1,7 @@
 package arcomat.sim.device;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * The rounds of a program's main loop: what its first thread does from one wait to the next. One
  * that takes longer than it should ends without a wait.
@@ -10,7 +12,7 @@ public final class Slices {
     /** Microseconds since switching on. */
     private long begun;
 
-    private Object clock;
+    private @Nullable Object clock;
     private boolean waited;
 
     Slices(Hardware hardware) {

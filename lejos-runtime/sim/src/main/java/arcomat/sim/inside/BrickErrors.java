@@ -3,6 +3,8 @@ package arcomat.sim.inside;
 import arcomat.sim.device.ErrorNumbers;
 import arcomat.sim.device.Hardware;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.PrintStream;
 
 /**
@@ -19,11 +21,11 @@ public final class BrickErrors {
         BRICK.errors().make(error);
     }
 
-    public static String getMessage(Throwable error) {
+    public static @Nullable String getMessage(Throwable error) {
         return BRICK.errors().message(error);
     }
 
-    public static String getLocalizedMessage(Throwable error) {
+    public static @Nullable String getLocalizedMessage(Throwable error) {
         return getMessage(error);
     }
 

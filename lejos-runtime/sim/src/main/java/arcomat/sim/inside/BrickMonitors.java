@@ -4,6 +4,8 @@ import arcomat.sim.device.Hardware;
 import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
@@ -26,7 +28,7 @@ public final class BrickMonitors {
     private BrickMonitors() {}
 
     private static final class Monitor {
-        private Strand owner;
+        private @Nullable Strand owner;
         private int depth;
         private final List<Waiter> waiters = new ArrayList<>();
     }

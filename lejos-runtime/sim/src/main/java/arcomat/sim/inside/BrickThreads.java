@@ -57,6 +57,7 @@ public final class BrickThreads {
         BRICK.sleepInterruptibly(milliseconds);
     }
 
+    @SuppressWarnings("NamedLikeContextualKeyword") // as in Thread
     public static void yield() {
         BRICK.called();
     }

@@ -13,6 +13,7 @@ import org.objectweb.asm.tree.TryCatchBlockNode;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -31,7 +32,7 @@ record Blocks(Map<AbstractInsnNode, Integer> costs, int first) {
         for (; each.getOpcode() < 0; each = each.getNext()) {
             isTarget |= targets.contains(each);
         }
-        return new Blocks(costs, isTarget ? 0 : costs.remove(each));
+        return new Blocks(costs, isTarget ? 0 : Objects.requireNonNull(costs.remove(each)));
     }
 
     private static Map<AbstractInsnNode, Integer> costs(

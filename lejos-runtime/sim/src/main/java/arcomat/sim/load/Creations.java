@@ -1,5 +1,6 @@
 package arcomat.sim.load;
 
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
@@ -16,7 +17,7 @@ import java.util.Set;
  * @param kept those after which the new object is on the stack
  * @param ofItself the call by which a constructor goes on to another one; null in other methods
  */
-record Creations(Set<MethodInsnNode> kept, MethodInsnNode ofItself) {
+record Creations(Set<MethodInsnNode> kept, @Nullable MethodInsnNode ofItself) {
     static Creations of(MethodNode method) {
         Set<MethodInsnNode> kept = new HashSet<>();
         MethodInsnNode ofItself = null;

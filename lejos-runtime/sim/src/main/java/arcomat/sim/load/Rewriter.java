@@ -1,5 +1,6 @@
 package arcomat.sim.load;
 
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.ClassReader;
 import org.objectweb.asm.ClassVisitor;
 import org.objectweb.asm.ClassWriter;
@@ -48,7 +49,7 @@ final class Rewriter {
     }
 
     private final class Methods extends ClassVisitor {
-        private String owner;
+        private String owner = "";
         private boolean isInterface;
 
         Methods(ClassVisitor next) {
@@ -69,7 +70,7 @@ final class Rewriter {
         }
 
         @Override
-        public MethodVisitor visitMethod(
+        public @Nullable MethodVisitor visitMethod(
                 int access, String name, String descriptor, String signature, String[] exceptions) {
             MethodVisitor visitor;
             if ((access & Opcodes.ACC_SYNCHRONIZED) != 0 && !isInterface) {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** The local variables of a method that may hold objects, numbered from 0. */
 final class Variables {
@@ -76,7 +77,8 @@ final class Variables {
         return numbers.containsKey(local);
     }
 
+    /** Of a local variable that it {@linkplain #contains contains}. */
     int number(int local) {
-        return numbers.get(local);
+        return Objects.requireNonNull(numbers.get(local));
     }
 }

@@ -1,5 +1,7 @@
 package arcomat.sim.memory;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -92,7 +94,7 @@ public final class Heap {
         }
     }
 
-    private long live(Object more) {
+    private long live(@Nullable Object more) {
         LiveObjects objects = new LiveObjects();
         threads.get()
                 .forEach(

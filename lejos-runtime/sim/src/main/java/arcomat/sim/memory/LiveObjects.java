@@ -1,5 +1,7 @@
 package arcomat.sim.memory;
 
+import org.jspecify.annotations.Nullable;
+
 import java.lang.reflect.Field;
 import java.util.ArrayDeque;
 import java.util.Arrays;
@@ -38,12 +40,12 @@ final class LiveObjects {
     }
 
     /** Adds an object with everything that it leads to. */
-    void addAll(Object object) {
+    void addAll(@Nullable Object object) {
         add(object);
         walk();
     }
 
-    private void add(Object object) {
+    private void add(@Nullable Object object) {
         if (object != null && !isOutside(object.getClass()) && seen.add(object)) {
             open.add(object);
         }
@@ -99,7 +101,7 @@ final class LiveObjects {
         }
     }
 
-    private static Object read(Field field, Object object) {
+    private static @Nullable Object read(Field field, @Nullable Object object) {
         try {
             return field.get(object);
         } catch (IllegalAccessException e) {

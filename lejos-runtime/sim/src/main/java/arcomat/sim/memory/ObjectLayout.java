@@ -41,7 +41,7 @@ public final class ObjectLayout {
      * @throws ArithmeticException if that is no number of 64 bits
      */
     public static long array(long length, int element) {
-        long header = HEADER + (length > SHORT_ARRAY ? WORD : 0);
+        long header = (long) HEADER + (length > SHORT_ARRAY ? WORD : 0);
         return aligned(Math.addExact(header, Math.multiplyExact(length, element)));
     }
 

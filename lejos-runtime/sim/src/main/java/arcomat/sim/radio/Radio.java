@@ -3,6 +3,8 @@ package arcomat.sim.radio;
 import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Optional;
 
 /** The Bluetooth device of one brick. As on the NXT, it takes one connection at a time. */
@@ -10,12 +12,12 @@ public final class Radio {
     private final String name;
     private final Ether ether;
     private boolean listening;
-    private Link link;
+    private @Nullable Link link;
 
     /** Who waits for a call; null if nobody does. Looking every moment would cost the PC dear. */
-    private Strand sleeper;
+    private @Nullable Strand sleeper;
 
-    private VirtualTime clock;
+    private @Nullable VirtualTime clock;
 
     Radio(String name, Ether ether) {
         this.name = name;
@@ -62,7 +64,7 @@ public final class Radio {
         Channel back = ether.channel();
         partner.listening = false;
         partner.link = new Link(name, back, there);
-        if (partner.sleeper != null) {
+        if (partner.sleeper != null && partner.clock != null) {
             partner.clock.wake(partner.sleeper);
         }
         return new Link(partner.name, there, back);

@@ -3,6 +3,8 @@ package arcomat.sim.time;
 import arcomat.brick.api.BrickCost;
 import arcomat.sim.memory.CallStack;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.concurrent.locks.LockSupport;
 
 /**
@@ -13,7 +15,7 @@ public final class Strand extends Actor {
     /** A program that catches every end it is sent is left behind, parked for good. */
     private static final int PATIENCE = 1000;
 
-    private Thread thread;
+    private @Nullable Thread thread;
     private volatile boolean hasBaton;
     private boolean ended;
     private boolean interrupted;

@@ -1,5 +1,7 @@
 package arcomat.sim.time;
 
+import org.jspecify.annotations.Nullable;
+
 import java.time.Duration;
 
 /**
@@ -15,10 +17,10 @@ public final class VirtualTime {
 
     private Actor[] actors = new Actor[0];
     private final Strand controller = new Strand(Actor.Rank.CONTROLLER);
-    private Strand running = controller;
+    private @Nullable Strand running = controller;
     private long now;
     private long turns;
-    private Duration patience;
+    private @Nullable Duration patience;
     private long started;
     private boolean abandoned;
 
@@ -32,6 +34,7 @@ public final class VirtualTime {
     }
 
     /** The strand that calls; null while the world acts. */
+    @SuppressWarnings("NullAway") // who asks while the world acts knows that nobody runs
     public Strand running() {
         return running;
     }
@@ -53,7 +56,7 @@ public final class VirtualTime {
      * @throws ProgramEnded if the strand's program is over
      */
     public void waitUntil(long moment) {
-        Strand strand = running;
+        Strand strand = running();
         leaveIfEnded(strand);
         schedule(strand, Math.max(moment, now));
         Strand next = advance();
@@ -107,7 +110,7 @@ public final class VirtualTime {
      * @throws InterruptedException if it did, before or while waiting
      */
     public void waitInterruptibly(long moment) throws InterruptedException {
-        Strand strand = running;
+        Strand strand = running();
         strand.setInterruptible(true);
         if (!strand.isInterrupted()) {
             waitUntil(moment);
@@ -127,8 +130,8 @@ public final class VirtualTime {
 
     /** Whether the calling strand was interrupted; asking forgets it. */
     public boolean clearInterrupt() {
-        boolean was = running.isInterrupted();
-        running.setInterrupted(false);
+        boolean was = running().isInterrupted();
+        running().setInterrupted(false);
         return was;
     }
 

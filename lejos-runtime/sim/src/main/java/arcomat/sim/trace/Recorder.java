@@ -7,6 +7,8 @@ import arcomat.sim.device.Screen;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HexFormat;
@@ -28,7 +30,7 @@ public final class Recorder implements Observer {
     private final List<Cycle> cycles = new ArrayList<>();
     private List<Event> events = new ArrayList<>();
     private long start;
-    private Event.ScreenChanged drawn;
+    private Event.@Nullable ScreenChanged drawn;
     private Lateness lateness = Lateness.NONE;
 
     /**

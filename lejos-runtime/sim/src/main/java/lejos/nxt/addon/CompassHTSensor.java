@@ -39,6 +39,7 @@ public class CompassHTSensor extends I2CSensor implements DirectionFinder {
         return ((bytes[0] & 0xff) << 1) + bytes[1];
     }
 
+    @Override
     public float getDegreesCartesian() {
         float degrees = zero - getDegrees();
         if (degrees >= FULL_TURN) {
@@ -47,15 +48,18 @@ public class CompassHTSensor extends I2CSensor implements DirectionFinder {
         return degrees < 0 ? degrees + FULL_TURN : degrees;
     }
 
+    @Override
     public void resetCartesianZero() {
         zero = getDegrees();
     }
 
     /** Nothing has to be calibrated here. */
+    @Override
     public void startCalibration() {
         sendData(MODE, CALIBRATING);
     }
 
+    @Override
     public void stopCalibration() {
         sendData(MODE, MEASURING);
     }

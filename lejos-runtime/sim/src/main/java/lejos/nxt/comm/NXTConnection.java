@@ -36,6 +36,7 @@ public abstract class NXTConnection implements StreamConnection {
         return link.partner();
     }
 
+    @Override
     public void close() {
         BRICK.called();
         link.close();
@@ -126,18 +127,22 @@ public abstract class NXTConnection implements StreamConnection {
     }
 
     /** As on the brick, streams are for bytes without borders. */
+    @Override
     public InputStream openInputStream() {
         return new NXTInputStream(this);
     }
 
+    @Override
     public OutputStream openOutputStream() {
         return new NXTOutputStream(this);
     }
 
+    @Override
     public DataInputStream openDataInputStream() {
         return new DataInputStream(openInputStream());
     }
 
+    @Override
     public DataOutputStream openDataOutputStream() {
         return new DataOutputStream(openOutputStream());
     }

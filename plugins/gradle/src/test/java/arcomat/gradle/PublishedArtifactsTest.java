@@ -91,7 +91,7 @@ class PublishedArtifactsTest {
             ZipEntry licence = jar.getEntry("META-INF/LICENSE");
             assertThat(licence).as("licence in %s", path).isNotNull();
             assertThat(jar.getInputStream(licence))
-                    .hasBinaryContent(Files.readAllBytes(Path.of("../LICENSE")));
+                    .hasBinaryContent(Files.readAllBytes(Path.of("../../LICENSE")));
             assertThat(jar.stream())
                     .extracting(ZipEntry::getTimeLocal)
                     .containsOnly(LocalDateTime.of(1980, 2, 1, 0, 0));

@@ -107,7 +107,7 @@ final class ConsumerProject {
 
     /** The coffee service, of {@code models/coffee}, without what was built there. */
     static ConsumerProject coffee(Path folder) {
-        Path original = Path.of("../models/coffee");
+        Path original = Path.of("../../models/coffee");
         copy(original.resolve("coffee"), folder.resolve("coffee"));
         ConsumerProject project = new ConsumerProject(folder);
         project.write("settings.gradle", "rootProject.name = 'coffee'\n");

@@ -25,7 +25,7 @@ import java.util.stream.Stream;
  */
 @Tag("slow")
 class PagesTest {
-    private static final Path DOCS = Path.of("../docs");
+    private static final Path DOCS = Path.of("../../docs");
     private static final Pattern BLOCK = Pattern.compile("(?ms)^```(\\w+) ?([^\n]*)\n(.*?)^```$");
     private static final Pattern DONE = Pattern.compile("(?m)^\\$ gradle (.*)\n((?:[^$`].*\n)*)");
     private static final Pattern NAMED = Pattern.compile("\\./gradlew ([^&>|#\n]*)");
