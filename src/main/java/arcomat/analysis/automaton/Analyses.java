@@ -2,6 +2,7 @@ package arcomat.analysis.automaton;
 
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton;
 import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;

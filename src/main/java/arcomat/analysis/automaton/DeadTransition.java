@@ -1,6 +1,7 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;
@@ -20,7 +21,7 @@ final class DeadTransition implements Analysis {
     public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int i = 0; i < subject.automaton().transitions().size(); i++) {
-            if (knowledge.neverHappens(new Question.Enabled(i))) {
+            if (knowledge.neverHappens(new RunProperty.Enabled(i))) {
                 findings.add(Finding.never(diagnostic(i, knowledge)));
             }
         }
@@ -30,7 +31,7 @@ final class DeadTransition implements Analysis {
     private Diagnostic diagnostic(int transition, Knowledge knowledge) {
         int source = subject.transition(transition).source();
         String reason =
-                knowledge.happens(new Question.Reached(source))
+                knowledge.happens(new RunProperty.Reached(source))
                         ? "no input enables it in any configuration that is reached"
                         : "its source %s is never reached".formatted(subject.state(source));
         return Diagnostic.warning(

@@ -3,6 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.Visit.Place;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Letters;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Start;

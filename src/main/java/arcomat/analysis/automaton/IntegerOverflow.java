@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.smt.Subject;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

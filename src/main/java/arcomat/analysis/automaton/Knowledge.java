@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Outcome;
-import arcomat.analysis.smt.Question;
-import arcomat.analysis.smt.Question.Difference;
+import arcomat.analysis.smt.Reachability;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.RunProperty.Difference;
 
 import java.util.Map;
 import java.util.Set;
@@ -14,7 +14,8 @@ import java.util.Set;
  * @param seen what some run shows
  * @param outcomes of the questions that were put to the solver
  */
-record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome> outcomes) {
+record Knowledge(
+        Exploration explored, Set<RunProperty> seen, Map<RunProperty, Reachability> outcomes) {
 
     /** Whether all configurations have been looked at, one by one. */
     boolean isExhaustive() {
@@ -22,13 +23,13 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
     }
 
     /** Whether it stays open, and matters: how two transitions differ only where they meet. */
-    boolean isOpen(Question question) {
+    boolean isOpen(RunProperty question) {
         if (isCutOff(question)
-                || !(outcomes.get(question) instanceof Outcome.Open)
+                || !(outcomes.get(question) instanceof Reachability.Unknown)
                 || happens(question)) {
             return false;
         }
-        if (question instanceof Question.Together together) {
+        if (question instanceof RunProperty.Together together) {
             return switch (together.difference()) {
                 case ANY -> true;
                 case OUTPUT -> happens(together.with(Difference.ANY));
@@ -41,23 +42,23 @@ record Knowledge(Exploration explored, Set<Question> seen, Map<Question, Outcome
     }
 
     /** Whether it asks for a state that no transitions lead to, whatever their guards say. */
-    private boolean isCutOff(Question question) {
-        return question instanceof Question.Reached reached
+    private boolean isCutOff(RunProperty question) {
+        return question instanceof RunProperty.Reached reached
                 && !explored.isConnected(reached.state());
     }
 
     /** Whether some run shows it. */
-    boolean happens(Question question) {
+    boolean happens(RunProperty question) {
         return seen.contains(question);
     }
 
     /** Whether certainly no run shows it. */
-    boolean neverHappens(Question question) {
+    boolean neverHappens(RunProperty question) {
         if (happens(question)) {
             return false;
         }
         return isExhaustive()
                 || isCutOff(question)
-                || outcomes.get(question) instanceof Outcome.Impossible;
+                || outcomes.get(question) instanceof Reachability.Unreachable;
     }
 }

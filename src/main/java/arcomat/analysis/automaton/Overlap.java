@@ -1,6 +1,7 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.smt.Subject;
 import arcomat.semantics.automaton.Reaction;
 import arcomat.source.Diagnostic;
 

@@ -1,7 +1,8 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Question;
-import arcomat.analysis.smt.Question.Difference;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.RunProperty.Difference;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton;
 import arcomat.semantics.expression.Fault;
 
@@ -16,27 +17,27 @@ import java.util.stream.IntStream;
 record Questions(Subject subject) {
 
     /** Whatever an analysis wants to know, what others depend on first. */
-    List<Question> all() {
-        List<Question> all = new ArrayList<>();
+    List<RunProperty> all() {
+        List<RunProperty> all = new ArrayList<>();
         int states = subject.automaton().states().size();
         int transitions = subject.automaton().transitions().size();
         for (int state = 0; state < states; state++) {
-            all.add(new Question.Reached(state));
+            all.add(new RunProperty.Reached(state));
         }
         for (int transition = 0; transition < transitions; transition++) {
-            all.add(new Question.Enabled(transition));
+            all.add(new RunProperty.Enabled(transition));
             for (Fault.Kind kind : Fault.Kind.values()) {
-                all.add(new Question.Wrong(transition, kind));
+                all.add(new RunProperty.Wrong(transition, kind));
             }
-            if (subject.conditions().get(transition).mayWrap()) {
-                all.add(new Question.Overflow(transition));
+            if (subject.preconditions().get(transition).mayWrap()) {
+                all.add(new RunProperty.Overflow(transition));
             }
         }
         bySource().values().forEach(leaving -> addTogether(leaving, all));
         if (subject.automaton().completion() != Automaton.Completion.IGNORE) {
             for (int state = 0; state < states; state++) {
-                all.add(new Question.Unhandled(state, false));
-                all.add(new Question.Unhandled(state, true));
+                all.add(new RunProperty.Unhandled(state, false));
+                all.add(new RunProperty.Unhandled(state, true));
             }
         }
         return all;
@@ -52,25 +53,25 @@ record Questions(Subject subject) {
                                 Collectors.toList()));
     }
 
-    private static void addTogether(List<Integer> leaving, List<Question> all) {
+    private static void addTogether(List<Integer> leaving, List<RunProperty> all) {
         for (int i = 0; i < leaving.size(); i++) {
             for (int second : leaving.subList(i + 1, leaving.size())) {
                 for (Difference difference : Difference.values()) {
-                    all.add(new Question.Together(leaving.get(i), second, difference));
+                    all.add(new RunProperty.Together(leaving.get(i), second, difference));
                 }
             }
         }
     }
 
     /** What is asked, to follow "whether". */
-    String words(Question question) {
-        if (question instanceof Question.Reached reached) {
+    String words(RunProperty question) {
+        if (question instanceof RunProperty.Reached reached) {
             return "state " + subject.state(reached.state()) + " is reached";
         }
-        if (question instanceof Question.Enabled enabled) {
+        if (question instanceof RunProperty.Enabled enabled) {
             return "transition " + subject.place(enabled.transition()) + " can be taken";
         }
-        if (question instanceof Question.Together together) {
+        if (question instanceof RunProperty.Together together) {
             return "transitions "
                     + subject.place(together.first())
                     + " and "
@@ -78,19 +79,19 @@ record Questions(Subject subject) {
                     + " can be enabled together"
                     + difference(together.difference());
         }
-        if (question instanceof Question.Unhandled unhandled) {
+        if (question instanceof RunProperty.Unhandled unhandled) {
             return (unhandled.silent() ? "silence" : "every message")
                     + " is handled in "
                     + subject.state(unhandled.state());
         }
-        if (question instanceof Question.Wrong wrong) {
+        if (question instanceof RunProperty.Wrong wrong) {
             return "transition "
                     + subject.place(wrong.transition())
                     + (wrong.kind() == Fault.Kind.DIVISION_BY_ZERO
                             ? " can divide by zero"
                             : " can leave a range");
         }
-        int transition = ((Question.Overflow) question).transition();
+        int transition = ((RunProperty.Overflow) question).transition();
         return "an integer of transition " + subject.place(transition) + " can overflow";
     }
 

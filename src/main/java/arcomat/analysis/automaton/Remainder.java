@@ -1,7 +1,8 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Outcome;
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Reachability;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 
 import java.util.List;
 import java.util.Map;
@@ -17,7 +18,7 @@ record Remainder(Subject subject, Knowledge knowledge) {
         if (knowledge.outcomes().isEmpty()) {
             return knowledge.explored().obstacle();
         }
-        List<Map.Entry<Question, Outcome>> open =
+        List<Map.Entry<RunProperty, Reachability>> open =
                 knowledge.outcomes().entrySet().stream()
                         .filter(each -> knowledge.isOpen(each.getKey()))
                         .toList();
@@ -30,8 +31,8 @@ record Remainder(Subject subject, Knowledge knowledge) {
                 : "";
     }
 
-    private String words(List<Map.Entry<Question, Outcome>> open) {
-        Outcome.Open first = (Outcome.Open) open.get(0).getValue();
+    private String words(List<Map.Entry<RunProperty, Reachability>> open) {
+        Reachability.Unknown first = (Reachability.Unknown) open.get(0).getValue();
         String more = open.size() == 1 ? "" : ", and " + (open.size() - 1) + " more";
         return "it is open whether %s (%s)%s"
                 .formatted(

@@ -1,8 +1,8 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
-import arcomat.analysis.smt.Question;
-import arcomat.analysis.smt.Question.Difference;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.RunProperty.Difference;
 import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.expression.Fault;
 
@@ -12,9 +12,9 @@ import java.util.Set;
 
 /** Notes which questions are answered by what has been seen. */
 final class Seen implements Watcher {
-    private final Set<Question> questions = new HashSet<>();
+    private final Set<RunProperty> questions = new HashSet<>();
 
-    Set<Question> questions() {
+    Set<RunProperty> questions() {
         return questions;
     }
 
@@ -24,17 +24,17 @@ final class Seen implements Watcher {
     }
 
     /** All that a situation shows. */
-    static Set<Question> shownBy(Situation situation) {
-        Set<Question> shown = new HashSet<>();
-        shown.add(new Question.Reached(situation.state()));
+    static Set<RunProperty> shownBy(Situation situation) {
+        Set<RunProperty> shown = new HashSet<>();
+        shown.add(new RunProperty.Reached(situation.state()));
         situation.faults().forEach(fault -> shown.add(wrong(fault)));
-        situation.wrapping().forEach(each -> shown.add(new Question.Overflow(each)));
+        situation.wrapping().forEach(each -> shown.add(new RunProperty.Overflow(each)));
         if (situation.isUnhandled()) {
-            shown.add(new Question.Unhandled(situation.state(), situation.isSilent()));
+            shown.add(new RunProperty.Unhandled(situation.state(), situation.isSilent()));
         }
         List<Alternative> all = situation.alternatives();
         for (int i = 0; i < all.size(); i++) {
-            shown.add(new Question.Enabled(all.get(i).taken().index()));
+            shown.add(new RunProperty.Enabled(all.get(i).taken().index()));
             all.get(i).fault().ifPresent(fault -> shown.add(wrong(fault)));
             for (int j = i + 1; j < all.size(); j++) {
                 together(all.get(i), all.get(j), shown);
@@ -43,24 +43,24 @@ final class Seen implements Watcher {
         return shown;
     }
 
-    private static Question wrong(Fault fault) {
-        return new Question.Wrong(fault.taken().orElseThrow().index(), fault.kind());
+    private static RunProperty wrong(Fault fault) {
+        return new RunProperty.Wrong(fault.taken().orElseThrow().index(), fault.kind());
     }
 
-    private static void together(Alternative one, Alternative two, Set<Question> shown) {
+    private static void together(Alternative one, Alternative two, Set<RunProperty> shown) {
         int first = one.taken().index();
         int second = two.taken().index();
-        shown.add(new Question.Together(first, second, Difference.ANY));
+        shown.add(new RunProperty.Together(first, second, Difference.ANY));
         if (one.reaction().isEmpty() || two.reaction().isEmpty()) {
             return;
         }
         Reaction here = one.reaction().get();
         Reaction there = two.reaction().get();
         if (!here.output().equals(there.output())) {
-            shown.add(new Question.Together(first, second, Difference.OUTPUT));
+            shown.add(new RunProperty.Together(first, second, Difference.OUTPUT));
         }
         if (!here.next().equals(there.next())) {
-            shown.add(new Question.Together(first, second, Difference.TARGET));
+            shown.add(new RunProperty.Together(first, second, Difference.TARGET));
         }
     }
 }

@@ -1,8 +1,9 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.Outcome;
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Reachability;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.analysis.smt.SymbolicSearch;
 
 import java.util.LinkedHashMap;
@@ -23,7 +24,7 @@ final class Solving {
     private final Seen seen;
     private final Budget budget;
     private final Walk walk;
-    private final Map<Question, Situation> found = new LinkedHashMap<>();
+    private final Map<RunProperty, Situation> found = new LinkedHashMap<>();
 
     Solving(Subject subject, List<? extends Watcher> watching, Seen seen, Budget budget) {
         this.subject = subject;
@@ -36,36 +37,30 @@ final class Solving {
     Knowledge after(Exploration explored) {
         for (int state = 0; state < subject.automaton().states().size(); state++) {
             if (explored.hasReached(state)) {
-                seen.questions().add(new Question.Reached(state));
+                seen.questions().add(new RunProperty.Reached(state));
             }
         }
-        List<Question> questions = open(explored);
-        Map<Question, Outcome> outcomes = Map.of();
+        List<RunProperty> questions = open(explored);
+        Map<RunProperty, Reachability> outcomes = Map.of();
         if (!questions.isEmpty() && questions.size() <= MOST_QUESTIONS) {
             outcomes =
                     SymbolicSearch.answer(
-                            subject.component(),
-                            subject.relation(),
-                            subject.arguments(),
-                            subject.conditions(),
-                            questions,
-                            this::confirm,
-                            budget.patient(PATIENCE)::isSpent);
+                            subject, questions, this::confirm, budget.patient(PATIENCE)::isSpent);
         }
         found.values().forEach(this::show);
         return new Knowledge(explored, seen.questions(), outcomes);
     }
 
-    private List<Question> open(Exploration explored) {
+    private List<RunProperty> open(Exploration explored) {
         if (explored.isComplete()) {
             return List.of();
         }
-        List<Question> open = new Questions(subject).all();
+        List<RunProperty> open = new Questions(subject).all();
         open.removeAll(seen.questions());
         return open;
     }
 
-    private boolean confirm(Question question, Outcome.Run run) {
+    private boolean confirm(RunProperty question, Reachability.Run run) {
         Optional<Situation> situation = walk.to(question, run);
         situation.ifPresent(there -> found.put(question, there));
         return situation.isPresent();

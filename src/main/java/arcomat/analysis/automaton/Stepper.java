@@ -1,7 +1,8 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
-import arcomat.analysis.smt.Condition;
+import arcomat.analysis.smt.Preconditions;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -36,8 +37,8 @@ record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
     static Stepper of(Subject subject) {
         List<List<Wrapping>> wrapping = new ArrayList<>();
         subject.automaton().states().forEach(state -> wrapping.add(new ArrayList<>(0)));
-        for (int i = 0; i < subject.conditions().size(); i++) {
-            Condition condition = subject.conditions().get(i);
+        for (int i = 0; i < subject.preconditions().size(); i++) {
+            Preconditions condition = subject.preconditions().get(i);
             if (condition.mayWrap()) {
                 wrapping.get(subject.transition(i).source())
                         .add(

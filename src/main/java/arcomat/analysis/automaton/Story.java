@@ -2,6 +2,7 @@ package arcomat.analysis.automaton;
 
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.system.ConfigurationText;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;

@@ -1,6 +1,7 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Expression;
 import arcomat.semantics.expression.Fault;
@@ -35,7 +36,7 @@ record SureSending(Subject subject, Knowledge knowledge) {
             }
         }
         for (int state = 0; state < subject.automaton().states().size(); state++) {
-            if (!fine.get(state) && !knowledge.neverHappens(new Question.Reached(state))) {
+            if (!fine.get(state) && !knowledge.neverHappens(new RunProperty.Reached(state))) {
                 return true;
             }
         }
@@ -49,16 +50,16 @@ record SureSending(Subject subject, Knowledge knowledge) {
     /** It was enabled once, so it is whenever the same letter comes; and it goes well. */
     private boolean isSure(int transition) {
         int state = transitions().get(transition).source();
-        if (!knowledge.happens(new Question.Enabled(transition))) {
+        if (!knowledge.happens(new RunProperty.Enabled(transition))) {
             return false;
         }
         boolean fits =
-                knowledge.neverHappens(new Question.Wrong(transition, Fault.Kind.OUTSIDE_RANGE));
+                knowledge.neverHappens(new RunProperty.Wrong(transition, Fault.Kind.OUTSIDE_RANGE));
         for (int i = 0; i < transitions().size() && fits; i++) {
             fits =
                     transitions().get(i).source() != state
                             || knowledge.neverHappens(
-                                    new Question.Wrong(i, Fault.Kind.DIVISION_BY_ZERO));
+                                    new RunProperty.Wrong(i, Fault.Kind.DIVISION_BY_ZERO));
         }
         return fits && !dependsOnThePast(transition);
     }

@@ -1,6 +1,7 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.source.Diagnostic;

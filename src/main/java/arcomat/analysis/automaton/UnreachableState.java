@@ -1,6 +1,7 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton.Transition;
 import arcomat.source.Diagnostic;
 
@@ -21,7 +22,7 @@ final class UnreachableState implements Analysis {
     public List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int state = 0; state < subject.automaton().states().size(); state++) {
-            if (knowledge.neverHappens(new Question.Reached(state))) {
+            if (knowledge.neverHappens(new RunProperty.Reached(state))) {
                 findings.add(Finding.never(diagnostic(state)));
             }
         }

@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
 import arcomat.source.Diagnostic;

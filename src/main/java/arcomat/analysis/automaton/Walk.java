@@ -1,8 +1,9 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.smt.Outcome.Place;
-import arcomat.analysis.smt.Outcome.Run;
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Reachability.Place;
+import arcomat.analysis.smt.Reachability.Run;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
@@ -22,7 +23,7 @@ import java.util.function.Predicate;
 record Walk(Subject subject, Stepper stepper) {
 
     /** The situation at the end, if the way is there and the end shows what was asked. */
-    Optional<Situation> to(Question question, Run run) {
+    Optional<Situation> to(RunProperty question, Run run) {
         Optional<Visit> visit = beginning(run.places().get(0));
         for (int i = 0; i < run.letters().size() && visit.isPresent(); i++) {
             visit = step(visit.get(), run.letters().get(i), run.places().get(i + 1));
@@ -30,7 +31,7 @@ record Walk(Subject subject, Stepper stepper) {
         return visit.flatMap(end -> end(end, run, question));
     }
 
-    private Optional<Situation> end(Visit end, Run run, Question question) {
+    private Optional<Situation> end(Visit end, Run run, RunProperty question) {
         Predicate<Value[]> shows =
                 letter -> Seen.shownBy(situation(end, letter)).contains(question);
         return shows.test(run.last())

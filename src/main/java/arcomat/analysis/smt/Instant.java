@@ -1,6 +1,5 @@
 package arcomat.analysis.smt;
 
-import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
@@ -14,10 +13,10 @@ import java.util.List;
 
 /** Where an automaton is at one point of a run, and what it reads there. */
 final class Instant {
+    private final Subject subject;
     private final Component component;
-    private final Automaton automaton;
     private final Solver solver;
-    private final Codes codes;
+    private final Encoding codes;
     private final int number;
     private int unknowns;
     private int definitions;
@@ -25,9 +24,9 @@ final class Instant {
     /**
      * @param number from 0
      */
-    Instant(Component component, Automaton automaton, Solver solver, Codes codes, int number) {
-        this.component = component;
-        this.automaton = automaton;
+    Instant(Subject subject, Solver solver, Encoding codes, int number) {
+        this.subject = subject;
+        this.component = subject.component();
         this.solver = solver;
         this.codes = codes;
         this.number = number;
@@ -59,7 +58,7 @@ final class Instant {
     /** A value that is not modelled: it may be any of its type. */
     Term anything(Type type) {
         Term unknown = unknown("any " + unknowns++ + "@" + number, type);
-        solver.claim(Codes.range(unknown, type, solver));
+        solver.claim(codes.range(unknown, type));
         return unknown;
     }
 
@@ -69,18 +68,18 @@ final class Instant {
     }
 
     private Term unknown(String name, Type type) {
-        return Codes.isTruth(type) ? solver.truth(name) : solver.integer(name);
+        return Encoding.isTruth(type) ? solver.truth(name) : solver.integer(name);
     }
 
     /** What always holds: values are of their types, and events come one by one. */
     Term wellFormed() {
         List<Term> all = new ArrayList<>();
-        all.add(solver.between(0, state(), automaton.states().size() - 1));
-        for (Variable each : automaton.variables()) {
-            all.add(Codes.range(variable(each), each.type(), solver));
+        all.add(solver.between(0, state(), subject.automaton().states().size() - 1));
+        for (Variable each : subject.automaton().variables()) {
+            all.add(codes.range(variable(each), each.type()));
         }
         for (Port each : component.inputs()) {
-            all.add(Codes.range(message(each), each.type(), solver));
+            all.add(codes.range(message(each), each.type()));
             has(each); // is known to the solver before it is asked
         }
         if (component.profile() == Component.Profile.EVENT_DRIVEN) {
@@ -121,12 +120,12 @@ final class Instant {
     }
 
     /** After the answer yes: the example's configuration. */
-    Outcome.Place place() {
+    Reachability.Place place() {
         List<Value> values = new ArrayList<>();
-        for (Variable each : automaton.variables()) {
-            values.add(codes.decode(variable(each), each.type(), solver));
+        for (Variable each : subject.automaton().variables()) {
+            values.add(codes.decode(variable(each), each.type()));
         }
-        return new Outcome.Place(solver.numberOf(state()).intValue(), values);
+        return new Reachability.Place(solver.numberOf(state()).intValue(), values);
     }
 
     /** After the answer yes: what the example reads. */
@@ -135,7 +134,7 @@ final class Instant {
         Value[] letter = new Value[inputs.size()];
         for (int i = 0; i < letter.length; i++) {
             if (solver.truthOf(has(inputs.get(i)))) {
-                letter[i] = codes.decode(message(inputs.get(i)), inputs.get(i).type(), solver);
+                letter[i] = codes.decode(message(inputs.get(i)), inputs.get(i).type());
             }
         }
         return letter;

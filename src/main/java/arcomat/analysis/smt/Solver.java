@@ -127,17 +127,20 @@ final class Solver {
         script.assertTerm(term);
     }
 
-    /** Something to be done while some terms are assumed to be true. */
-    interface Look<T> {
-        T at(Answer answer);
-    }
-
-    /** Assumes some terms for as long as the answer is looked at. */
-    <T> T assuming(List<Term> terms, Look<T> look) {
+    /**
+     * Whether all can be true if some terms are; these are forgotten again.
+     *
+     * @param ifYes may look at the example
+     */
+    Answer assuming(List<Term> terms, Runnable ifYes) {
         script.push(1);
         try {
             terms.forEach(script::assertTerm);
-            return look.at(answer());
+            Answer answer = answer();
+            if (answer == Answer.YES) {
+                ifYes.run();
+            }
+            return answer;
         } finally {
             script.pop(1);
         }

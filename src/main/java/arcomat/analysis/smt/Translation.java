@@ -2,7 +2,6 @@ package arcomat.analysis.smt;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
-import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Interval;
@@ -13,7 +12,6 @@ import java.math.BigInteger;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 
 /**
  * Expressions at one instant. Integers wrap around: a result that does not fit is the number that
@@ -21,88 +19,65 @@ import java.util.Optional;
  * a product of two variables or a real number, is replaced by an unknown value: what can never
  * happen then, never happens.
  */
-final class Translation {
-    private final Symbols symbols;
+final class Translation implements Expression.Cases<Term> {
+    private final Constants constants;
     private final Instant at;
     private final Solver solver;
-    private final Codes codes;
-    private final Turns turns;
+    private final Encoding codes;
+    private final ModularArithmetic modular;
     private final Map<Expression, Term> known = new IdentityHashMap<>();
 
-    Translation(Symbols symbols, Instant at, Solver solver, Codes codes) {
-        this.symbols = symbols;
+    Translation(Subject subject, Instant at, Solver solver, Encoding codes) {
+        this.constants = new Constants(subject);
         this.at = at;
         this.solver = solver;
         this.codes = codes;
-        this.turns = new Turns(at, solver);
+        this.modular = new ModularArithmetic(at, solver);
     }
 
     /** The same for the same expression, however often it is asked for. */
     Term term(Expression e) {
         Term term = known.get(e);
         if (term == null) {
-            term = translated(e);
+            term = e.match(this);
             known.put(e, term);
         }
         return term;
     }
 
-    private Term translated(Expression e) {
-        Optional<Value> fixed = symbols.fixed(e).filter(value -> Codes.isExact(e.type()));
-        if (fixed.isPresent()) {
-            return codes.encode(fixed.get(), solver);
-        }
-        if (e instanceof Expression.PortRead read) {
-            return at.message(read.port());
-        }
-        if (e instanceof Expression.VariableRead read) {
-            return symbols.isConstant(read.variable())
-                    ? term(read.variable().initial())
-                    : at.variable(read.variable());
-        }
-        if (e instanceof Expression.PortMatches matches) {
-            return matches(matches);
-        }
-        if (e instanceof Expression.Unary unary) {
-            return unary(unary);
-        }
-        if (e instanceof Expression.Binary binary) {
-            return binary(binary);
-        }
-        if (e instanceof Expression.Conditional choice && isSayable(choice.type())) {
-            return solver.choose(
-                    term(choice.condition()), term(choice.then()), term(choice.otherwise()));
-        }
-        if (e instanceof Expression.IsIn isIn) {
-            return oneOf(isIn.element(), isIn.set());
-        }
-        if (e instanceof Expression.Cast cast
-                && isInteger(cast.type())
-                && isInteger(cast.operand().type())) {
-            return turns.wrapped(term(cast.operand()), e);
-        }
-        return at.anything(e.type());
+    @Override
+    public Term constant(Expression.Constant constant) {
+        return fixed(constant.value(), constant.type());
     }
 
-    private static boolean isSayable(Type type) {
-        return Codes.isExact(type);
+    @Override
+    public Term parameterRead(Expression.ParameterRead read) {
+        return fixed(constants.argument(read), read.type());
     }
 
-    /** Characters count as their codes. */
-    static boolean isInteger(Type type) {
-        return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
+    private Term fixed(Value value, Type type) {
+        return Encoding.isExact(type) ? codes.encode(value) : at.anything(type);
     }
 
-    Term has(Port port) {
-        return at.has(port);
+    @Override
+    public Term portRead(Expression.PortRead read) {
+        return at.message(read.port());
     }
 
-    /** Whether a message is one of the values that are asked for. */
-    Term fits(Expression.PortMatches matches, Expression value) {
-        return equal(new Expression.PortRead(matches.port(), matches.span()), value);
+    @Override
+    public Term variableRead(Expression.VariableRead read) {
+        return constants.isConstant(read.variable())
+                ? term(read.variable().initial())
+                : at.variable(read.variable());
     }
 
-    private Term matches(Expression.PortMatches matches) {
+    @Override
+    public Term attributeRead(Expression.AttributeRead read) {
+        return at.anything(read.type());
+    }
+
+    @Override
+    public Term portMatches(Expression.PortMatches matches) {
         Term has = at.has(matches.port());
         if (matches.pattern() instanceof Automaton.Present) {
             return has;
@@ -114,95 +89,94 @@ final class Translation {
         return solver.and(has, oneOf(read, ((Automaton.OneOf) matches.pattern()).values()));
     }
 
+    @Override
+    public Term conditional(Expression.Conditional choice) {
+        return Encoding.isExact(choice.type())
+                ? solver.choose(
+                        term(choice.condition()), term(choice.then()), term(choice.otherwise()))
+                : at.anything(choice.type());
+    }
+
+    @Override
+    public Term isIn(Expression.IsIn isIn) {
+        return oneOf(isIn.element(), isIn.set());
+    }
+
+    @Override
+    public Term cast(Expression.Cast cast) {
+        return isInteger(cast.type()) && isInteger(cast.operand().type())
+                ? modular.wrapped(term(cast.operand()), cast)
+                : at.anything(cast.type());
+    }
+
+    /** Characters count as their codes. */
+    static boolean isInteger(Type type) {
+        return type instanceof Type.IntegerType || type instanceof Type.CharacterType;
+    }
+
     private Term oneOf(Expression element, List<Expression> set) {
         return solver.or(set.stream().map(value -> equal(element, value)).toList());
     }
 
     private Term equal(Expression one, Expression two) {
-        boolean exact = Codes.isExact(one.type()) && Codes.isExact(two.type());
+        boolean exact = Encoding.isExact(one.type()) && Encoding.isExact(two.type());
         return exact ? solver.equal(term(one), term(two)) : at.anything(new Type.BooleanType());
     }
 
-    private Term unary(Expression.Unary unary) {
+    @Override
+    public Term unary(Expression.Unary unary) {
         Term operand = term(unary.operand());
-        switch (unary.operator()) {
-            case NOT:
-                return solver.not(operand);
-            case NEGATE:
-                return isInteger(unary.type())
-                        ? turns.wrapped(solver.apply("-", operand), unary)
-                        : at.anything(unary.type());
-            case COMPLEMENT:
-                return solver.apply("-", solver.apply("-", operand), solver.number(1));
-            default:
-                throw new AssertionError(unary.operator());
-        }
-    }
-
-    private Term binary(Expression.Binary binary) {
-        switch (binary.operator()) {
-            case EQUAL:
-                return equal(binary.left(), binary.right());
-            case NOT_EQUAL:
-                return solver.not(equal(binary.left(), binary.right()));
-            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL:
-                return comparison(binary);
-            case AND, OR, IMPLIES, EQUIVALENT:
-                return connective(binary);
-            default:
-                return isInteger(binary.type()) ? arithmetic(binary) : at.anything(binary.type());
-        }
-    }
-
-    private Term comparison(Expression.Binary binary) {
-        if (!isInteger(binary.left().type()) || !isInteger(binary.right().type())) {
-            return at.anything(binary.type());
-        }
-        String operator =
-                switch (binary.operator()) {
-                    case LESS -> "<";
-                    case LESS_OR_EQUAL -> "<=";
-                    case GREATER -> ">";
-                    case GREATER_OR_EQUAL -> ">=";
-                    default -> throw new AssertionError(binary.operator());
-                };
-        return solver.apply(operator, term(binary.left()), term(binary.right()));
-    }
-
-    private Term connective(Expression.Binary binary) {
-        Term left = term(binary.left());
-        Term right = term(binary.right());
-        return switch (binary.operator()) {
-            case AND -> solver.and(left, right);
-            case OR -> solver.or(left, right);
-            case IMPLIES -> solver.or(solver.not(left), right);
-            case EQUIVALENT -> solver.equal(left, right);
-            default -> throw new AssertionError(binary.operator());
+        return switch (unary.operator()) {
+            case NOT -> solver.not(operand);
+            case NEGATE ->
+                    isInteger(unary.type())
+                            ? modular.wrapped(solver.apply("-", operand), unary)
+                            : at.anything(unary.type());
+            case COMPLEMENT -> solver.apply("-", solver.apply("-", operand), solver.number(1));
         };
+    }
+
+    @Override
+    public Term binary(Expression.Binary binary) {
+        return switch (binary.operator()) {
+            case EQUAL -> equal(binary.left(), binary.right());
+            case NOT_EQUAL -> solver.not(equal(binary.left(), binary.right()));
+            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL -> comparison(binary);
+            case AND -> solver.and(term(binary.left()), term(binary.right()));
+            case OR -> solver.or(term(binary.left()), term(binary.right()));
+            case IMPLIES -> solver.or(solver.not(term(binary.left())), term(binary.right()));
+            case EQUIVALENT -> solver.equal(term(binary.left()), term(binary.right()));
+            default -> isInteger(binary.type()) ? arithmetic(binary) : at.anything(binary.type());
+        };
+    }
+
+    /** Models write these operators as SMT-LIB does. */
+    private Term comparison(Expression.Binary binary) {
+        return isInteger(binary.left().type()) && isInteger(binary.right().type())
+                ? operation(binary)
+                : at.anything(binary.type());
+    }
+
+    private Term operation(Expression.Binary binary) {
+        return solver.apply(binary.operator().sign(), term(binary.left()), term(binary.right()));
     }
 
     private Term arithmetic(Expression.Binary binary) {
         return switch (binary.operator()) {
-            case PLUS -> linear("+", binary);
-            case MINUS -> linear("-", binary);
+            case PLUS, MINUS -> modular.wrapped(operation(binary), binary);
             case MULTIPLY -> product(binary);
-            case DIVIDE -> turns.wrapped(divided(binary).quotient(), binary);
+            case DIVIDE -> modular.wrapped(divided(binary).quotient(), binary);
             case REMAINDER -> divided(binary).rest();
             default -> throw new AssertionError(binary.operator());
         };
     }
 
-    private Term linear(String operator, Expression.Binary binary) {
-        return turns.wrapped(
-                solver.apply(operator, term(binary.left()), term(binary.right())), binary);
-    }
-
     /** Linear where one of the factors has few values: by cases. */
     private Term product(Expression.Binary binary) {
-        boolean right = !symbols.few(binary.right()).isEmpty();
+        boolean right = !constants.few(binary.right()).isEmpty();
         Expression factor = right ? binary.right() : binary.left();
         Term other = term(right ? binary.left() : binary.right());
-        List<Long> values = symbols.few(factor);
+        List<Long> values = constants.few(factor);
         if (values.isEmpty()) {
             Term unknown = at.anything(binary.type());
             Interval possible = Interval.of(binary);
@@ -210,7 +184,7 @@ final class Translation {
             return unknown;
         }
         if (values.size() == 1) {
-            return turns.wrapped(solver.apply("*", solver.number(values.get(0)), other), binary);
+            return modular.wrapped(solver.apply("*", solver.number(values.get(0)), other), binary);
         }
         Term product = at.defined();
         Term given = term(factor);
@@ -218,13 +192,13 @@ final class Translation {
             Term multiple = solver.apply("*", solver.number(value), other);
             claim(solver.equal(given, solver.number(value)), solver.equal(product, multiple));
         }
-        return turns.wrapped(product, binary);
+        return modular.wrapped(product, binary);
     }
 
     private record Division(Term quotient, Term rest) {}
 
     private Division divided(Expression.Binary binary) {
-        return symbols.few(binary.right()).isEmpty()
+        return constants.few(binary.right()).isEmpty()
                 ? new Division(someQuotient(binary), someRemainder(binary))
                 : byCases(binary);
     }
@@ -239,7 +213,7 @@ final class Translation {
         Term negative = solver.apply("<", dividend, solver.number(0));
         Term quotient = at.defined();
         Term rest = at.defined();
-        for (long value : symbols.few(binary.right())) {
+        for (long value : constants.few(binary.right())) {
             if (value != 0) {
                 BigInteger most = BigInteger.valueOf(value).abs().subtract(BigInteger.ONE);
                 Term multiple = solver.apply("*", solver.number(value), quotient);

@@ -1,89 +1,124 @@
 package arcomat.analysis.smt;
 
-import arcomat.analysis.smt.Outcome.Place;
-import arcomat.analysis.smt.Outcome.Run;
-import arcomat.model.Automaton;
+import arcomat.analysis.smt.Reachability.Place;
+import arcomat.analysis.smt.Reachability.Run;
 import arcomat.model.Value;
+import arcomat.model.Variable;
 import arcomat.semantics.automaton.Start;
-import arcomat.semantics.automaton.StepRelation;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
- * Runs of one automaton up to some length, as claims to a solver. On the way nothing goes wrong.
+ * All runs of one automaton up to some length, from a beginning or from anywhere, as claims to a
+ * solver. On the way nothing goes wrong.
  */
 final class Unrolling {
-    private final Symbols symbols;
+    private final Subject subject;
+    private final boolean begins;
     private final Solver solver;
-    private final Codes codes = new Codes();
+    private final Encoding codes;
     private final List<Instant> instants = new ArrayList<>();
-    private final List<Behaving> behaving = new ArrayList<>();
+    private final List<SymbolicTransitions> transitions = new ArrayList<>();
+    private final List<StatePredicate> impossible = new ArrayList<>();
 
-    Unrolling(Symbols symbols, Solver solver) {
-        this.symbols = symbols;
-        this.solver = solver;
+    /** What is so or not at an instant. */
+    interface StatePredicate {
+        Term at(SymbolicTransitions there);
     }
 
-    /** The first instant is one of the automaton's beginnings. */
-    void begin(StepRelation relation) {
-        List<Term> beginnings = new ArrayList<>();
-        for (Start start : relation.starts()) {
-            beginnings.add(at(0, start));
+    /**
+     * @param begins whether runs start with a beginning of the automaton; else anywhere
+     */
+    Unrolling(Subject subject, boolean begins, BooleanSupplier stop) {
+        this.subject = subject;
+        this.begins = begins;
+        this.solver = new Solver(stop);
+        this.codes = new Encoding(solver);
+    }
+
+    /** Makes the runs one letter longer; at first, they have none. */
+    void extend() {
+        int number = instants.size();
+        Instant next = new Instant(subject, solver, codes, number);
+        instants.add(next);
+        transitions.add(new SymbolicTransitions(subject, next, solver, codes));
+        solver.claim(next.wellFormed());
+        if (number > 0) {
+            step(number - 1, next);
+        } else if (begins) {
+            List<Start> starts = subject.relation().starts();
+            solver.claim(solver.or(starts.stream().map(this::begins).toList()));
         }
-        solver.claim(solver.or(beginnings));
+        impossible.forEach(known -> claimNever(known, number));
     }
 
-    private Term at(int number, Start start) {
+    private void step(int number, Instant next) {
+        solver.claim(instants.get(number).keepsLatched(next));
+        List<Term> steps = new ArrayList<>();
+        for (int i = 0; i < subject.automaton().transitions().size(); i++) {
+            steps.add(transitions.get(number).step(i, next));
+        }
+        solver.claim(solver.or(steps));
+    }
+
+    private Term begins(Start start) {
+        Instant first = instants.get(0);
         List<Term> all = new ArrayList<>();
-        all.add(instants.get(number).isIn(start.configuration().state()));
-        List<Value> values = start.configuration().variables();
-        for (int i = 0; i < values.size(); i++) {
-            var variable = symbols.automaton().variables().get(i);
-            if (Codes.isExact(variable.type())) {
-                Term code = instants.get(number).variable(variable);
-                all.add(solver.equal(code, codes.encode(values.get(i), solver)));
+        all.add(first.isIn(start.configuration().state()));
+        List<Variable> variables = subject.automaton().variables();
+        for (int i = 0; i < variables.size(); i++) {
+            if (Encoding.isExact(variables.get(i).type())) {
+                Term code = first.variable(variables.get(i));
+                Term value = codes.encode(start.configuration().variables().get(i));
+                all.add(solver.equal(code, value));
             }
         }
         return solver.and(all);
     }
 
-    /** Adds an instant, and a step to it from the last one. */
-    void extend() {
-        int number = instants.size();
-        Instant next = new Instant(symbols.component(), symbols.automaton(), solver, codes, number);
-        instants.add(next);
-        behaving.add(new Behaving(symbols, next, solver, codes));
-        solver.claim(next.wellFormed());
-        if (number > 0) {
-            Instant last = instants.get(number - 1);
-            solver.claim(last.keepsLatched(next));
-            List<Term> steps = new ArrayList<>();
-            List<Automaton.Transition> transitions = symbols.automaton().transitions();
-            for (int i = 0; i < transitions.size(); i++) {
-                steps.add(behaving.get(number - 1).step(i, next));
-            }
-            solver.claim(solver.or(steps));
+    /** It is known that no configuration shows it. */
+    void exclude(StatePredicate shown) {
+        impossible.add(shown);
+        for (int i = 0; i < instants.size(); i++) {
+            claimNever(shown, i);
         }
     }
 
-    /** What a question asks of one instant. */
-    Term holds(Question question, int number) {
-        return new Asking(symbols, instants.get(number), behaving.get(number), solver)
-                .holds(question);
+    private void claimNever(StatePredicate shown, int instant) {
+        solver.claim(solver.not(holds(shown, instant)));
     }
 
-    /** After the answer yes: the example's run to an instant, with the letter there. */
-    Run run(int last) {
-        List<Value[]> letters = new ArrayList<>();
-        List<Place> places = new ArrayList<>();
-        for (int i = 0; i <= last; i++) {
-            Instant instant = instants.get(i);
-            places.add(instant.place());
-            letters.add(instant.letter());
+    private Term holds(StatePredicate shown, int instant) {
+        return shown.at(transitions.get(instant));
+    }
+
+    /** Whether the end of a run shows it; if so, looks at an example. */
+    Solver.Answer endsWith(StatePredicate shown, Consumer<Run> example) {
+        Term atEnd = holds(shown, instants.size() - 1);
+        return solver.assuming(List.of(atEnd), () -> example.accept(run()));
+    }
+
+    /** Whether the end of a run may be the first to show it. */
+    Solver.Answer endsFirstWith(StatePredicate shown) {
+        int last = instants.size() - 1;
+        List<Term> assumed = new ArrayList<>();
+        for (int i = 0; i < last; i++) {
+            assumed.add(solver.not(holds(shown, i)));
         }
+        assumed.add(holds(shown, last));
+        return solver.assuming(assumed, () -> {});
+    }
+
+    /** After the answer yes: the example's run, with the letter at its end. */
+    private Run run() {
+        List<Place> places = instants.stream().map(Instant::place).toList();
+        List<Value[]> letters = instants.stream().map(Instant::letter).toList();
+        int last = letters.size() - 1;
         return new Run(letters.subList(0, last), places, letters.get(last));
     }
 }

@@ -3,7 +3,8 @@ package arcomat.analysis.automaton;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Value;
@@ -84,11 +85,11 @@ class DeadTransitionsTest {
         assertThat(answers).as(text).hasSize(2 * transitions);
         for (int i = 0; i < transitions; i++) {
             String about = "seed " + seed + ", transition " + i + " of\n" + text;
-            Kind taken = kind(new Question.Enabled(i), known);
+            Kind taken = kind(new RunProperty.Enabled(i), known);
             compare("taken", taken, answers.get(2 * i), !remembers, about);
             Kind wraps =
-                    subject.conditions().get(i).mayWrap()
-                            ? kind(new Question.Overflow(i), known)
+                    subject.preconditions().get(i).mayWrap()
+                            ? kind(new RunProperty.Overflow(i), known)
                             : Kind.DEAD;
             compare("wraps", wraps, answers.get(2 * i + 1), !remembers, about);
             seen.merge(taken, 1, Integer::sum);
@@ -102,7 +103,7 @@ class DeadTransitionsTest {
         return new Solving(subject, List.of(seen), seen, BUDGET).after(explored);
     }
 
-    private static Kind kind(Question question, Knowledge known) {
+    private static Kind kind(RunProperty question, Knowledge known) {
         if (known.happens(question)) {
             return Kind.ALIVE;
         }

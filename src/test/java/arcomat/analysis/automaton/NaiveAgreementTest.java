@@ -4,8 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.automaton.NaiveExploration.Overlapping;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.Outcome;
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Reachability;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.analysis.smt.SymbolicSearch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -116,14 +117,14 @@ class NaiveAgreementTest {
     /** What the solver answers is what trying everything answers, with runs that are as short. */
     @Property(seed = "2", tries = 25)
     void solverAgrees(@ForAll("automata") String text) {
-        for (Outcome outcome : agreed(text)) {
+        for (Reachability outcome : agreed(text)) {
             Statistics.label("outcome")
                     .collect(outcome.getClass().getSimpleName())
                     .coverage(
                             all -> {
-                                all.check("Found").percentage(share -> share > 25);
-                                all.check("Impossible").percentage(share -> share > 25);
-                                all.check("Open").percentage(share -> share < 15);
+                                all.check("Reachable").percentage(share -> share > 25);
+                                all.check("Unreachable").percentage(share -> share > 25);
+                                all.check("Unknown").percentage(share -> share < 15);
                             });
         }
     }
@@ -131,29 +132,29 @@ class NaiveAgreementTest {
     /** Divisors with too many values for cases. */
     @Property(seed = "3", tries = 15)
     void solverAgreesAboutDivisions(@ForAll("divisions") String text) {
-        for (Outcome outcome : agreed(text)) {
+        for (Reachability outcome : agreed(text)) {
             Statistics.label("outcome of division")
                     .collect(outcome.getClass().getSimpleName())
-                    .coverage(all -> all.check("Impossible").percentage(share -> share > 25));
+                    .coverage(all -> all.check("Unreachable").percentage(share -> share > 25));
         }
     }
 
     /** Integers that wrap around, of 8 to 64 bits. */
     @Property(seed = "4", tries = 20)
     void solverAgreesAboutWrapping(@ForAll("wrapping") String text) {
-        for (Outcome outcome : agreed(text)) {
+        for (Reachability outcome : agreed(text)) {
             Statistics.label("outcome of wrapping")
                     .collect(outcome.getClass().getSimpleName())
                     .coverage(
                             all -> {
-                                all.check("Found").percentage(share -> share > 15);
-                                all.check("Impossible").percentage(share -> share > 25);
-                                all.check("Open").percentage(share -> share < 15);
+                                all.check("Reachable").percentage(share -> share > 15);
+                                all.check("Unreachable").percentage(share -> share > 25);
+                                all.check("Unknown").percentage(share -> share < 15);
                             });
         }
     }
 
-    private static Collection<Outcome> agreed(String text) {
+    private static Collection<Reachability> agreed(String text) {
         Component component =
                 ReadModels.model(List.of(new SourceFile("Random.arc", text))).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
@@ -165,23 +166,20 @@ class NaiveAgreementTest {
         Walk walk = new Walk(subject, Stepper.of(subject));
         NaiveExploration naive = NaiveExploration.of(component);
 
-        Map<Question, Outcome> outcomes =
+        Map<RunProperty, Reachability> outcomes =
                 SymbolicSearch.answer(
-                        component,
-                        subject.relation(),
-                        List.of(),
-                        subject.conditions(),
+                        subject,
                         new Questions(subject).all(),
                         (question, run) -> walk.to(question, run).isPresent(),
                         () -> false);
 
         outcomes.forEach(
                 (question, outcome) -> {
-                    if (outcome instanceof Outcome.Found found) {
+                    if (outcome instanceof Reachability.Reachable found) {
                         assertThat(shown(seen, explored)).contains(question);
                         assertThat(fewestLetters(question, automaton, naive))
                                 .isIn(Optional.empty(), Optional.of(found.run().letters().size()));
-                    } else if (outcome instanceof Outcome.Impossible) {
+                    } else if (outcome instanceof Reachability.Unreachable) {
                         assertThat(shown(seen, explored)).doesNotContain(question);
                     }
                 });
@@ -190,11 +188,11 @@ class NaiveAgreementTest {
 
     /** Empty for questions that are told by more than their number of letters. */
     private static Optional<Integer> fewestLetters(
-            Question question, Automaton automaton, NaiveExploration naive) {
-        if (question instanceof Question.Reached reached) {
+            RunProperty question, Automaton automaton, NaiveExploration naive) {
+        if (question instanceof RunProperty.Reached reached) {
             return Optional.of(naive.lettersTo(reached.state()));
         }
-        if (question instanceof Question.Wrong wrong) {
+        if (question instanceof RunProperty.Wrong wrong) {
             Map<String, Integer> known =
                     wrong.kind() == Fault.Kind.DIVISION_BY_ZERO
                             ? naive.divisions()
@@ -206,11 +204,11 @@ class NaiveAgreementTest {
     }
 
     /** A silent letter may stand for letters with a message that nobody looks at. */
-    private static Set<Question> shown(Seen seen, Exploration explored) {
-        Set<Question> shown = new HashSet<>(seen.questions());
-        for (Question question : seen.questions()) {
-            if (question instanceof Question.Unhandled unhandled) {
-                shown.add(new Question.Unhandled(unhandled.state(), false));
+    private static Set<RunProperty> shown(Seen seen, Exploration explored) {
+        Set<RunProperty> shown = new HashSet<>(seen.questions());
+        for (RunProperty question : seen.questions()) {
+            if (question instanceof RunProperty.Unhandled unhandled) {
+                shown.add(new RunProperty.Unhandled(unhandled.state(), false));
             }
         }
         return shown;

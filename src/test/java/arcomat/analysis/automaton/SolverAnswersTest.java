@@ -3,8 +3,9 @@ package arcomat.analysis.automaton;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.smt.Outcome;
-import arcomat.analysis.smt.Question;
+import arcomat.analysis.smt.Reachability;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
 import arcomat.analysis.smt.SymbolicSearch;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton;
@@ -51,14 +52,14 @@ class SolverAnswersTest {
         Component component = model.component("n." + name).orElseThrow();
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         Subject subject = Subject.of(component, automaton, Models.arguments(component));
-        Map<String, Question> asked = new LinkedHashMap<>();
-        for (Question question : new Questions(subject).all()) {
+        Map<String, RunProperty> asked = new LinkedHashMap<>();
+        for (RunProperty question : new Questions(subject).all()) {
             String words = new Questions(subject).words(question);
             if (expected.stream().anyMatch(line -> line.endsWith(": " + words))) {
                 asked.put(words, question);
             }
         }
-        Map<Question, Outcome> outcomes = outcomes(subject, asked.values());
+        Map<RunProperty, Reachability> outcomes = outcomes(subject, asked.values());
         List<String> lines = new ArrayList<>();
         asked.forEach(
                 (words, question) -> lines.add(answer(outcomes.get(question)) + ": " + words));
@@ -66,35 +67,31 @@ class SolverAnswersTest {
         compareWithTrying(subject, outcomes);
     }
 
-    private static Map<Question, Outcome> outcomes(Subject subject, Collection<Question> asked) {
+    private static Map<RunProperty, Reachability> outcomes(
+            Subject subject, Collection<RunProperty> asked) {
         Walk walk = new Walk(subject, Stepper.of(subject));
         return SymbolicSearch.answer(
-                subject.component(),
-                subject.relation(),
-                subject.arguments(),
-                subject.conditions(),
-                asked,
-                (question, run) -> walk.to(question, run).isPresent(),
-                () -> false);
+                subject, asked, (question, run) -> walk.to(question, run).isPresent(), () -> false);
     }
 
-    private static String answer(Outcome outcome) {
-        if (outcome instanceof Outcome.Found found) {
+    private static String answer(Reachability outcome) {
+        if (outcome instanceof Reachability.Reachable found) {
             return String.valueOf(found.run().letters().size());
         }
-        return outcome instanceof Outcome.Open open ? open.reason() : "never";
+        return outcome instanceof Reachability.Unknown open ? open.reason() : "never";
     }
 
-    private static void compareWithTrying(Subject subject, Map<Question, Outcome> outcomes) {
+    private static void compareWithTrying(
+            Subject subject, Map<RunProperty, Reachability> outcomes) {
         Seen seen = new Seen();
         Budget few = Budget.ofMemory().atMost(500);
         Exploration explored = new Exploration(subject, List.of(seen), few);
         explored.run();
         outcomes.forEach(
                 (question, outcome) -> {
-                    if (outcome instanceof Outcome.Impossible) {
+                    if (outcome instanceof Reachability.Unreachable) {
                         assertThat(seen.questions()).doesNotContain(question);
-                    } else if (outcome instanceof Outcome.Found && explored.isComplete()) {
+                    } else if (outcome instanceof Reachability.Reachable && explored.isComplete()) {
                         assertThat(seen.questions()).contains(question);
                     }
                 });

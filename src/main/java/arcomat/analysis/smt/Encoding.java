@@ -14,8 +14,13 @@ import java.util.List;
  * Values as numbers and truth values. Constants of enumerations and characters have their position,
  * texts a number of their own. Reals and objects are numbers of which nothing is known.
  */
-final class Codes {
+final class Encoding implements Value.Cases<Term> {
+    private final Solver solver;
     private final List<String> texts = new ArrayList<>();
+
+    Encoding(Solver solver) {
+        this.solver = solver;
+    }
 
     /** Whether equal values have equal codes, and only they. */
     static boolean isExact(Type type) {
@@ -27,42 +32,63 @@ final class Codes {
     }
 
     /** The code of a value of an exact type. */
-    Term encode(Value value, Solver solver) {
-        if (value instanceof Value.BooleanValue truth) {
-            return solver.of(truth.value());
+    Term encode(Value value) {
+        return value.match(this);
+    }
+
+    @Override
+    public Term booleanValue(Value.BooleanValue truth) {
+        return solver.of(truth.value());
+    }
+
+    @Override
+    public Term integerValue(Value.IntegerValue integer) {
+        return solver.number(integer.value());
+    }
+
+    @Override
+    public Term enumValue(Value.EnumValue constant) {
+        return solver.number(constant.ordinal());
+    }
+
+    @Override
+    public Term characterValue(Value.CharacterValue character) {
+        return solver.number(character.value());
+    }
+
+    @Override
+    public Term stringValue(Value.StringValue text) {
+        if (!texts.contains(text.value())) {
+            texts.add(text.value());
         }
-        if (value instanceof Value.IntegerValue integer) {
-            return solver.number(integer.value());
-        }
-        if (value instanceof Value.EnumValue constant) {
-            return solver.number(constant.ordinal());
-        }
-        if (value instanceof Value.CharacterValue character) {
-            return solver.number(character.value());
-        }
-        String text = ((Value.StringValue) value).value();
-        if (!texts.contains(text)) {
-            texts.add(text);
-        }
-        return solver.number(texts.indexOf(text));
+        return solver.number(texts.indexOf(text.value()));
+    }
+
+    @Override
+    public Term realValue(Value.RealValue real) {
+        throw new AssertionError(real);
+    }
+
+    @Override
+    public Term objectValue(Value.ObjectValue object) {
+        throw new AssertionError(object);
     }
 
     /** What the codes of a type are restricted to; true where they are not. */
-    static Term range(Term code, Type type, Solver solver) {
+    Term range(Term code, Type type) {
         if (type instanceof Type.IntegerType integer) {
             return solver.between(integer.low(), code, integer.high());
         }
         if (type instanceof Type.EnumType enumeration) {
             return solver.between(0, code, enumeration.constants().size() - 1);
         }
-        if (type instanceof Type.CharacterType) {
-            return solver.between(0, code, Character.MAX_VALUE);
-        }
-        return solver.of(true);
+        return type instanceof Type.CharacterType
+                ? solver.between(0, code, Character.MAX_VALUE)
+                : solver.of(true);
     }
 
     /** The value that an example gives a code. */
-    Value decode(Term code, Type type, Solver solver) {
+    Value decode(Term code, Type type) {
         if (isTruth(type)) {
             return new Value.BooleanValue(solver.truthOf(code));
         }

@@ -1,7 +1,5 @@
 package arcomat.analysis.smt;
 
-import arcomat.model.Automaton;
-import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Parameter;
 import arcomat.model.Type;
@@ -15,28 +13,18 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.stream.LongStream;
 
-/** Which names of an automaton stand for fixed values, and when its transitions may be taken. */
-record Symbols(
-        Component component,
-        Automaton automaton,
-        List<Value> arguments,
-        List<Condition> conditions) {
+/** The expressions of an automaton that have one value, or few, wherever it is. */
+record Constants(Subject subject) {
     private static final long FEW = 64;
 
-    /** The value of a constant or a parameter. */
-    Optional<Value> fixed(Expression e) {
-        if (e instanceof Expression.Constant constant) {
-            return Optional.of(constant.value());
+    /** The argument for a parameter. */
+    Value argument(Expression.ParameterRead read) {
+        int position = 0;
+        List<Parameter> parameters = subject.component().parameters();
+        while (!parameters.get(position).name().equals(read.parameter().name())) {
+            position++;
         }
-        if (e instanceof Expression.ParameterRead read) {
-            List<Parameter> parameters = component.parameters();
-            for (int i = 0; i < parameters.size(); i++) {
-                if (parameters.get(i).name().equals(read.parameter().name())) {
-                    return Optional.of(arguments.get(i));
-                }
-            }
-        }
-        return Optional.empty();
+        return subject.arguments().get(position);
     }
 
     /** The value of an integer that is written out, perhaps with a sign or by a name. */
@@ -51,8 +39,18 @@ record Symbols(
         if (e instanceof Expression.VariableRead read && isConstant(read.variable())) {
             return integer(read.variable().initial());
         }
-        return fixed(e).filter(Value.IntegerValue.class::isInstance)
-                .map(value -> ((Value.IntegerValue) value).value());
+        if (e instanceof Expression.ParameterRead read) {
+            return integer(argument(read));
+        }
+        return e instanceof Expression.Constant constant
+                ? integer(constant.value())
+                : Optional.empty();
+    }
+
+    private static Optional<Long> integer(Value value) {
+        return value instanceof Value.IntegerValue integer
+                ? Optional.of(integer.value())
+                : Optional.empty();
     }
 
     /** Others wrap around. */
@@ -83,7 +81,7 @@ record Symbols(
 
     /** A constant of the component; variables of the automaton are none. */
     boolean isConstant(Variable variable) {
-        return automaton.variables().stream()
+        return subject.automaton().variables().stream()
                 .noneMatch(each -> each.name().equals(variable.name()));
     }
 }

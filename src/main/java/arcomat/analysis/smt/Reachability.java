@@ -4,21 +4,21 @@ import arcomat.model.Value;
 
 import java.util.List;
 
-/** What is known about a question. */
-public sealed interface Outcome {
+/** What is known about a {@link RunProperty}. */
+public sealed interface Reachability {
 
     /** A shortest run shows it. */
-    record Found(Run run) implements Outcome {}
+    record Reachable(Run run) implements Reachability {}
 
     /** No run shows it. */
-    record Impossible() implements Outcome {}
+    record Unreachable() implements Reachability {}
 
     /**
      * Neither.
      *
      * @param reason what stood in the way
      */
-    record Open(String reason) implements Outcome {}
+    record Unknown(String reason) implements Reachability {}
 
     /**
      * A run, and the letter after it on which something is to be seen.

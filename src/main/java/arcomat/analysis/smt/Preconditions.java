@@ -9,32 +9,41 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * When something is so of a transition out of the present state.
+ * What has to be so of the present configuration and letter for something to happen to a transition
+ * out of the present state: weakest preconditions, as expressions.
  *
  * @param enabled it may be taken
  * @param wrapsInGuard an integer of its guard wraps around
  * @param wrapsInEffect an integer of what it sends and assigns does
+ * @param dividesInGuard an integer is divided by zero in its guard
+ * @param dividesInEffect an integer is, in what it sends and assigns
  */
-public record Condition(Expression enabled, Expression wrapsInGuard, Expression wrapsInEffect) {
+public record Preconditions(
+        Expression enabled,
+        Expression wrapsInGuard,
+        Expression wrapsInEffect,
+        Expression dividesInGuard,
+        Expression dividesInEffect) {
 
     /** One per transition. */
-    public static List<Condition> of(Component.Profile profile, Automaton automaton) {
+    static List<Preconditions> of(Component.Profile profile, Automaton automaton) {
         Guards guards = new Guards(profile);
         return automaton.transitions().stream().map(each -> of(guards, each)).toList();
     }
 
-    private static Condition of(Guards guards, Automaton.Transition transition) {
+    private static Preconditions of(Guards guards, Automaton.Transition transition) {
         Expression enabled = guards.enabledWhen(transition);
-        return new Condition(
+        List<Expression> effects = effects(transition);
+        return new Preconditions(
                 enabled,
-                Wraparound.in(enabled),
-                effects(transition).stream()
-                        .map(Wraparound::in)
-                        .reduce(Wraparound.NEVER, Wraparound::or));
+                Wraparound.HAZARD.in(enabled),
+                Wraparound.HAZARD.inAny(effects),
+                Hazard.DIVISION_BY_ZERO.in(enabled),
+                Hazard.DIVISION_BY_ZERO.inAny(effects));
     }
 
     /** What a transition sends and assigns. */
-    static List<Expression> effects(Automaton.Transition transition) {
+    private static List<Expression> effects(Automaton.Transition transition) {
         List<Expression> all = new ArrayList<>();
         for (Automaton.Send send : transition.sends()) {
             if (send.emission() instanceof Automaton.Messages messages) {
@@ -47,6 +56,6 @@ public record Condition(Expression enabled, Expression wrapsInGuard, Expression 
 
     /** Whether an integer may wrap around at all, as far as types tell. */
     public boolean mayWrap() {
-        return !Wraparound.isNever(wrapsInGuard) || !Wraparound.isNever(wrapsInEffect);
+        return !Hazard.isNever(wrapsInGuard) || !Hazard.isNever(wrapsInEffect);
     }
 }

@@ -1,6 +1,5 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.smt;
 
-import arcomat.analysis.smt.Condition;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Type;
@@ -15,30 +14,30 @@ import java.util.List;
  *
  * @param arguments one per parameter of the component
  * @param relation its steps, with the ports that it decides about
- * @param conditions one per transition
+ * @param preconditions one per transition
  */
-record Subject(
+public record Subject(
         Component component,
         Automaton automaton,
         List<Value> arguments,
         StepRelation relation,
-        List<Condition> conditions) {
+        List<Preconditions> preconditions) {
 
     /**
      * @throws arcomat.semantics.expression.Fault where constants or initial values go wrong
      */
-    static Subject of(Component component, Automaton automaton, List<Value> arguments) {
+    public static Subject of(Component component, Automaton automaton, List<Value> arguments) {
         Behaviour behaviour = Behaviour.of(component, List.of(automaton), arguments);
         return new Subject(
                 component,
                 automaton,
                 arguments,
                 behaviour.relations().get(0),
-                Condition.of(component.profile(), automaton));
+                Preconditions.of(component.profile(), automaton));
     }
 
     /** Whether a variable has so many values that trying them may not end. */
-    boolean isWide() {
+    public boolean isWide() {
         return automaton.variables().stream().anyMatch(variable -> !isNarrow(variable.type()));
     }
 
@@ -48,16 +47,16 @@ record Subject(
                 || type instanceof Type.IntegerType integer && integer.ranged();
     }
 
-    Automaton.Transition transition(int index) {
+    public Automaton.Transition transition(int index) {
         return automaton.transitions().get(index);
     }
 
-    String state(int index) {
+    public String state(int index) {
         return automaton.states().get(index);
     }
 
     /** {@code driving -> waiting (line 12)}. */
-    String place(int transition) {
+    public String place(int transition) {
         return move(transition)
                 + " (line "
                 + transition(transition).span().startPosition().line()
@@ -65,7 +64,7 @@ record Subject(
     }
 
     /** {@code driving -> waiting}. */
-    String move(int transition) {
+    public String move(int transition) {
         Automaton.Transition move = transition(transition);
         return state(move.source()) + " -> " + state(move.target());
     }

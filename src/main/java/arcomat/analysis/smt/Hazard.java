@@ -1,0 +1,122 @@
+package arcomat.analysis.smt;
+
+import arcomat.model.Automaton;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.expression.Rewriting;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+
+/**
+ * When the evaluation of an expression meets something that an operation may do, the negation of a
+ * condition of well-definedness; said as an expression itself, which the interpreter can try and
+ * the solver can solve. Connectives are evaluated from the left, and only as far as needed.
+ *
+ * @param here whether an operation itself does it, where its operands do not
+ */
+record Hazard(UnaryOperator<Expression> here) {
+    private static final Type TRUTH = new Type.BooleanType();
+
+    /** It never does. */
+    static final Expression NEVER =
+            new Expression.Constant(new Value.BooleanValue(false), TRUTH, null);
+
+    /** A divisor is zero. */
+    static final Hazard DIVISION_BY_ZERO = new Hazard(Hazard::hasNoQuotient);
+
+    Expression inAny(List<Expression> expressions) {
+        return expressions.stream().map(this::in).reduce(NEVER, Hazard::or);
+    }
+
+    Expression in(Expression e) {
+        if (e instanceof Expression.Binary binary && isLazy(binary.operator())) {
+            Expression left = binary.left();
+            Expression goesOn = binary.operator() == BinaryOperator.OR ? not(left) : left;
+            return or(in(left), and(goesOn, in(binary.right())));
+        }
+        if (e instanceof Expression.Conditional choice) {
+            Expression then = in(choice.then());
+            Expression otherwise = in(choice.otherwise());
+            Expression branch =
+                    isNever(then) && isNever(otherwise)
+                            ? then
+                            : choose(choice.condition(), then, otherwise);
+            return or(in(choice.condition()), branch);
+        }
+        return e instanceof Expression.PortMatches matches
+                ? in(matches)
+                : or(inAny(Rewriting.operands(e)), here.apply(e));
+    }
+
+    /** Nothing is computed where there is no message, and nothing behind a value that fits. */
+    private Expression in(Expression.PortMatches matches) {
+        List<Expression> values = new ArrayList<>(Rewriting.operands(matches));
+        Expression any = NEVER;
+        for (int i = values.size() - 1; i >= 0; i--) {
+            Expression fits =
+                    new Expression.PortMatches(
+                            matches.port(),
+                            new Automaton.OneOf(List.of(values.get(i))),
+                            matches.span());
+            any = or(in(values.get(i)), and(not(fits), any));
+        }
+        Expression present =
+                new Expression.PortMatches(matches.port(), new Automaton.Present(), matches.span());
+        return and(present, any);
+    }
+
+    private static boolean isLazy(BinaryOperator operator) {
+        return operator == BinaryOperator.AND
+                || operator == BinaryOperator.OR
+                || operator == BinaryOperator.IMPLIES;
+    }
+
+    private static Expression hasNoQuotient(Expression e) {
+        boolean divides =
+                e instanceof Expression.Binary binary
+                        && (binary.operator() == BinaryOperator.DIVIDE
+                                || binary.operator() == BinaryOperator.REMAINDER)
+                        && Translation.isInteger(binary.type());
+        if (!divides) {
+            return NEVER;
+        }
+        Expression divisor = ((Expression.Binary) e).right();
+        return compare(BinaryOperator.EQUAL, divisor, number(0, divisor));
+    }
+
+    static boolean isNever(Expression condition) {
+        return condition == NEVER;
+    }
+
+    /** A number of the type of an expression, at its place. */
+    static Expression number(long number, Expression like) {
+        return new Expression.Constant(new Value.IntegerValue(number), like.type(), like.span());
+    }
+
+    static Expression compare(BinaryOperator operator, Expression left, Expression right) {
+        return new Expression.Binary(operator, left, right, TRUTH, left.span());
+    }
+
+    static Expression choose(Expression condition, Expression then, Expression otherwise) {
+        return new Expression.Conditional(condition, then, otherwise, TRUTH, condition.span());
+    }
+
+    static Expression not(Expression e) {
+        return new Expression.Unary(Expression.UnaryOperator.NOT, e, TRUTH, e.span());
+    }
+
+    static Expression and(Expression left, Expression right) {
+        return isNever(right) ? right : compare(BinaryOperator.AND, left, right);
+    }
+
+    static Expression or(Expression left, Expression right) {
+        if (isNever(left) || isNever(right)) {
+            return isNever(left) ? right : left;
+        }
+        return compare(BinaryOperator.OR, left, right);
+    }
+}
