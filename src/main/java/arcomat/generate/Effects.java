@@ -11,7 +11,6 @@ import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -191,14 +190,10 @@ final class Effects {
     }
 
     private static boolean reads(Expression expression, Variable variable) {
-        boolean[] found = {false};
-        Rewriting.visit(
-                expression,
+        return expression.contains(
                 e ->
-                        found[0] |=
-                                e instanceof Expression.VariableRead read
-                                        && read.variable().name().equals(variable.name()));
-        return found[0];
+                        e instanceof Expression.VariableRead read
+                                && read.variable().name().equals(variable.name()));
     }
 
     /** The interpreter computes variables before messages; the first error has to be the same. */

@@ -11,7 +11,6 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.expression.Interval;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -337,12 +336,8 @@ final class ExpressionText {
 
     /** Whether a value may divide by zero or lie outside the range of what it is for. */
     boolean mayFail(Expression value, Type wanted) {
-        boolean[] found = {
-            wanted instanceof Type.IntegerType range && range.ranged() && !fits(value, range)
-        };
-        Rewriting.visit(
-                value, e -> found[0] |= e instanceof Expression.Binary binary && divides(binary));
-        return found[0];
+        return wanted instanceof Type.IntegerType range && range.ranged() && !fits(value, range)
+                || value.contains(e -> e instanceof Expression.Binary binary && divides(binary));
     }
 
     /** The field of a port as the target of an assignment. */

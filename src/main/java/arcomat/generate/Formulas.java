@@ -8,7 +8,6 @@ import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -147,9 +146,7 @@ final class Formulas {
     }
 
     private static boolean readsPort(Expression value) {
-        boolean[] found = {false};
-        Rewriting.visit(value, e -> found[0] |= e instanceof Expression.PortRead);
-        return found[0];
+        return value.contains(Expression.PortRead.class::isInstance);
     }
 
     private static Expression truth(boolean value, Expression because) {

@@ -5,7 +5,6 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.expression.Rewriting;
 import arcomat.semantics.network.Composition;
 
 import java.util.ArrayList;
@@ -73,8 +72,7 @@ final class MentionedTypes {
     }
 
     private void add(Expression expression) {
-        Rewriting.visit(
-                expression,
+        expression.visit(
                 e -> {
                     add(e.type());
                     if (e instanceof Expression.PortMatches matches) {

@@ -16,7 +16,6 @@ import arcomat.model.Variable;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Guards;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -299,8 +298,7 @@ final class MonitorSteps {
     }
 
     private static void collectReads(Expression expression, Set<String> read) {
-        Rewriting.visit(
-                expression,
+        expression.visit(
                 e -> {
                     if (e instanceof Expression.VariableRead variable) {
                         read.add(variable.variable().name());

@@ -5,6 +5,8 @@ import arcomat.source.Span;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Supplier;
 
 /**
  * An I/O-omega automaton over the ports of its component.
@@ -59,47 +61,22 @@ public record Automaton(
 
     /** The same with another completion. */
     public Automaton with(Completion other) {
-        return new Automaton(
-                name,
-                other,
-                omitted,
-                violated,
-                states,
-                variables,
-                initials,
-                transitions,
-                places,
-                span);
+        return with(other, initials, transitions);
     }
 
     /** The same with other transitions between its states. */
     public Automaton withTransitions(List<Transition> others) {
-        return new Automaton(
-                name,
-                completion,
-                omitted,
-                violated,
-                states,
-                variables,
-                initials,
-                others,
-                places,
-                span);
+        return with(completion, initials, others);
     }
 
     /** The same with another beginning. */
     public Automaton withInitials(List<Initial> others) {
+        return with(completion, others, transitions);
+    }
+
+    private Automaton with(Completion end, List<Initial> begin, List<Transition> steps) {
         return new Automaton(
-                name,
-                completion,
-                omitted,
-                violated,
-                states,
-                variables,
-                others,
-                transitions,
-                places,
-                span);
+                name, end, omitted, violated, states, variables, begin, steps, places, span);
     }
 
     /** What happens where no transition is enabled. */
@@ -157,38 +134,89 @@ public record Automaton(
      */
     public record Match(Port port, Pattern pattern) {}
 
-    public sealed interface Pattern {}
+    /** What is asked of a port. */
+    public sealed interface Pattern {
+        /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+        <R> R match(Function<OneOf, R> oneOf, Supplier<R> absent, Supplier<R> present);
+
+        /** What a message is compared with. */
+        default List<Expression> values() {
+            return List.of();
+        }
+    }
 
     /** Present, and equal to one of the values. */
     public record OneOf(List<Expression> values) implements Pattern {
         public OneOf {
             values = List.copyOf(values);
         }
+
+        @Override
+        public <R> R match(Function<OneOf, R> oneOf, Supplier<R> absent, Supplier<R> present) {
+            return oneOf.apply(this);
+        }
     }
 
     /** {@code --}: no message. */
-    public record Absent() implements Pattern {}
+    public record Absent() implements Pattern {
+        @Override
+        public <R> R match(Function<OneOf, R> oneOf, Supplier<R> absent, Supplier<R> present) {
+            return absent.get();
+        }
+    }
 
     /** {@code ?}: some message. */
-    public record Present() implements Pattern {}
+    public record Present() implements Pattern {
+        @Override
+        public <R> R match(Function<OneOf, R> oneOf, Supplier<R> absent, Supplier<R> present) {
+            return present.get();
+        }
+    }
 
     /** What the output block says about one port. */
     public record Send(Port port, Emission emission) {}
 
-    public sealed interface Emission {}
+    /** What is sent on a port. */
+    public sealed interface Emission {
+        /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
+        <R> R match(Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage);
+
+        /** What is computed to be sent. */
+        default List<Expression> values() {
+            return List.of();
+        }
+    }
 
     /** One message; in the event-driven profile one or more, in order. */
     public record Messages(List<Expression> values) implements Emission {
         public Messages {
             values = List.copyOf(values);
         }
+
+        @Override
+        public <R> R match(
+                Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage) {
+            return messages.apply(this);
+        }
     }
 
     /** {@code --}: nothing is sent. */
-    public record Silence() implements Emission {}
+    public record Silence() implements Emission {
+        @Override
+        public <R> R match(
+                Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage) {
+            return silence.get();
+        }
+    }
 
     /** {@code ?}: some message, left open. */
-    public record AnyMessage() implements Emission {}
+    public record AnyMessage() implements Emission {
+        @Override
+        public <R> R match(
+                Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage) {
+            return anyMessage.get();
+        }
+    }
 
     public record Assignment(Variable variable, Expression value) {}
 }

@@ -3,6 +3,10 @@ package arcomat.model;
 import arcomat.source.Span;
 
 import java.util.List;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /** A typed expression with resolved names. */
 public sealed interface Expression {
@@ -41,6 +45,47 @@ public sealed interface Expression {
     Type type();
 
     Span span();
+
+    /** What it is directly made of, from left to right. */
+    default List<Expression> operands() {
+        return List.of();
+    }
+
+    /** The same of other operands, each made of the one in its place. */
+    default Expression withOperands(Function<Expression, Expression> rewrite) {
+        return this;
+    }
+
+    /** Rebuilds it from its rewritten operands, then rewrites the result itself. */
+    default Expression rewritten(Function<Expression, Expression> rule) {
+        return rule.apply(withOperands(operand -> operand.rewritten(rule)));
+    }
+
+    /** Visits it and all that it is made of, operands first, from left to right. */
+    default void visit(Consumer<Expression> visitor) {
+        for (Expression operand : operands()) {
+            operand.visit(visitor);
+        }
+        visitor.accept(this);
+    }
+
+    /** Whether it, or something that it is made of, is what is asked for. */
+    default boolean contains(Predicate<Expression> wanted) {
+        if (wanted.test(this)) {
+            return true;
+        }
+        for (Expression operand : operands()) {
+            if (operand.contains(wanted)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    private static List<Expression> all(
+            List<Expression> list, Function<Expression, Expression> rewrite) {
+        return list.stream().map(rewrite).toList();
+    }
 
     record Constant(Value value, Type type, Span span) implements Expression {
         @Override
@@ -93,6 +138,16 @@ public sealed interface Expression {
         public <R> R match(Cases<R> cases) {
             return cases.attributeRead(this);
         }
+
+        @Override
+        public List<Expression> operands() {
+            return List.of(object);
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new AttributeRead(rewrite.apply(object), index, type, span);
+        }
     }
 
     /** Whether a port carries what the pattern asks; always defined, also where it is absent. */
@@ -106,6 +161,18 @@ public sealed interface Expression {
         public <R> R match(Cases<R> cases) {
             return cases.portMatches(this);
         }
+
+        @Override
+        public List<Expression> operands() {
+            return pattern.values();
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return pattern instanceof Automaton.OneOf oneOf
+                    ? new PortMatches(port, new Automaton.OneOf(all(oneOf.values(), rewrite)), span)
+                    : this;
+        }
     }
 
     record Unary(UnaryOperator operator, Expression operand, Type type, Span span)
@@ -113,6 +180,16 @@ public sealed interface Expression {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.unary(this);
+        }
+
+        @Override
+        public List<Expression> operands() {
+            return List.of(operand);
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new Unary(operator, rewrite.apply(operand), type, span);
         }
     }
 
@@ -126,6 +203,16 @@ public sealed interface Expression {
         public <R> R match(Cases<R> cases) {
             return cases.binary(this);
         }
+
+        @Override
+        public List<Expression> operands() {
+            return List.of(left, right);
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new Binary(operator, rewrite.apply(left), rewrite.apply(right), type, span);
+        }
     }
 
     record Conditional(
@@ -134,6 +221,21 @@ public sealed interface Expression {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.conditional(this);
+        }
+
+        @Override
+        public List<Expression> operands() {
+            return List.of(condition, then, otherwise);
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new Conditional(
+                    rewrite.apply(condition),
+                    rewrite.apply(then),
+                    rewrite.apply(otherwise),
+                    type,
+                    span);
         }
     }
 
@@ -151,6 +253,16 @@ public sealed interface Expression {
         public <R> R match(Cases<R> cases) {
             return cases.isIn(this);
         }
+
+        @Override
+        public List<Expression> operands() {
+            return Stream.concat(Stream.of(element), set.stream()).toList();
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new IsIn(rewrite.apply(element), all(set, rewrite), span);
+        }
     }
 
     /** A numeric conversion with Java's rules. */
@@ -158,6 +270,16 @@ public sealed interface Expression {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.cast(this);
+        }
+
+        @Override
+        public List<Expression> operands() {
+            return List.of(operand);
+        }
+
+        @Override
+        public Expression withOperands(Function<Expression, Expression> rewrite) {
+            return new Cast(rewrite.apply(operand), type, span);
         }
     }
 

@@ -5,7 +5,6 @@ import arcomat.model.Expression;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Formulas;
-import arcomat.semantics.expression.Rewriting;
 import arcomat.semantics.expression.Scope;
 
 import java.util.List;
@@ -34,7 +33,7 @@ public final class StaleReading {
     }
 
     public boolean holds(Expression condition) {
-        Expression decided = Rewriting.bottomUp(condition, this::decide);
+        Expression decided = condition.rewritten(this::decide);
         return Evaluation.compile(decided, SCOPE).holds(fields, new Value[0]);
     }
 

@@ -6,7 +6,6 @@ import arcomat.model.Automaton.Transition;
 import arcomat.model.Expression;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Guards;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.BitSet;
 import java.util.List;
@@ -69,16 +68,11 @@ record SureSending(Subject subject, Knowledge knowledge) {
         Expression condition =
                 new Guards(subject.component().profile())
                         .enabledWhen(transitions().get(transition));
-        boolean[] reads = {false};
-        Rewriting.visit(
-                condition,
+        return condition.contains(
                 e ->
-                        reads[0] |=
-                                e instanceof Expression.VariableRead
-                                        || e instanceof Expression.PortRead read
-                                                && read.port().latched()
-                                        || e instanceof Expression.PortMatches matches
-                                                && matches.port().latched());
-        return reads[0];
+                        e instanceof Expression.VariableRead
+                                || e instanceof Expression.PortRead read && read.port().latched()
+                                || e instanceof Expression.PortMatches matches
+                                        && matches.port().latched());
     }
 }

@@ -4,7 +4,6 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -39,7 +38,7 @@ final class GuardMutants {
 
     List<Changed> all() {
         List<Expression> places = new ArrayList<>();
-        Rewriting.visit(guard, places::add);
+        guard.visit(places::add);
         List<Changed> mutants = new ArrayList<>();
         for (int place = 0; place < places.size(); place++) {
             int chosen = place;
@@ -83,6 +82,6 @@ final class GuardMutants {
     /** The guard with another expression at a place, counted as they are visited. */
     private Expression replaced(int place, Expression instead) {
         int[] count = {0};
-        return Rewriting.bottomUp(guard, e -> count[0]++ == place ? instead : e);
+        return guard.rewritten(e -> count[0]++ == place ? instead : e);
     }
 }

@@ -5,7 +5,6 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -56,8 +55,7 @@ final class Mentions {
     }
 
     private void add(Expression expression) {
-        Rewriting.visit(
-                expression,
+        expression.visit(
                 e -> {
                     if (e instanceof Expression.Constant constant) {
                         values.add(constant.value());

@@ -26,17 +26,17 @@ final class Arithmetic {
                 : ((Value.IntegerValue) value).value();
     }
 
-    private static double real(Value value) {
+    static double real(Value value) {
         return value instanceof Value.RealValue real ? real.value() : integer(value);
     }
 
     static Value calculate(BinaryOperator operator, Value left, Value right, Type type) {
         if (type instanceof Type.RealType) {
-            double result = onReals(operator, real(left), real(right));
-            if (isSingle(type)) {
-                result = onSingles(operator, (float) real(left), (float) real(right));
-            }
-            return new Value.RealValue(result);
+            // Of single numbers, the rounded double result is the single one (Figueroa 1995).
+            return new Value.RealValue(
+                    isSingle(type)
+                            ? (float) onReals(operator, (float) real(left), (float) real(right))
+                            : onReals(operator, real(left), real(right)));
         }
         long result = onIntegers(operator, integer(left), integer(right));
         return new Value.IntegerValue(isLong(type) ? result : (int) result);
@@ -71,35 +71,23 @@ final class Arithmetic {
         };
     }
 
-    private static float onSingles(BinaryOperator operator, float a, float b) {
-        return switch (operator) {
-            case MULTIPLY -> a * b;
-            case DIVIDE -> a / b;
-            case REMAINDER -> a % b;
-            case PLUS -> a + b;
-            case MINUS -> a - b;
-            default -> throw new AssertionError(operator);
-        };
-    }
-
     static boolean compare(BinaryOperator operator, Value left, Value right) {
         if (left instanceof Value.RealValue || right instanceof Value.RealValue) {
             double a = real(left);
             double b = real(right);
-            return switch (operator) {
-                case LESS -> a < b;
-                case LESS_OR_EQUAL -> a <= b;
-                case GREATER -> a > b;
-                case GREATER_OR_EQUAL -> a >= b;
-                default -> throw new AssertionError(operator);
-            };
+            return compare(operator, a < b, a == b, a > b); // none of them holds of NaN
         }
         int order = Long.compare(integer(left), integer(right));
+        return compare(operator, order < 0, order == 0, order > 0);
+    }
+
+    private static boolean compare(
+            BinaryOperator operator, boolean less, boolean equal, boolean greater) {
         return switch (operator) {
-            case LESS -> order < 0;
-            case LESS_OR_EQUAL -> order <= 0;
-            case GREATER -> order > 0;
-            case GREATER_OR_EQUAL -> order >= 0;
+            case LESS -> less;
+            case LESS_OR_EQUAL -> less || equal;
+            case GREATER -> greater;
+            case GREATER_OR_EQUAL -> greater || equal;
             default -> throw new AssertionError(operator);
         };
     }

@@ -47,9 +47,7 @@ public final class Attentions {
     public void add(Expression enabledWhen, Automaton.Transition transition) {
         condition(enabledWhen);
         for (Automaton.Send send : transition.sends()) {
-            if (send.emission() instanceof Automaton.Messages messages) {
-                messages.values().forEach(this::copy);
-            }
+            send.emission().values().forEach(this::copy);
         }
         transition.assignments().forEach(assignment -> copy(assignment.value()));
     }
@@ -149,9 +147,7 @@ public final class Attentions {
 
     private void matches(Expression.PortMatches matches) {
         seen.add(scope.port(matches.port()));
-        if (matches.pattern() instanceof Automaton.OneOf oneOf) {
-            oneOf.values().forEach(value -> compare(matches.port(), value, false));
-        }
+        matches.operands().forEach(value -> compare(matches.port(), value, false));
     }
 
     private void compare(Port port, Expression value, boolean ordered) {
@@ -199,14 +195,7 @@ public final class Attentions {
 
     /** Whether a value is the same in all configurations. */
     private boolean isFixed(Expression value) {
-        boolean[] fixed = {true};
-        Rewriting.visit(
-                value,
-                e ->
-                        fixed[0] &=
-                                !(e instanceof Expression.VariableRead read
-                                        && scope.variable(read.variable()) >= 0));
-        return fixed[0];
+        return !value.contains(scope::isVariable);
     }
 
     private static boolean isTruth(Expression e) {
@@ -215,7 +204,14 @@ public final class Attentions {
 
     private static List<Port> reads(Expression e) {
         List<Port> found = new ArrayList<>();
-        Readings.collect(e, found);
+        e.visit(
+                each -> {
+                    if (each instanceof Expression.PortRead read) {
+                        found.add(read.port());
+                    } else if (each instanceof Expression.PortMatches matches) {
+                        found.add(matches.port());
+                    }
+                });
         return found;
     }
 }

@@ -18,11 +18,8 @@ final class Comparand {
 
     /** The port that an expression reads, as it is or exactly converted. */
     static Optional<Port> port(Expression e) {
-        if (e instanceof Expression.PortRead read) {
-            return Optional.of(read.port());
-        }
-        return e instanceof Expression.Cast cast && isExact(cast.operand().type(), cast.type())
-                ? port(cast.operand())
+        return exact(e) instanceof Expression.PortRead read
+                ? Optional.of(read.port())
                 : Optional.empty();
     }
 
@@ -62,27 +59,23 @@ final class Comparand {
      */
     static List<Value> in(Type type, Value value) {
         if (type instanceof Type.RealType real) {
-            double number = real(value);
+            double number = Arithmetic.real(value);
             double rounded = real.single() ? (float) number : number;
             // There is only one zero: -0.0 equals 0.0.
             return Double.isNaN(rounded) ? List.of() : List.of(new Value.RealValue(rounded + 0.0));
         }
         if (type instanceof Type.IntegerType && !(value instanceof Value.IntegerValue)) {
-            double number = Math.floor(real(value));
+            double number = Math.floor(Arithmetic.real(value));
             return Double.isNaN(number)
                     ? List.of()
                     : List.of(new Value.IntegerValue((long) number));
         }
         if (type instanceof Type.CharacterType && !(value instanceof Value.CharacterValue)) {
-            double number = Math.floor(real(value));
+            double number = Math.floor(Arithmetic.real(value));
             return Character.MIN_VALUE <= number && number <= Character.MAX_VALUE
                     ? List.of(new Value.CharacterValue((char) number))
                     : List.of();
         }
         return List.of(value);
-    }
-
-    private static double real(Value value) {
-        return value instanceof Value.RealValue real ? real.value() : Arithmetic.integer(value);
     }
 }

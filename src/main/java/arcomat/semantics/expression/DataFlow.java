@@ -71,9 +71,7 @@ public final class DataFlow {
 
     private void effect(List<Automaton.Send> sends, List<Automaton.Assignment> assignments) {
         for (Automaton.Send send : sends) {
-            if (send.emission() instanceof Automaton.Messages messages) {
-                messages.values().forEach(value -> pass(value, place(send.port())));
-            }
+            send.emission().values().forEach(value -> pass(value, place(send.port())));
         }
         for (Automaton.Assignment assignment : assignments) {
             pass(assignment.value(), variables[scope.variable(assignment.variable())]);
@@ -131,7 +129,7 @@ public final class DataFlow {
     }
 
     private void calculate(Expression e) {
-        for (Expression operand : Rewriting.operands(e)) {
+        for (Expression operand : e.operands()) {
             data(operand).places.forEach(sorts::calculate);
         }
     }
@@ -168,10 +166,8 @@ public final class DataFlow {
     }
 
     private void pattern(Port port, Automaton.Pattern pattern) {
-        if (pattern instanceof Automaton.OneOf oneOf) {
-            Expression read = new Expression.PortRead(port, port.span());
-            oneOf.values().forEach(value -> compare(read, value, false));
-        }
+        Expression read = new Expression.PortRead(port, port.span());
+        pattern.values().forEach(value -> compare(read, value, false));
     }
 
     private void compare(Expression left, Expression right, boolean ordered) {
@@ -210,16 +206,11 @@ public final class DataFlow {
 
     /** Whether an expression has the same value always. */
     private boolean isClosed(Expression e) {
-        boolean[] closed = {true};
-        Rewriting.visit(
-                e,
+        return !e.contains(
                 each ->
-                        closed[0] &=
-                                !(each instanceof Expression.PortRead
-                                        || each instanceof Expression.PortMatches
-                                        || each instanceof Expression.VariableRead read
-                                                && scope.variable(read.variable()) >= 0));
-        return closed[0];
+                        each instanceof Expression.PortRead
+                                || each instanceof Expression.PortMatches
+                                || scope.isVariable(each));
     }
 
     /** Empty where it goes wrong. */

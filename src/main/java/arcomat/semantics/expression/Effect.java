@@ -75,10 +75,11 @@ public final class Effect {
         if (send == null) {
             return automaton.omitted() == Automaton.Omitted.SILENT ? Sent.SILENCE : anything(port);
         }
-        if (send.emission() instanceof Automaton.Messages messages) {
-            return constants(messages, port);
-        }
-        return send.emission() instanceof Automaton.Silence ? Sent.SILENCE : new Sent.AnyMessage();
+        return send.emission()
+                .match(
+                        messages -> constants(messages, port),
+                        () -> Sent.SILENCE,
+                        Sent.AnyMessage::new);
     }
 
     private static Sent constants(Automaton.Messages messages, Port port) {
@@ -94,9 +95,10 @@ public final class Effect {
     }
 
     private static Emission emission(Port port, List<Send> sends, Scope scope) {
-        Automaton.Messages messages = (Automaton.Messages) send(port, sends).emission();
         List<Term> values =
-                messages.values().stream().map(v -> Evaluation.compile(v, scope)).toList();
+                send(port, sends).emission().values().stream()
+                        .map(v -> Evaluation.compile(v, scope))
+                        .toList();
         return new Emission(port.name(), port.type(), values);
     }
 

@@ -1,6 +1,5 @@
 package arcomat.semantics.expression;
 
-import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
@@ -12,7 +11,7 @@ import java.util.List;
  * Makes expressions ready to run. Boolean connectives follow Kleene: undefined, unless the defined
  * operand decides. Everything else is undefined when an operand is.
  */
-public final class Evaluation {
+public final class Evaluation implements Expression.Cases<Term> {
     private static final Value TRUE = new Value.BooleanValue(true);
     private static final Value FALSE = new Value.BooleanValue(false);
 
@@ -39,60 +38,23 @@ public final class Evaluation {
     }
 
     private Term term(Expression e) {
-        if (e instanceof Expression.Constant constant) {
-            Value value = constant.value();
-            return (ports, variables) -> value;
-        }
-        if (e instanceof Expression.PortRead read) {
-            int port = scope.port(read.port());
-            return (ports, variables) -> ports[port];
-        }
-        if (e instanceof Expression.VariableRead read) {
-            return variable(read);
-        }
-        if (e instanceof Expression.ParameterRead read) {
-            Value value = scope.parameter(read.parameter());
-            return (ports, variables) -> value;
-        }
-        if (e instanceof Expression.PortMatches matches) {
-            return matches(matches);
-        }
-        if (e instanceof Expression.Binary binary) {
-            return binary(binary);
-        }
-        return other(e);
+        return e.match(this);
     }
 
-    private Term other(Expression e) {
-        if (e instanceof Expression.Unary unary) {
-            return unary(unary);
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return conditional(choice);
-        }
-        if (e instanceof Expression.IsIn isIn) {
-            return isIn(isIn);
-        }
-        if (e instanceof Expression.Cast cast) {
-            Term operand = term(cast.operand());
-            return (ports, variables) -> {
-                Value value = operand.evaluate(ports, variables);
-                return value == null ? null : Arithmetic.cast(value, cast.type());
-            };
-        }
-        if (e instanceof Expression.AttributeRead read) {
-            Term object = term(read.object());
-            return (ports, variables) -> {
-                Value value = object.evaluate(ports, variables);
-                return value == null
-                        ? null
-                        : ((Value.ObjectValue) value).attributes().get(read.index());
-            };
-        }
-        throw new AssertionError(e);
+    @Override
+    public Term constant(Expression.Constant constant) {
+        Value value = constant.value();
+        return (ports, variables) -> value;
     }
 
-    private Term variable(Expression.VariableRead read) {
+    @Override
+    public Term portRead(Expression.PortRead read) {
+        int port = scope.port(read.port());
+        return (ports, variables) -> ports[port];
+    }
+
+    @Override
+    public Term variableRead(Expression.VariableRead read) {
         int slot = scope.variable(read.variable());
         if (slot >= 0) {
             return (ports, variables) -> variables[slot];
@@ -101,16 +63,34 @@ public final class Evaluation {
         return (ports, variables) -> value;
     }
 
-    private Term matches(Expression.PortMatches matches) {
+    @Override
+    public Term parameterRead(Expression.ParameterRead read) {
+        Value value = scope.parameter(read.parameter());
+        return (ports, variables) -> value;
+    }
+
+    @Override
+    public Term attributeRead(Expression.AttributeRead read) {
+        Term object = term(read.object());
+        return (ports, variables) -> {
+            Value value = object.evaluate(ports, variables);
+            return value == null
+                    ? null
+                    : ((Value.ObjectValue) value).attributes().get(read.index());
+        };
+    }
+
+    @Override
+    public Term portMatches(Expression.PortMatches matches) {
         int port = scope.port(matches.port());
-        if (matches.pattern() instanceof Automaton.Absent) {
-            return (ports, variables) -> truth(ports[port] == null);
-        }
-        if (matches.pattern() instanceof Automaton.Present) {
-            return (ports, variables) -> truth(ports[port] != null);
-        }
-        List<Term> values =
-                ((Automaton.OneOf) matches.pattern()).values().stream().map(this::term).toList();
+        return matches.pattern()
+                .match(
+                        oneOf -> isOneOf(port, oneOf.values().stream().map(this::term).toList()),
+                        () -> (ports, variables) -> truth(ports[port] == null),
+                        () -> (ports, variables) -> truth(ports[port] != null));
+    }
+
+    private static Term isOneOf(int port, List<Term> values) {
         if (values.size() == 1) {
             Term value = values.get(0);
             return (ports, variables) ->
@@ -136,7 +116,8 @@ public final class Evaluation {
         return false;
     }
 
-    private Term unary(Expression.Unary unary) {
+    @Override
+    public Term unary(Expression.Unary unary) {
         Term operand = term(unary.operand());
         return (ports, variables) -> {
             Value value = operand.evaluate(ports, variables);
@@ -151,7 +132,8 @@ public final class Evaluation {
         };
     }
 
-    private Term conditional(Expression.Conditional choice) {
+    @Override
+    public Term conditional(Expression.Conditional choice) {
         Term condition = term(choice.condition());
         Term then = term(choice.then());
         Term otherwise = term(choice.otherwise());
@@ -164,7 +146,8 @@ public final class Evaluation {
         };
     }
 
-    private Term isIn(Expression.IsIn isIn) {
+    @Override
+    public Term isIn(Expression.IsIn isIn) {
         Term element = term(isIn.element());
         List<Term> set = isIn.set().stream().map(this::term).toList();
         return (ports, variables) -> {
@@ -181,7 +164,17 @@ public final class Evaluation {
         };
     }
 
-    private Term binary(Expression.Binary binary) {
+    @Override
+    public Term cast(Expression.Cast cast) {
+        Term operand = term(cast.operand());
+        return (ports, variables) -> {
+            Value value = operand.evaluate(ports, variables);
+            return value == null ? null : Arithmetic.cast(value, cast.type());
+        };
+    }
+
+    @Override
+    public Term binary(Expression.Binary binary) {
         Term left = term(binary.left());
         Term right = term(binary.right());
         return switch (binary.operator()) {

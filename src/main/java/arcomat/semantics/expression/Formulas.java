@@ -108,27 +108,19 @@ public final class Formulas {
 
     /** Whether an expression has a value just where all ports that it reads carry a message. */
     boolean isStrict(Expression expression) {
-        boolean[] lazy = {false};
-        Map<String, Port> reads = new LinkedHashMap<>();
-        Rewriting.visit(
-                expression,
-                e -> {
-                    if (e instanceof Expression.PortRead read && mayBeAbsent(read.port())) {
-                        reads.put(read.port().name(), read.port());
-                    }
-                    lazy[0] |=
-                            isLazy(e)
-                                    || e instanceof Expression.Conditional
-                                    || e instanceof Expression.PortMatches;
-                });
-        return reads.isEmpty() || !lazy[0];
+        return !expression.contains(
+                        e ->
+                                isLazy(e)
+                                        || e instanceof Expression.Conditional
+                                        || e instanceof Expression.PortMatches)
+                || !expression.contains(
+                        e -> e instanceof Expression.PortRead read && mayBeAbsent(read.port()));
     }
 
     /** That all ports that an expression reads carry a message. */
     Expression present(Expression expression) {
         Map<String, Expression> tests = new LinkedHashMap<>();
-        Rewriting.visit(
-                expression,
+        expression.visit(
                 e -> {
                     if (e instanceof Expression.PortRead read && mayBeAbsent(read.port())) {
                         tests.putIfAbsent(read.port().name(), present(read.port(), e));

@@ -9,6 +9,7 @@ import static arcomat.semantics.expression.Formulas.or;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 
 import java.util.List;
@@ -42,10 +43,8 @@ public final class Guards {
             condition = and(condition, certainlyTrue(transition.guard().get()));
         }
         for (Automaton.Send send : transition.sends()) {
-            if (send.emission() instanceof Automaton.Messages messages) {
-                for (Expression value : messages.values()) {
-                    condition = and(condition, formulas.present(value));
-                }
+            for (Expression value : send.emission().values()) {
+                condition = and(condition, formulas.present(value));
             }
         }
         for (Automaton.Assignment assignment : transition.assignments()) {
@@ -61,67 +60,39 @@ public final class Guards {
 
     /** True where the expression is false; false where it is true or undefined. */
     public Expression falseWhen(Expression expression) {
-        return formulas.simplify(certainlyFalse(expression));
+        return formulas.simplify(certainly(false, expression));
     }
 
     private Expression certainlyTrue(Expression e) {
-        if (e instanceof Expression.PortMatches matches) {
-            return twoValued(matches);
-        }
-        if (formulas.isStrict(e)) {
-            return and(formulas.present(e), Formulas.folded(e));
-        }
-        if (e instanceof Expression.Unary unary) {
-            return certainlyFalse(unary.operand());
-        }
-        if (e instanceof Expression.Conditional choice) {
-            return or(
-                    and(certainlyTrue(choice.condition()), certainlyTrue(choice.then())),
-                    and(certainlyFalse(choice.condition()), certainlyTrue(choice.otherwise())));
-        }
-        if (e instanceof Expression.Binary binary) {
-            switch (binary.operator()) {
-                case AND:
-                    return and(certainlyTrue(binary.left()), certainlyTrue(binary.right()));
-                case OR:
-                    return or(certainlyTrue(binary.left()), certainlyTrue(binary.right()));
-                case IMPLIES:
-                    return or(certainlyFalse(binary.left()), certainlyTrue(binary.right()));
-                default:
-                    break;
-            }
-        }
-        return and(defined(e), whereDefined(e));
+        return certainly(true, e);
     }
 
-    private Expression certainlyFalse(Expression e) {
+    /** That an expression has a value, and this one. */
+    private Expression certainly(boolean truth, Expression e) {
         if (e instanceof Expression.PortMatches matches) {
-            return not(twoValued(matches));
+            return truth ? twoValued(matches) : not(twoValued(matches));
         }
         if (formulas.isStrict(e)) {
-            return and(formulas.present(e), not(e));
+            return and(formulas.present(e), truth ? Formulas.folded(e) : not(e));
         }
         if (e instanceof Expression.Unary unary) {
-            return certainlyTrue(unary.operand());
+            return certainly(!truth, unary.operand());
         }
         if (e instanceof Expression.Conditional choice) {
             return or(
-                    and(certainlyTrue(choice.condition()), certainlyFalse(choice.then())),
-                    and(certainlyFalse(choice.condition()), certainlyFalse(choice.otherwise())));
+                    and(certainlyTrue(choice.condition()), certainly(truth, choice.then())),
+                    and(
+                            certainly(false, choice.condition()),
+                            certainly(truth, choice.otherwise())));
         }
-        if (e instanceof Expression.Binary binary) {
-            switch (binary.operator()) {
-                case AND:
-                    return or(certainlyFalse(binary.left()), certainlyFalse(binary.right()));
-                case OR:
-                    return and(certainlyFalse(binary.left()), certainlyFalse(binary.right()));
-                case IMPLIES:
-                    return and(certainlyTrue(binary.left()), certainlyFalse(binary.right()));
-                default:
-                    break;
-            }
+        if (e instanceof Expression.Binary binary && Formulas.isLazy(e)) {
+            boolean or = binary.operator() != BinaryOperator.AND;
+            boolean implies = binary.operator() == BinaryOperator.IMPLIES;
+            Expression left = certainly(truth != implies, binary.left());
+            Expression right = certainly(truth, binary.right());
+            return or == truth ? or(left, right) : and(left, right); // De Morgan
         }
-        return and(defined(e), not(whereDefined(e)));
+        return and(defined(e), truth ? whereDefined(e) : not(whereDefined(e)));
     }
 
     /** When an expression of any type has a value. */
@@ -135,13 +106,13 @@ public final class Guards {
         if (e instanceof Expression.Conditional choice) {
             return or(
                     and(certainlyTrue(choice.condition()), defined(choice.then())),
-                    and(certainlyFalse(choice.condition()), defined(choice.otherwise())));
+                    and(certainly(false, choice.condition()), defined(choice.otherwise())));
         }
         if (Formulas.isLazy(e)) {
-            return or(certainlyTrue(e), certainlyFalse(e));
+            return or(certainlyTrue(e), certainly(false, e));
         }
         Expression all = TRUE;
-        for (Expression operand : Rewriting.operands(e)) {
+        for (Expression operand : e.operands()) {
             all = and(all, defined(operand));
         }
         return all;
@@ -166,7 +137,7 @@ public final class Guards {
                     choice.type(),
                     choice.span());
         }
-        return Rewriting.withOperands(e, this::whereDefined);
+        return e.withOperands(this::whereDefined);
     }
 
     /** Values of a pattern that read an absent port match nothing. */

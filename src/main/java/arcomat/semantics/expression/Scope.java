@@ -94,6 +94,11 @@ public final class Scope {
         return variables.getOrDefault(variable.name(), -1);
     }
 
+    /** Whether an expression reads a variable of the automaton. */
+    boolean isVariable(Expression e) {
+        return e instanceof Expression.VariableRead read && variable(read.variable()) >= 0;
+    }
+
     Value constantOf(Variable variable) {
         return fixed.get(variable.name());
     }

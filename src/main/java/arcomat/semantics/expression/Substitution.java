@@ -28,8 +28,7 @@ public final class Substitution {
     }
 
     public Expression apply(Expression expression) {
-        return Rewriting.bottomUp(
-                expression,
+        return expression.rewritten(
                 leaf -> {
                     if (leaf instanceof Expression.ParameterRead read) {
                         return parameters.getOrDefault(read.parameter().name(), read);

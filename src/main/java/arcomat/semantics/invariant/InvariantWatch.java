@@ -14,7 +14,6 @@ import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.automaton.StepRelation;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -69,7 +68,7 @@ public final class InvariantWatch {
     public InvariantWatch(Component watched, Invariant invariant) {
         this.watched = watched;
         this.invariant = invariant;
-        Expression condition = Rewriting.bottomUp(invariant.condition(), this::asSeen);
+        Expression condition = invariant.condition().rewritten(this::asSeen);
         this.observer = observer(condition);
     }
 
@@ -148,8 +147,7 @@ public final class InvariantWatch {
     private Component observer(Expression condition) {
         List<Port> ports = new ArrayList<>();
         seen.values().forEach(each -> ports.add(each.input()));
-        Rewriting.visit(
-                condition,
+        condition.visit(
                 e -> {
                     if (e instanceof Expression.PortRead read
                             && read.port().name().equals(NOTHING)

@@ -5,7 +5,6 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
-import arcomat.semantics.expression.Rewriting;
 import arcomat.semantics.network.Network;
 
 /**
@@ -59,6 +58,6 @@ public final class RunErrors {
                 e instanceof Expression.Binary binary
                         && (binary.operator() == BinaryOperator.DIVIDE
                                 || binary.operator() == BinaryOperator.REMAINDER);
-        return itself || Rewriting.operands(e).stream().anyMatch(RunErrors::divides);
+        return itself || e.operands().stream().anyMatch(RunErrors::divides);
     }
 }
