@@ -30,6 +30,21 @@ public record Kind(
     }
 
     /**
+     * Two driven wheels.
+     *
+     * @param left motor, 1 to 3
+     * @param right motor, 1 to 3
+     * @param diameter in mm
+     * @param track from wheel to wheel, in mm
+     */
+    public record Wheels(int left, int right, double diameter, double track) {
+        /** How far a wheel rolls for one degree, in mm. */
+        double roll() {
+            return Math.PI * diameter / 360;
+        }
+    }
+
+    /**
      * What runs on the brick.
      *
      * @param form how it is given
@@ -78,11 +93,6 @@ public record Kind(
 
     /** The device of a type, if the robot has one. */
     <D extends Device> Optional<D> find(Class<D> type) {
-        for (Device device : devices) {
-            if (type.isInstance(device)) {
-                return Optional.of(type.cast(device));
-            }
-        }
-        return Optional.empty();
+        return devices.stream().filter(type::isInstance).map(type::cast).findFirst();
     }
 }

@@ -4,6 +4,8 @@ import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 import arcomat.world.Kind.Described;
 import arcomat.world.Kind.Program;
+import arcomat.world.Kind.Wheels;
+import arcomat.world.Words.Unreadable;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,8 +1,11 @@
 package arcomat.world;
 
-import arcomat.world.Happening.What;
 import arcomat.world.Scene.DrinkerState;
+import arcomat.world.Scene.Happening;
+import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.World.Cup;
+import arcomat.world.World.Drinker;
 
 import java.util.ArrayList;
 import java.util.List;

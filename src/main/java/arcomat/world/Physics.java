@@ -1,8 +1,13 @@
 package arcomat.world;
 
-import arcomat.world.Happening.What;
+import arcomat.world.Kind.Wheels;
 import arcomat.world.Scene.DrinkerState;
+import arcomat.world.Scene.Happening;
+import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.World.Drinker;
+import arcomat.world.World.Noise;
+import arcomat.world.World.Robot;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -151,27 +156,13 @@ public final class Physics {
         if (obstacle.isEmpty()) {
             boolean still =
                     state.touching() && !obstacle(index, pose, PUSH, robots, drinkers).isEmpty();
-            return moved(state, pose, left, right, still);
+            return state.moved(pose, left, right, still);
         }
         if (!state.touching()) {
             happenings.add(new Happening(What.COLLISION, robot.name(), obstacle));
         }
         Pose held = new Pose(state.pose().x(), state.pose().y(), pose.heading());
-        return moved(state, held, 0, 0, true);
-    }
-
-    private static RobotState moved(
-            RobotState state, Pose pose, double left, double right, boolean touching) {
-        return new RobotState(
-                pose,
-                left,
-                right,
-                touching,
-                state.cup(),
-                state.angle(),
-                state.turnedOut(),
-                state.stock(),
-                state.brewing());
+        return state.moved(held, 0, 0, true);
     }
 
     /** The name of what is less than a gap away from a robot; empty where the way is free. */

@@ -2,6 +2,8 @@ package arcomat.world;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
+import arcomat.world.World.Drinker;
+import arcomat.world.World.Robot;
 
 import java.util.ArrayList;
 import java.util.List;

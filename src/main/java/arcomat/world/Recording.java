@@ -1,6 +1,8 @@
 package arcomat.world;
 
 import arcomat.world.Scene.DrinkerState;
+import arcomat.world.Scene.Happening;
+import arcomat.world.World.Cup;
 
 import java.util.List;
 import java.util.Map;

@@ -1,5 +1,7 @@
 package arcomat.world;
 
+import arcomat.world.World.Cup;
+
 import java.util.List;
 
 /**
@@ -56,6 +58,20 @@ public record Scene(
                     pose, left, right, touching, other, angle, turnedOut, stock, brewing);
         }
 
+        RobotState moved(Pose to, double leftSpeed, double rightSpeed, boolean touches) {
+            return new RobotState(
+                    to, leftSpeed, rightSpeed, touches, cup, angle, turnedOut, stock, brewing);
+        }
+
+        RobotState turned(double degrees, boolean out) {
+            return new RobotState(pose, left, right, touching, cup, degrees, out, stock, brewing);
+        }
+
+        RobotState supplied(int cups, double seconds) {
+            return new RobotState(
+                    pose, left, right, touching, cup, angle, turnedOut, cups, seconds);
+        }
+
         boolean stands() {
             return Math.abs(left) + Math.abs(right) < 10;
         }
@@ -70,4 +86,28 @@ public record Scene(
      * @param cups that they have had
      */
     public record DrinkerState(boolean present, double pause, double taking, int cups) {}
+
+    /**
+     * Something that people would tell of.
+     *
+     * @param who name of a robot
+     * @param whom name of another robot or of a drinker; empty where there is none
+     */
+    public record Happening(What what, String who, String whom) {
+        /** What can happen. */
+        public enum What {
+            /** A robot has run into something. */
+            COLLISION,
+            /** A robot has got a cup. */
+            CUP_GIVEN,
+            /** A cup has fallen on the floor. */
+            CUP_LOST,
+            /** The cup of a robot has been filled. */
+            COFFEE_POURED,
+            /** Coffee has run on the floor. */
+            COFFEE_SPILT,
+            /** A drinker has taken a cup. */
+            COFFEE_TAKEN
+        }
+    }
 }

@@ -2,6 +2,8 @@ package arcomat.world;
 
 import arcomat.world.Scene.RobotState;
 
+import java.util.stream.IntStream;
+
 /**
  * What sensors see of a scene, each in its own unit: cm, percent, 1 for pressed. Each has an offset
  * of its own, and each reading an error; both come from the seed.
@@ -39,116 +41,121 @@ public final class Senses {
 
     /** The reading of a sensor of the robot with this index. */
     public int read(Scene scene, int index, Device.Sensor sensor) {
-        RobotState state = scene.robots().get(index);
-        if (sensor instanceof Device.Light light) {
-            return percent(floor(state.pose().place(light.place())), index, sensor, scene);
-        } else if (sensor instanceof Device.Lamp) {
-            double lamp = state.brewing() == 0 ? LAMP_ON : LAMP_OFF;
-            return percent(lamp, index, sensor, scene);
-        } else if (sensor instanceof Device.Ultrasonic ultrasonic) {
-            return centimetres(echo(scene, index, ultrasonic), index, sensor, scene);
-        } else if (sensor instanceof Device.Chute chute) {
-            boolean below = isBelow(state.pose().place(chute.place()), index, scene);
-            return centimetres(below ? BELOW_CHUTE : FLOOR_BELOW_CHUTE, index, sensor, scene);
-        }
-        return isPressed(sensor, state, index, scene) ? 1 : 0;
+        return sensor.read(new View(scene, index, sensor.socket()));
     }
 
-    private boolean isPressed(Device.Sensor sensor, RobotState state, int index, Scene scene) {
-        if (sensor instanceof Device.Holder) {
-            return state.cup() == Cup.FULL;
-        } else if (sensor instanceof Device.Magazine) {
-            return state.stock() > 0;
-        } else if (sensor instanceof Device.Feeler feeler) {
-            return isCupAt(state.pose().place(feeler.place()), index, scene);
-        }
-        return state.touching();
-    }
+    /** What there is for a sensor to see. Its own robot's places are seen from that robot. */
+    final class View {
+        private final Scene scene;
+        private final int index;
+        private final int socket;
 
-    /** Brightness in percent; a spot on the edge of a line sees some of both. */
-    private double floor(Point place) {
-        double covered = 0;
-        for (Way line : world.lines()) {
-            double inside = line.width() / 2 - line.distance(place);
-            covered = Math.max(covered, Math.min(1, (inside + SPOT) / (2 * SPOT)));
+        private View(Scene scene, int index, int socket) {
+            this.scene = scene;
+            this.index = index;
+            this.socket = socket;
         }
-        return BRIGHT - (BRIGHT - DARK) * covered;
-    }
 
-    /** In cm. */
-    private double echo(Scene scene, int index, Device.Ultrasonic sensor) {
-        Pose pose = scene.robots().get(index).pose();
-        Point eye = pose.place(sensor.place());
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int ray = -RAYS; ray <= RAYS; ray++) {
-            double angle = pose.heading() + sensor.facing() + ray * BETWEEN_RAYS;
-            nearest =
-                    Math.min(
-                            nearest,
-                            hit(scene, index, eye, StrictMath.cos(angle), StrictMath.sin(angle)));
+        /** The robot that has the sensor. */
+        RobotState robot() {
+            return scene.robots().get(index);
         }
-        return nearest / MILLIMETRES;
-    }
 
-    private double hit(Scene scene, int index, Point eye, double cos, double sin) {
-        double nearest = Double.POSITIVE_INFINITY;
-        for (int i = 0; i < scene.robots().size(); i++) {
-            if (i != index) {
-                Disc body = world.robots().get(i).kind().body(scene.robots().get(i).pose());
-                nearest = Math.min(nearest, body.hit(eye, cos, sin));
+        /** The reading of a light sensor that looks at the floor, in percent. */
+        int floor(Point mounted) {
+            Point place = robot().pose().place(mounted);
+            double covered = 0;
+            for (World.Line line : world.lines()) {
+                // A spot on the edge of a line sees some of both.
+                double inside = line.width() / 2 - line.distance(place);
+                covered = Math.max(covered, Math.min(1, (inside + SPOT) / (2 * SPOT)));
             }
+            return percent(BRIGHT - (BRIGHT - DARK) * covered);
         }
-        for (int i = 0; i < scene.drinkers().size(); i++) {
-            if (scene.drinkers().get(i).present()) {
-                Disc legs = world.drinkers().get(i).legs();
-                nearest = Math.min(nearest, legs.hit(eye, cos, sin));
+
+        /** The reading of a light sensor that looks at a lamp, in percent. */
+        int lamp(boolean on) {
+            return percent(on ? LAMP_ON : LAMP_OFF);
+        }
+
+        /**
+         * The reading of an ultrasonic sensor, in cm.
+         *
+         * @param facing in radians from the robot's front to the left
+         */
+        int echo(Point mounted, double facing) {
+            Pose pose = robot().pose();
+            Point eye = pose.place(mounted);
+            double nearest = Double.POSITIVE_INFINITY;
+            for (int ray = -RAYS; ray <= RAYS; ray++) {
+                double angle = pose.heading() + facing + ray * BETWEEN_RAYS;
+                nearest = Math.min(nearest, hit(eye, StrictMath.cos(angle), StrictMath.sin(angle)));
             }
+            return centimetres(nearest / MILLIMETRES);
         }
-        for (Segment wall : world.walls()) {
-            nearest = Math.min(nearest, wall.hit(eye, cos, sin));
-        }
-        return nearest;
-    }
 
-    private boolean isBelow(Point place, int index, Scene scene) {
-        for (int i = 0; i < scene.robots().size(); i++) {
-            double radius = world.robots().get(i).kind().radius();
-            Point other = scene.robots().get(i).pose().point();
-            if (i != index && other.distance(place) < radius) {
-                return true;
+        private double hit(Point eye, double cos, double sin) {
+            double nearest = Double.POSITIVE_INFINITY;
+            for (int i = 0; i < scene.robots().size(); i++) {
+                if (i != index) {
+                    Disc body = world.robots().get(i).kind().body(scene.robots().get(i).pose());
+                    nearest = Math.min(nearest, body.hit(eye, cos, sin));
+                }
             }
-        }
-        return false;
-    }
-
-    private boolean isCupAt(Point place, int index, Scene scene) {
-        for (int i = 0; i < scene.robots().size(); i++) {
-            RobotState other = scene.robots().get(i);
-            if (i != index
-                    && other.cup() != Cup.NONE
-                    && world.robots().get(i).kind().holdsAt(other.pose(), place)) {
-                return true;
+            for (int i = 0; i < scene.drinkers().size(); i++) {
+                if (scene.drinkers().get(i).present()) {
+                    Disc legs = world.drinkers().get(i).legs();
+                    nearest = Math.min(nearest, legs.hit(eye, cos, sin));
+                }
             }
+            for (Segment wall : world.walls()) {
+                nearest = Math.min(nearest, wall.hit(eye, cos, sin));
+            }
+            return nearest;
         }
-        return false;
-    }
 
-    private int percent(double ideal, int index, Device.Sensor sensor, Scene scene) {
-        double reading = ideal + error(world.noise().light(), index, sensor, scene);
-        return (int) Math.round(Math.max(0, Math.min(100, reading)));
-    }
-
-    private int centimetres(double ideal, int index, Device.Sensor sensor, Scene scene) {
-        double reading = ideal + error(world.noise().distance(), index, sensor, scene);
-        return reading > RANGE ? NO_ECHO : (int) Math.round(Math.max(0, reading));
-    }
-
-    private double error(double deviation, int index, Device.Sensor sensor, Scene scene) {
-        if (deviation == 0) {
-            return 0;
+        /** The reading of a sensor that looks down where a robot may stand, in cm. */
+        int below(Point mounted) {
+            Point place = robot().pose().place(mounted);
+            boolean stands = others().anyMatch(i -> place(i).distance(place) < kind(i).radius());
+            return centimetres(stands ? BELOW_CHUTE : FLOOR_BELOW_CHUTE);
         }
-        double offset = chance.normal(index, OFFSET + sensor.socket(), -1);
-        return deviation
-                * (2 * offset + chance.normal(index, OFFSET + sensor.socket(), scene.tick()));
+
+        /** Whether another robot has a cup at a place. */
+        boolean isCupAt(Point mounted) {
+            Point place = robot().pose().place(mounted);
+            return others().filter(i -> scene.robots().get(i).cup() != World.Cup.NONE)
+                    .anyMatch(i -> kind(i).holdsAt(scene.robots().get(i).pose(), place));
+        }
+
+        private IntStream others() {
+            return IntStream.range(0, scene.robots().size()).filter(i -> i != index);
+        }
+
+        private Kind kind(int robot) {
+            return world.robots().get(robot).kind();
+        }
+
+        private Point place(int robot) {
+            return scene.robots().get(robot).pose().point();
+        }
+
+        private int percent(double ideal) {
+            double reading = ideal + error(world.noise().light());
+            return (int) Math.round(Math.max(0, Math.min(100, reading)));
+        }
+
+        private int centimetres(double ideal) {
+            double reading = ideal + error(world.noise().distance());
+            return reading > RANGE ? NO_ECHO : (int) Math.round(Math.max(0, reading));
+        }
+
+        private double error(double deviation) {
+            if (deviation == 0) {
+                return 0;
+            }
+            double offset = chance.normal(index, OFFSET + socket, -1);
+            return deviation * (2 * offset + chance.normal(index, OFFSET + socket, scene.tick()));
+        }
     }
 }

@@ -1,7 +1,9 @@
 package arcomat.world;
 
-import arcomat.world.Happening.What;
+import arcomat.world.Scene.Happening;
+import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.World.Cup;
 
 import java.util.List;
 import java.util.OptionalInt;
@@ -55,14 +57,17 @@ final class Stations {
             for (Device device : kind.devices()) {
                 if (device instanceof Device.Slide slide) {
                     double way = shafts[i][slide.motor() - 1] * seconds;
-                    if (turn(i, way, robots) && robots.get(i).stock() > 0) {
-                        drop(i, robots, happenings);
+                    int stock = robots.get(i).stock();
+                    if (turn(i, way, robots) && stock > 0) {
+                        robots.set(i, robots.get(i).supplied(stock - 1, 0));
+                        give(Gift.CUP, i, robots, happenings);
                     }
                 } else if (device instanceof Device.Finger finger) {
                     brew(i, seconds, robots, happenings);
                     double way = shafts[i][finger.motor() - 1] * seconds;
                     if (turn(i, way, robots) && robots.get(i).brewing() == 0) {
-                        supply(i, robots.get(i).stock(), finger.seconds(), robots);
+                        RobotState state = robots.get(i);
+                        robots.set(i, state.supplied(state.stock(), finger.seconds()));
                     }
                 }
             }
@@ -75,54 +80,20 @@ final class Stations {
         double angle = Math.max(0, Math.min(STOP, state.angle() + way));
         boolean reached = !state.turnedOut() && angle >= OUT;
         boolean out = reached || state.turnedOut() && angle >= BACK;
-        robots.set(
-                index,
-                new RobotState(
-                        state.pose(),
-                        state.left(),
-                        state.right(),
-                        state.touching(),
-                        state.cup(),
-                        angle,
-                        out,
-                        state.stock(),
-                        state.brewing()));
+        robots.set(index, state.turned(angle, out));
         return reached;
-    }
-
-    private static void supply(int index, int stock, double brewing, List<RobotState> robots) {
-        RobotState state = robots.get(index);
-        robots.set(
-                index,
-                new RobotState(
-                        state.pose(),
-                        state.left(),
-                        state.right(),
-                        state.touching(),
-                        state.cup(),
-                        state.angle(),
-                        state.turnedOut(),
-                        stock,
-                        brewing));
-    }
-
-    private void drop(int index, List<RobotState> robots, List<Happening> happenings) {
-        supply(index, robots.get(index).stock() - 1, 0, robots);
-        give(Gift.CUP, index, robots, happenings);
     }
 
     private void brew(
             int index, double seconds, List<RobotState> robots, List<Happening> happenings) {
         RobotState state = robots.get(index);
-        if (state.brewing() == 0) {
-            return;
+        if (state.brewing() > 0) {
+            double left = Math.max(0, state.brewing() - seconds);
+            robots.set(index, state.supplied(state.stock(), left));
+            if (left == 0) {
+                give(Gift.COFFEE, index, robots, happenings);
+            }
         }
-        double left = Math.max(0, state.brewing() - seconds);
-        supply(index, state.stock(), left, robots);
-        if (left > 0) {
-            return;
-        }
-        give(Gift.COFFEE, index, robots, happenings);
     }
 
     private void give(Gift gift, int index, List<RobotState> robots, List<Happening> happenings) {

@@ -141,4 +141,20 @@ final class Words {
     static Unreadable broken(Span place, String message) {
         return new Unreadable(Diagnostic.error(SYNTAX, place, message));
     }
+
+    /** Gives up reading a line; the parser goes on with the next one. */
+    static final class Unreadable extends Exception {
+        private static final long serialVersionUID = 1L;
+
+        private final transient Diagnostic finding;
+
+        Unreadable(Diagnostic finding) {
+            super(finding.message());
+            this.finding = finding;
+        }
+
+        Diagnostic finding() {
+            return finding;
+        }
+    }
 }

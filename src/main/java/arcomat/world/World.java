@@ -1,5 +1,7 @@
 package arcomat.world;
 
+import arcomat.source.Span;
+
 import java.util.List;
 
 /**
@@ -16,7 +18,7 @@ public record World(
         int seconds,
         int goal,
         Noise noise,
-        List<Way> lines,
+        List<Line> lines,
         List<Segment> walls,
         List<Robot> robots,
         List<Drinker> drinkers) {
@@ -35,5 +37,82 @@ public record World(
         Point centre = disc.centre();
         double r = disc.radius();
         return contains(centre.plus(-r, -r)) && contains(centre.plus(r, r));
+    }
+
+    /**
+     * A robot as the world begins.
+     *
+     * @param name of its brick
+     * @param place where the world says so
+     */
+    public record Robot(String name, Kind kind, Pose pose, Cup cup, Span place) {
+        Disc disc() {
+            return kind.body(pose);
+        }
+    }
+
+    /** What a fetcher has in its holder. */
+    public enum Cup {
+        NONE(0),
+        EMPTY(10),
+        FULL(200);
+
+        /** In grams. */
+        final double mass;
+
+        Cup(double mass) {
+            this.mass = mass;
+        }
+    }
+
+    /**
+     * Somebody who steps on the line when coffee comes, takes it and goes away to drink it.
+     *
+     * @param spot where they step
+     * @param thirst seconds from one cup to the wish for the next
+     */
+    public record Drinker(String name, Point spot, double thirst, Span place) {
+        /** Of the legs of a person, in mm. */
+        private static final double RADIUS = 100;
+
+        /** What they fill of the floor. */
+        Disc legs() {
+            return new Disc(spot, RADIUS);
+        }
+    }
+
+    /**
+     * A dark line on the bright floor.
+     *
+     * @param width in mm
+     */
+    public record Line(List<Segment> pieces, double width) {
+        public Line {
+            pieces = List.copyOf(pieces);
+        }
+
+        /** From a point to the middle of the line, in mm. */
+        double distance(Point point) {
+            double nearest = Double.POSITIVE_INFINITY;
+            for (Segment piece : pieces) {
+                nearest = Math.min(nearest, piece.distance(point));
+            }
+            return nearest;
+        }
+    }
+
+    /**
+     * How far the world is from its ideal; standard deviations.
+     *
+     * @param light percent: of a reading, and twice that of a sensor as a whole
+     * @param distance cm, likewise
+     * @param wheels percent by which a wheel is larger or smaller than its mate
+     * @param place mm by which a robot is set down beside its place
+     * @param heading degrees by which it looks elsewhere
+     */
+    public record Noise(
+            double light, double distance, double wheels, double place, double heading) {
+        public static final Noise USUAL = new Noise(1, 1, 0.5, 4, 1.5);
+        public static final Noise NONE = new Noise(0, 0, 0, 0, 0);
     }
 }

@@ -3,6 +3,11 @@ package arcomat.world;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.world.Words.Unreadable;
+import arcomat.world.World.Cup;
+import arcomat.world.World.Drinker;
+import arcomat.world.World.Noise;
+import arcomat.world.World.Robot;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -39,13 +44,25 @@ public final class WorldParser {
         this.file = file;
     }
 
+    /**
+     * A world that was read.
+     *
+     * @param world absent if there are findings
+     * @param findings in the order of the text
+     */
+    public record Parsed(Optional<World> world, List<Diagnostic> findings) {
+        public Parsed {
+            findings = List.copyOf(findings);
+        }
+    }
+
     /** A line or a wall, as it is written. */
     record Stripe(
             Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
 
     private record RobotDraft(Span name, Span kind, Pose pose, Cup cup) {}
 
-    public static ParsedWorld parse(SourceFile file) {
+    public static Parsed parse(SourceFile file) {
         WorldParser parser = new WorldParser(file);
         for (int line = 1; line <= file.lineCount(); line++) {
             Words words = Words.ofLine(file, line);
@@ -199,27 +216,13 @@ public final class WorldParser {
         drinkers.add(new Drinker(name.text(), spot, thirst, name));
     }
 
-    private ParsedWorld result() {
-        if (!once.containsKey("floor") && findings.isEmpty()) {
-            findings.add(
-                    Diagnostic.error(
-                            Words.SYNTAX,
-                            file.span(0, 0),
-                            "a world has a floor: write 'floor WIDTH DEPTH', in mm"));
-        }
-        if (robots.isEmpty() && findings.isEmpty()) {
-            findings.add(
-                    Diagnostic.error(
-                            Words.SYNTAX,
-                            file.span(0, 0),
-                            "a world has robots: write 'robot NAME KIND at X Y'"));
-        }
+    private Parsed result() {
+        requireThere(once.containsKey("floor"), "a floor: write 'floor WIDTH DEPTH', in mm");
+        requireThere(!robots.isEmpty(), "robots: write 'robot NAME KIND at X Y'");
         Map<String, Kind> built = new LinkedHashMap<>();
         for (KindDraft draft : kinds.values()) {
-            Optional<Kind> kind = draft.kind();
-            if (kind.isPresent()) {
-                built.put(kind.get().name(), kind.get());
-            } else if (findings.isEmpty()) {
+            draft.kind().ifPresent(kind -> built.put(kind.name(), kind));
+            if (draft.kind().isEmpty() && findings.isEmpty()) {
                 findings.add(
                         Words.broken(draft.name(), NO_PROGRAM.formatted(draft.name().text()))
                                 .finding());
@@ -246,8 +249,15 @@ public final class WorldParser {
             findings.addAll(Placement.check(world, stripes));
         }
         findings.sort(Diagnostic.ORDER);
-        return new ParsedWorld(
-                findings.isEmpty() ? Optional.of(world) : Optional.empty(), findings);
+        return new Parsed(findings.isEmpty() ? Optional.of(world) : Optional.empty(), findings);
+    }
+
+    /** What is wrong already is told alone: it may be the reason. */
+    private void requireThere(boolean there, String what) {
+        if (!there && findings.isEmpty()) {
+            Span beginning = file.span(0, 0);
+            findings.add(Words.broken(beginning, "a world has " + what).finding());
+        }
     }
 
     private static final String NO_PROGRAM =
@@ -263,10 +273,10 @@ public final class WorldParser {
                 UNKNOWN, kind, "there is no kind '" + kind.text() + "' of robots; " + known);
     }
 
-    private List<Way> ways() {
+    private List<World.Line> ways() {
         return stripes.stream()
                 .filter(stripe -> !stripe.isWall())
-                .map(stripe -> new Way(stripe.pieces(), stripe.width()))
+                .map(stripe -> new World.Line(stripe.pieces(), stripe.width()))
                 .toList();
     }
 

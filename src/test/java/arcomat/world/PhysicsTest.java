@@ -3,7 +3,7 @@ package arcomat.world;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import arcomat.world.Happening.What;
+import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
 
 import net.jqwik.api.ForAll;

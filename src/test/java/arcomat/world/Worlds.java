@@ -19,7 +19,7 @@ final class Worlds {
     private Worlds() {}
 
     static World of(String text) {
-        ParsedWorld parsed = WorldParser.parse(new SourceFile("test.world", text));
+        WorldParser.Parsed parsed = WorldParser.parse(new SourceFile("test.world", text));
         return parsed.world().orElseThrow(() -> new AssertionError(parsed.findings().toString()));
     }
 

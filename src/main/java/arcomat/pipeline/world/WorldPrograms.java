@@ -23,8 +23,8 @@ import arcomat.sim.device.SensorName;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.world.Kind;
-import arcomat.world.Robot;
 import arcomat.world.World;
+import arcomat.world.World.Robot;
 
 import java.io.IOException;
 import java.nio.file.Path;

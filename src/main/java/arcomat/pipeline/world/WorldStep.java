@@ -11,7 +11,6 @@ import arcomat.pipeline.step.WrongUse;
 import arcomat.report.world.WorldJson;
 import arcomat.report.world.WorldPage;
 import arcomat.source.Diagnostic;
-import arcomat.world.ParsedWorld;
 import arcomat.world.Recording;
 import arcomat.world.World;
 import arcomat.world.WorldParser;
@@ -37,7 +36,7 @@ public final class WorldStep {
     public static PreparedWorld prepare(
             String written, boolean runDevices, PathNames names, Progress progress)
             throws WrongUse {
-        ParsedWorld parsed = WorldParser.parse(FileReader.required("world", written, names));
+        WorldParser.Parsed parsed = WorldParser.parse(FileReader.required("world", written, names));
         if (parsed.world().isEmpty()) {
             return new PreparedWorld(parsed.findings(), Aside.NOTHING, 1, null, Map.of());
         }

@@ -2,17 +2,16 @@ package arcomat.report.world;
 
 import arcomat.report.text.Json;
 import arcomat.world.Device;
-import arcomat.world.Happening;
 import arcomat.world.Point;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
-import arcomat.world.Robot;
 import arcomat.world.Scene.DrinkerState;
+import arcomat.world.Scene.Happening;
 import arcomat.world.Segment;
-import arcomat.world.Way;
 import arcomat.world.World;
+import arcomat.world.World.Robot;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 
@@ -69,7 +68,7 @@ public final class WorldJson {
         number("depth", world.depth());
         json.writeNumberField("goal", world.goal());
         json.writeArrayFieldStart("lines");
-        for (Way line : world.lines()) {
+        for (World.Line line : world.lines()) {
             json.writeStartObject();
             number("width", line.width());
             json.writeFieldName("points");

@@ -5,9 +5,9 @@ import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 import arcomat.sim.trace.Lateness;
-import arcomat.world.Happening;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
+import arcomat.world.Scene.Happening;
 
 import java.util.List;
 import java.util.Locale;

@@ -8,13 +8,13 @@ import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.source.SourceFile;
-import arcomat.world.Cup;
-import arcomat.world.Happening.What;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
+import arcomat.world.Scene.Happening.What;
 import arcomat.world.World;
+import arcomat.world.World.Cup;
 import arcomat.world.WorldParser;
 
 import org.junit.jupiter.api.BeforeAll;

@@ -3,12 +3,12 @@ package arcomat.report.world;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.source.SourceFile;
-import arcomat.world.Cup;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
 import arcomat.world.World;
+import arcomat.world.World.Cup;
 import arcomat.world.WorldParser;
 
 import com.fasterxml.jackson.databind.JsonNode;
