@@ -5,7 +5,6 @@ import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Rewriting;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -49,12 +48,12 @@ record Hazard(UnaryOperator<Expression> here) {
         }
         return e instanceof Expression.PortMatches matches
                 ? in(matches)
-                : or(inAny(Rewriting.operands(e)), here.apply(e));
+                : or(inAny(e.operands()), here.apply(e));
     }
 
     /** Nothing is computed where there is no message, and nothing behind a value that fits. */
     private Expression in(Expression.PortMatches matches) {
-        List<Expression> values = new ArrayList<>(Rewriting.operands(matches));
+        List<Expression> values = new ArrayList<>(matches.operands());
         Expression any = NEVER;
         for (int i = values.size() - 1; i >= 0; i--) {
             Expression fits =
