@@ -1,130 +1,105 @@
 package arcomat.syntax.build;
 
-import arcomat.syntax.antlr.ArcomatParser.AutomatonContext;
-import arcomat.syntax.antlr.ArcomatParser.DeclarationContext;
-import arcomat.syntax.antlr.ArcomatParser.GuardContext;
-import arcomat.syntax.antlr.ArcomatParser.InitialContext;
-import arcomat.syntax.antlr.ArcomatParser.MarkedDeclarationContext;
-import arcomat.syntax.antlr.ArcomatParser.PlainDeclarationContext;
-import arcomat.syntax.antlr.ArcomatParser.StateContext;
-import arcomat.syntax.antlr.ArcomatParser.StatesContext;
-import arcomat.syntax.antlr.ArcomatParser.TransitionContext;
+import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Automaton;
 import arcomat.tree.AutomatonElement;
-import arcomat.tree.AutomatonElement.Declaration;
-import arcomat.tree.AutomatonElement.Guard;
-import arcomat.tree.AutomatonElement.Initial;
-import arcomat.tree.AutomatonElement.Kind;
-import arcomat.tree.AutomatonElement.State;
-import arcomat.tree.AutomatonElement.States;
-import arcomat.tree.AutomatonElement.Transition;
+import arcomat.tree.Variable;
 
-import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** Automata and their elements. */
 final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
-    private final Phrases phrases;
     private final BlockBuilder blocks;
 
     AutomatonBuilder(Phrases phrases, BlockBuilder blocks) {
-        super(phrases.texts);
-        this.phrases = phrases;
+        super(phrases);
         this.blocks = blocks;
     }
 
-    Automaton automaton(AutomatonContext context) {
+    Automaton automaton(ArcomatParser.AutomatonContext context) {
         return new Automaton(
                 span(context),
-                phrases.stereotypes.stereotypes(context.stereotypes()),
-                phrases.names.buildOptional(context.name()),
+                phrases.stereotypes(context.stereotypes()),
+                phrases.optionalName(context.name()),
                 buildAll(context.automatonElement()));
     }
 
     @Override
-    public AutomatonElement visitDeclaration(DeclarationContext context) {
-        return new Declaration(
+    public AutomatonElement visitDeclaration(ArcomatParser.DeclarationContext context) {
+        return new AutomatonElement.Declaration(
                 span(context),
                 kind(context.kind),
-                phrases.types.build(context.type()),
-                phrases.variables.buildAll(context.variable()));
+                phrases.type(context.type()),
+                phrases.variables(context.variable()));
     }
 
     @Override
-    public AutomatonElement visitMarkedDeclaration(MarkedDeclarationContext context) {
-        return new Declaration(
+    public AutomatonElement visitMarkedDeclaration(ArcomatParser.MarkedDeclarationContext context) {
+        return new AutomatonElement.Declaration(
                 span(context),
-                Kind.VARIABLE,
-                phrases.types.build(context.type()),
-                phrases.variables.buildAll(context.variable()));
+                AutomatonElement.Kind.VARIABLE,
+                phrases.type(context.type()),
+                phrases.variables(context.variable()));
     }
 
     @Override
-    public AutomatonElement visitPlainDeclaration(PlainDeclarationContext context) {
-        List<ParserRuleContext> variables = new ArrayList<>(context.variable());
-        variables.add(0, context.valuedVariable());
-        return new Declaration(
+    public AutomatonElement visitPlainDeclaration(ArcomatParser.PlainDeclarationContext context) {
+        List<Variable> variables = new ArrayList<>();
+        variables.add(phrases.variable(context.valuedVariable()));
+        variables.addAll(phrases.variables(context.variable()));
+        return new AutomatonElement.Declaration(
                 span(context),
-                Kind.VARIABLE,
-                phrases.types.build(context.plainType()),
-                phrases.variables.buildAll(variables));
+                AutomatonElement.Kind.VARIABLE,
+                phrases.type(context.plainType()),
+                variables);
     }
 
-    private static Kind kind(Token token) {
+    private static AutomatonElement.Kind kind(Token token) {
         return switch (token.getText()) {
-            case "input" -> Kind.INPUT;
-            case "output" -> Kind.OUTPUT;
-            default -> Kind.VARIABLE;
+            case "input" -> AutomatonElement.Kind.INPUT;
+            case "output" -> AutomatonElement.Kind.OUTPUT;
+            default -> AutomatonElement.Kind.VARIABLE;
         };
     }
 
     @Override
-    public AutomatonElement visitStates(StatesContext context) {
-        List<State> states = new ArrayList<>();
-        for (StateContext state : context.state()) {
-            states.add(state(state));
-        }
-        return new States(span(context), states);
+    public AutomatonElement visitStates(ArcomatParser.StatesContext context) {
+        return new AutomatonElement.States(span(context), each(context.state(), this::state));
     }
 
-    private State state(StateContext context) {
-        return new State(
+    private AutomatonElement.State state(ArcomatParser.StateContext context) {
+        return new AutomatonElement.State(
                 span(context),
-                phrases.stereotypes.stereotypes(context.stereotypes()),
-                phrases.names.build(context.name()));
+                phrases.stereotypes(context.stereotypes()),
+                phrases.name(context.name()));
     }
 
     @Override
-    public AutomatonElement visitInitial(InitialContext context) {
-        return new Initial(
+    public AutomatonElement visitInitial(ArcomatParser.InitialContext context) {
+        return new AutomatonElement.Initial(
                 span(context),
-                phrases.names.buildAll(context.name()),
-                blocks.block(context.block()));
+                phrases.names(context.name()),
+                optional(context.block(), blocks::block));
     }
 
     @Override
-    public AutomatonElement visitTransition(TransitionContext context) {
-        return new Transition(
+    public AutomatonElement visitTransition(ArcomatParser.TransitionContext context) {
+        return new AutomatonElement.Transition(
                 span(context),
-                phrases.names.build(context.source),
-                phrases.names.buildOptional(context.target),
-                guard(context.guard()),
-                blocks.block(context.input),
-                blocks.block(context.output));
+                phrases.name(context.source),
+                phrases.optionalName(context.target),
+                optional(context.guard(), this::guard),
+                optional(context.input, blocks::block),
+                optional(context.output, blocks::block));
     }
 
-    private Optional<Guard> guard(GuardContext context) {
-        if (context == null) {
-            return Optional.empty();
-        }
-        return Optional.of(
-                new Guard(
-                        span(context),
-                        phrases.names.buildOptional(context.name()),
-                        phrases.expressions.build(context.expression())));
+    private AutomatonElement.Guard guard(ArcomatParser.GuardContext context) {
+        return new AutomatonElement.Guard(
+                span(context),
+                phrases.optionalName(context.name()),
+                phrases.expressions.build(context.expression()));
     }
 }

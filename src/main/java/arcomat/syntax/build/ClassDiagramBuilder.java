@@ -1,56 +1,38 @@
 package arcomat.syntax.build;
 
-import arcomat.syntax.antlr.ArcomatParser.AttributeContext;
-import arcomat.syntax.antlr.ArcomatParser.ClassDefinitionContext;
-import arcomat.syntax.antlr.ArcomatParser.ClassDiagramContext;
-import arcomat.syntax.antlr.ArcomatParser.EnumDefinitionContext;
+import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.ClassDiagram;
-import arcomat.tree.ClassDiagram.Attribute;
-import arcomat.tree.ClassDiagram.ClassDefinition;
-import arcomat.tree.ClassDiagram.EnumDefinition;
-import arcomat.tree.ClassDiagram.TypeDefinition;
-
-import java.util.ArrayList;
-import java.util.List;
 
 /** Class diagrams and their types. */
-final class ClassDiagramBuilder extends TreeBuilder<TypeDefinition> {
-    private final Phrases phrases;
-
+final class ClassDiagramBuilder extends TreeBuilder<ClassDiagram.TypeDefinition> {
     ClassDiagramBuilder(Phrases phrases) {
-        super(phrases.texts);
-        this.phrases = phrases;
+        super(phrases);
     }
 
-    ClassDiagram classDiagram(ClassDiagramContext context) {
+    ClassDiagram classDiagram(ArcomatParser.ClassDiagramContext context) {
         return new ClassDiagram(
-                span(context),
-                phrases.names.build(context.name()),
-                buildAll(context.typeDefinition()));
+                span(context), phrases.name(context.name()), buildAll(context.typeDefinition()));
     }
 
     @Override
-    public TypeDefinition visitEnumDefinition(EnumDefinitionContext context) {
-        return new EnumDefinition(
-                span(context),
-                phrases.names.build(context.name(0)),
-                phrases.names.buildAll(context.constants));
+    public ClassDiagram.TypeDefinition visitEnumDefinition(
+            ArcomatParser.EnumDefinitionContext context) {
+        return new ClassDiagram.EnumDefinition(
+                span(context), phrases.name(context.name(0)), phrases.names(context.constants));
     }
 
     @Override
-    public TypeDefinition visitClassDefinition(ClassDefinitionContext context) {
-        List<Attribute> attributes = new ArrayList<>();
-        for (AttributeContext attribute : context.attribute()) {
-            attributes.add(
-                    new Attribute(
-                            span(attribute),
-                            phrases.types.build(attribute.type()),
-                            phrases.names.build(attribute.name())));
-        }
-        return new ClassDefinition(
+    public ClassDiagram.TypeDefinition visitClassDefinition(
+            ArcomatParser.ClassDefinitionContext context) {
+        return new ClassDiagram.ClassDefinition(
                 span(context),
-                phrases.names.build(context.name()),
-                phrases.types.buildOptional(context.type()),
-                attributes);
+                phrases.name(context.name()),
+                optional(context.type(), phrases::type),
+                each(context.attribute(), this::attribute));
+    }
+
+    private ClassDiagram.Attribute attribute(ArcomatParser.AttributeContext context) {
+        return new ClassDiagram.Attribute(
+                span(context), phrases.type(context.type()), phrases.name(context.name()));
     }
 }

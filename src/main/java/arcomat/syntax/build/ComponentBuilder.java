@@ -1,50 +1,56 @@
 package arcomat.syntax.build;
 
-import arcomat.syntax.antlr.ArcomatParser.ComponentContext;
-import arcomat.syntax.antlr.ArcomatParser.ModifierContext;
-import arcomat.syntax.antlr.ArcomatParser.NamedInstanceContext;
-import arcomat.syntax.antlr.ArcomatParser.ParameterContext;
-import arcomat.syntax.antlr.ArcomatParser.ParametersContext;
-import arcomat.syntax.antlr.ArcomatParser.TypeParameterContext;
-import arcomat.syntax.antlr.ArcomatParser.TypeParametersContext;
+import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.tree.Automaton;
+import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
-import arcomat.tree.Component.NamedInstance;
+import arcomat.tree.Element;
+import arcomat.tree.IoTable;
 import arcomat.tree.Parameter;
 import arcomat.tree.TypeParameter;
 
-import java.util.ArrayList;
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
-/** Component types: the head here, the body by {@link ElementBuilder}. */
-final class ComponentBuilder extends TreeBuilder<Component> {
-    private final Phrases phrases;
-    private final ElementBuilder elements;
+/** Component types, and what stands in their bodies: each behaviour language is one method. */
+final class ComponentBuilder extends TreeBuilder<Element> {
+    private final AutomatonBuilder automata;
+    private final BlockBuilder.ValueBuilder values;
 
-    ComponentBuilder(Phrases phrases, BehaviourBuilder behaviours) {
-        super(phrases.texts);
-        this.phrases = phrases;
-        this.elements = new ElementBuilder(phrases, behaviours, this);
+    ComponentBuilder(Phrases phrases, AutomatonBuilder automata, BlockBuilder.ValueBuilder values) {
+        super(phrases);
+        this.automata = automata;
+        this.values = values;
     }
 
-    @Override
-    public Component visitComponent(ComponentContext context) {
+    // ---- components -----------------------------------------------------------------------
+
+    Component component(ArcomatParser.ComponentContext context) {
+        ArcomatParser.ParametersContext parameters = context.parameters();
+        ArcomatParser.TypeParametersContext typeParameters = context.typeParameters();
         return new Component(
                 span(context),
-                phrases.stereotypes.stereotypes(context.stereotypes()),
+                phrases.stereotypes(context.stereotypes()),
                 hasModifier(context, "abstract"),
                 hasModifier(context, "deploy"),
-                phrases.names.build(context.name()),
-                typeParameters(context.typeParameters()),
-                parameters(context.parameters()),
-                phrases.types.buildOptional(context.superType),
-                phrases.qualifiedNames.buildAll(context.refined),
-                namedInstance(context.namedInstance()),
-                elements.buildAll(context.element()));
+                phrases.name(context.name()),
+                typeParameters == null
+                        ? List.of()
+                        : each(typeParameters.typeParameter(), this::typeParameter),
+                parameters == null ? List.of() : each(parameters.parameter(), this::parameter),
+                optional(context.superType, phrases::type),
+                phrases.qualifiedNames(context.refined),
+                optional(context.namedInstance(), this::namedInstance),
+                buildAll(context.element()));
     }
 
-    private static boolean hasModifier(ComponentContext context, String word) {
-        for (ModifierContext modifier : context.modifier()) {
+    private static boolean hasModifier(ArcomatParser.ComponentContext context, String word) {
+        for (ArcomatParser.ModifierContext modifier : context.modifier()) {
             if (modifier.getText().equals(word)) {
                 return true;
             }
@@ -52,45 +58,192 @@ final class ComponentBuilder extends TreeBuilder<Component> {
         return false;
     }
 
-    private List<TypeParameter> typeParameters(TypeParametersContext context) {
-        if (context == null) {
-            return List.of();
-        }
-        List<TypeParameter> parameters = new ArrayList<>();
-        for (TypeParameterContext parameter : context.typeParameter()) {
-            parameters.add(
-                    new TypeParameter(
-                            span(parameter),
-                            phrases.names.build(parameter.name()),
-                            phrases.types.buildAll(parameter.type())));
-        }
-        return parameters;
+    private TypeParameter typeParameter(ArcomatParser.TypeParameterContext context) {
+        return new TypeParameter(
+                span(context), phrases.name(context.name()), phrases.types(context.type()));
     }
 
-    private List<Parameter> parameters(ParametersContext context) {
-        if (context == null) {
-            return List.of();
-        }
-        List<Parameter> parameters = new ArrayList<>();
-        for (ParameterContext parameter : context.parameter()) {
-            parameters.add(
-                    new Parameter(
-                            span(parameter),
-                            phrases.types.build(parameter.type()),
-                            phrases.names.build(parameter.name()),
-                            phrases.expressions.buildOptional(parameter.expression())));
-        }
-        return parameters;
+    private Parameter parameter(ArcomatParser.ParameterContext context) {
+        return new Parameter(
+                span(context),
+                phrases.type(context.type()),
+                phrases.name(context.name()),
+                optional(context.expression(), phrases.expressions::build));
     }
 
-    private Optional<NamedInstance> namedInstance(NamedInstanceContext context) {
-        if (context == null) {
-            return Optional.empty();
+    private Component.NamedInstance namedInstance(ArcomatParser.NamedInstanceContext context) {
+        return new Component.NamedInstance(
+                span(context),
+                phrases.name(context.name()),
+                phrases.typeArguments(context.typeArguments()));
+    }
+
+    // ---- elements -------------------------------------------------------------------------
+
+    @Override
+    public Element visitElement(ArcomatParser.ElementContext context) {
+        return build((ParserRuleContext) context.getChild(0));
+    }
+
+    @Override
+    public Element visitBehaviour(ArcomatParser.BehaviourContext context) {
+        return build((ParserRuleContext) context.getChild(0));
+    }
+
+    @Override
+    public Element visitComponent(ArcomatParser.ComponentContext context) {
+        return component(context);
+    }
+
+    @Override
+    public Element visitPorts(ArcomatParser.PortsContext context) {
+        return new Element.Ports(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                each(context.port(), this::port));
+    }
+
+    private Element.Port port(ArcomatParser.PortContext context) {
+        boolean in = context.direction.getText().equals("in");
+        return new Element.Port(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                in ? Element.Direction.IN : Element.Direction.OUT,
+                phrases.type(context.type()),
+                phrases.names(context.name()));
+    }
+
+    @Override
+    public Element visitSubcomponent(ArcomatParser.SubcomponentContext context) {
+        return new Element.Subcomponent(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                phrases.type(context.type()),
+                phrases.expressions.arguments(context.arguments()),
+                each(context.instance(), this::instance));
+    }
+
+    private Element.Instance instance(ArcomatParser.InstanceContext context) {
+        return new Element.Instance(
+                span(context),
+                phrases.name(context.name()),
+                each(context.simpleConnector(), this::simpleConnector));
+    }
+
+    private Element.SimpleConnector simpleConnector(ArcomatParser.SimpleConnectorContext context) {
+        return new Element.SimpleConnector(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                phrases.qualifiedName(context.source),
+                phrases.qualifiedNames(context.targets));
+    }
+
+    @Override
+    public Element visitConnector(ArcomatParser.ConnectorContext context) {
+        return new Element.Connector(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                phrases.qualifiedName(context.source),
+                phrases.qualifiedNames(context.targets));
+    }
+
+    @Override
+    public Element visitTiming(ArcomatParser.TimingContext context) {
+        return new Element.Timing(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                named(Element.TimingKind.class, context.kind));
+    }
+
+    @Override
+    public Element visitAutoconnect(ArcomatParser.AutoconnectContext context) {
+        return new Element.Autoconnect(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                named(Element.AutoconnectKind.class, context.kind));
+    }
+
+    private static <E extends Enum<E>> E named(Class<E> kinds, Token word) {
+        return Enum.valueOf(kinds, word.getText().toUpperCase(Locale.ROOT));
+    }
+
+    @Override
+    public Element visitAutoinstantiate(ArcomatParser.AutoinstantiateContext context) {
+        return new Element.Autoinstantiate(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                context.kind.getText().equals("on"));
+    }
+
+    @Override
+    public Element visitInvariant(ArcomatParser.InvariantContext context) {
+        return new Element.Invariant(
+                span(context),
+                optional(context.kind, phrases::name),
+                phrases.name(context.title),
+                span(context.invariantBody()).text(),
+                InvariantBody.condition(context.invariantBody()).map(phrases.expressions::build));
+    }
+
+    @Override
+    public Element visitMarkedVariables(ArcomatParser.MarkedVariablesContext context) {
+        return new Element.Variables(
+                span(context), phrases.type(context.type()), phrases.variables(context.variable()));
+    }
+
+    @Override
+    public Element visitPlainVariables(ArcomatParser.PlainVariablesContext context) {
+        return new Element.Variables(
+                span(context),
+                phrases.type(context.plainType()),
+                phrases.variables(context.variable()));
+    }
+
+    @Override
+    public Element visitJavaPart(ArcomatParser.JavaPartContext context) {
+        return new Element.JavaPart(
+                span(context),
+                context.keyword.getText(),
+                phrases.optionalName(context.name()),
+                span(context.javaBlock()).text());
+    }
+
+    // ---- behaviour languages --------------------------------------------------------------
+
+    @Override
+    public Element visitAutomaton(ArcomatParser.AutomatonContext context) {
+        return automata.automaton(context);
+    }
+
+    @Override
+    public Element visitIoTable(ArcomatParser.IoTableContext context) {
+        ArcomatParser.TableInputsContext inputs = context.tableInputs();
+        ArcomatParser.TableOutputsContext outputs = context.tableOutputs();
+        return new IoTable(
+                span(context),
+                phrases.stereotypes(context.stereotypes()),
+                inputs == null ? List.of() : phrases.names(inputs.name()),
+                outputs == null ? List.of() : phrases.names(outputs.name()),
+                each(context.row(), this::row));
+    }
+
+    private IoTable.Row row(ArcomatParser.RowContext context) {
+        return new IoTable.Row(
+                span(context), values.buildAll(context.inputs), values.buildAll(context.outputs));
+    }
+
+    @Override
+    public Element visitImplementation(ArcomatParser.ImplementationContext context) {
+        return new Behaviour.Implementation(
+                span(context), phrases.optionalName(context.name()), automata(context));
+    }
+
+    private List<Automaton> automata(ArcomatParser.ImplementationContext context) {
+        List<ArcomatParser.AutomatonElementContext> bare = context.automatonElement();
+        if (bare.isEmpty()) {
+            return each(context.automaton(), automata::automaton);
         }
-        return Optional.of(
-                new NamedInstance(
-                        span(context),
-                        phrases.names.build(context.name()),
-                        phrases.types.typeArguments.arguments(context.typeArguments())));
+        Span span = span(bare.get(0).start, bare.get(bare.size() - 1).stop);
+        return List.of(new Automaton(span, List.of(), Optional.empty(), automata.buildAll(bare)));
     }
 }

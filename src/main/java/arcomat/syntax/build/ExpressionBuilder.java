@@ -1,148 +1,181 @@
 package arcomat.syntax.build;
 
 import arcomat.source.Span;
-import arcomat.syntax.antlr.ArcomatParser.AbsenceExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.ArgumentsContext;
-import arcomat.syntax.antlr.ArcomatParser.BinaryExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.CastExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.ConditionalExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.CreationPrimaryContext;
-import arcomat.syntax.antlr.ArcomatParser.ExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.IfExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.InstanceOfExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.LiteralContext;
-import arcomat.syntax.antlr.ArcomatParser.LiteralPrimaryContext;
-import arcomat.syntax.antlr.ArcomatParser.MembershipExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.NamePrimaryContext;
-import arcomat.syntax.antlr.ArcomatParser.OperandContext;
-import arcomat.syntax.antlr.ArcomatParser.OperandExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.ParenthesesPrimaryContext;
-import arcomat.syntax.antlr.ArcomatParser.PlainOperandContext;
-import arcomat.syntax.antlr.ArcomatParser.PrimitiveCastExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.PrimitiveCastOperandContext;
-import arcomat.syntax.antlr.ArcomatParser.TypeCastOperandContext;
-import arcomat.syntax.antlr.ArcomatParser.UnaryExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.UnaryOperandContext;
+import arcomat.syntax.antlr.ArcomatLexer;
+import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Absence;
 import arcomat.tree.Expression.Binary;
 import arcomat.tree.Expression.BinaryOperator;
+import arcomat.tree.Expression.Call;
 import arcomat.tree.Expression.Cast;
 import arcomat.tree.Expression.Conditional;
 import arcomat.tree.Expression.InstanceOf;
 import arcomat.tree.Expression.JavaExpression;
 import arcomat.tree.Expression.Literal;
 import arcomat.tree.Expression.Membership;
+import arcomat.tree.Expression.Reference;
 import arcomat.tree.Expression.Unary;
+import arcomat.tree.Expression.UnaryOperator;
+import arcomat.tree.Name;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.TypeReference;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Expressions. Parentheses leave no node. */
 final class ExpressionBuilder extends TreeBuilder<Expression> {
     /** Longer ones would be deep trees. */
     private static final int LONG_ROW = 16;
 
-    final TypeBuilder types;
-    private final OperandBuilder operands;
+    private static final Map<String, BinaryOperator> BINARY =
+            Stream.of(BinaryOperator.values())
+                    .collect(Collectors.toMap(BinaryOperator::symbol, operator -> operator));
 
-    ExpressionBuilder(SharedTexts texts, NameBuilder names, QualifiedNameBuilder qualifiedNames) {
-        super(texts);
-        this.types = new TypeBuilder(texts, qualifiedNames, this);
-        this.operands = new OperandBuilder(names, this);
+    private static final Map<String, UnaryOperator> UNARY =
+            Stream.of(UnaryOperator.values())
+                    .collect(Collectors.toMap(UnaryOperator::symbol, operator -> operator));
+
+    ExpressionBuilder(Phrases phrases) {
+        super(phrases);
     }
 
-    List<Expression> arguments(ArgumentsContext context) {
+    List<Expression> arguments(ArcomatParser.ArgumentsContext context) {
         return context == null ? List.of() : buildAll(context.expression());
     }
 
     @Override
-    public Expression visitOperandExpression(OperandExpressionContext context) {
+    public Expression visitOperandExpression(ArcomatParser.OperandExpressionContext context) {
         return build(context.operand());
     }
 
     @Override
-    public Expression visitPlainOperand(PlainOperandContext context) {
+    public Expression visitPlainOperand(ArcomatParser.PlainOperandContext context) {
         return build(context.operand());
     }
 
     @Override
-    public Expression visitOperand(OperandContext context) {
-        return operands.operand(context);
+    public Expression visitOperand(ArcomatParser.OperandContext context) {
+        Expression result = build(context.primary());
+        // "(a).b" is no qualified name, though its parentheses leave no node.
+        boolean isName = context.primary() instanceof ArcomatParser.NamePrimaryContext;
+        for (ArcomatParser.SuffixContext suffix : context.suffix()) {
+            result = join(span(context.start, suffix.stop), result, isName, suffix);
+        }
+        return result;
+    }
+
+    /** A name or a call behind a dot; everything else is Java. */
+    private Expression join(
+            Span span, Expression target, boolean isName, ArcomatParser.SuffixContext suffix) {
+        if (suffix instanceof ArcomatParser.AccessSuffixContext access) {
+            Name name = phrases.name(access.name());
+            if (access.arguments() != null) {
+                return new Call(span, Optional.of(target), name, arguments(access.arguments()));
+            }
+            if (isName && target instanceof Reference reference) {
+                List<Name> parts = new ArrayList<>(reference.name().parts());
+                parts.add(name);
+                return new Reference(span, new QualifiedName(span, parts));
+            }
+        }
+        return new JavaExpression(span, span.text());
     }
 
     @Override
-    public Expression visitLiteralPrimary(LiteralPrimaryContext context) {
+    public Expression visitLiteralPrimary(ArcomatParser.LiteralPrimaryContext context) {
         return build(context.literal());
     }
 
     @Override
-    public Expression visitLiteral(LiteralContext context) {
-        Span span = span(context.kind);
-        return new Literal(span, Literals.kindOf(context.kind), texts.text(span));
+    public Expression visitLiteral(ArcomatParser.LiteralContext context) {
+        Span span = span(context);
+        return new Literal(span, kind(context.kind), phrases.text(span));
+    }
+
+    private static Literal.Kind kind(Token token) {
+        return switch (token.getType()) {
+            case ArcomatLexer.INT -> Literal.Kind.INT;
+            case ArcomatLexer.LONG -> Literal.Kind.LONG;
+            case ArcomatLexer.FLOAT -> Literal.Kind.FLOAT;
+            case ArcomatLexer.DOUBLE -> Literal.Kind.DOUBLE;
+            case ArcomatLexer.CHAR -> Literal.Kind.CHAR;
+            case ArcomatLexer.STRING -> Literal.Kind.STRING;
+            default -> token.getText().equals("null") ? Literal.Kind.NULL : Literal.Kind.BOOLEAN;
+        };
     }
 
     @Override
-    public Expression visitNamePrimary(NamePrimaryContext context) {
-        return operands.name(context);
+    public Expression visitNamePrimary(ArcomatParser.NamePrimaryContext context) {
+        Name name = phrases.name(context.name());
+        return context.arguments() == null
+                ? new Reference(name.span(), new QualifiedName(name.span(), List.of(name)))
+                : new Call(span(context), Optional.empty(), name, arguments(context.arguments()));
     }
 
     @Override
-    public Expression visitParenthesesPrimary(ParenthesesPrimaryContext context) {
+    public Expression visitParenthesesPrimary(ArcomatParser.ParenthesesPrimaryContext context) {
         return build(context.expression());
     }
 
     @Override
-    public Expression visitCreationPrimary(CreationPrimaryContext context) {
+    public Expression visitCreationPrimary(ArcomatParser.CreationPrimaryContext context) {
         Span span = span(context);
         return new JavaExpression(span, span.text());
     }
 
     @Override
-    public Expression visitUnaryExpression(UnaryExpressionContext context) {
+    public Expression visitUnaryExpression(ArcomatParser.UnaryExpressionContext context) {
         return unary(context, context.operator, context.expression());
     }
 
     @Override
-    public Expression visitUnaryOperand(UnaryOperandContext context) {
+    public Expression visitUnaryOperand(ArcomatParser.UnaryOperandContext context) {
         return unary(context, context.operator, context.castOperand());
     }
 
     private Expression unary(ParserRuleContext context, Token operator, ParserRuleContext operand) {
-        return new Unary(span(context), Operators.unary(operator), build(operand));
+        return new Unary(span(context), UNARY.get(operator.getText()), build(operand));
     }
 
     @Override
-    public Expression visitPrimitiveCastExpression(PrimitiveCastExpressionContext context) {
-        return cast(context, context.primitiveType(), context.expression());
+    public Expression visitPrimitiveCastExpression(
+            ArcomatParser.PrimitiveCastExpressionContext context) {
+        return cast(context, phrases.type(context.primitiveType()), context.expression());
     }
 
     @Override
-    public Expression visitCastExpression(CastExpressionContext context) {
-        return cast(context, context.objectType(), context.castOperand());
+    public Expression visitCastExpression(ArcomatParser.CastExpressionContext context) {
+        return cast(context, phrases.type(context.objectType()), context.castOperand());
     }
 
     @Override
-    public Expression visitPrimitiveCastOperand(PrimitiveCastOperandContext context) {
-        return cast(context, context.primitiveType(), context.castOperand());
+    public Expression visitPrimitiveCastOperand(ArcomatParser.PrimitiveCastOperandContext context) {
+        return cast(context, phrases.type(context.primitiveType()), context.castOperand());
     }
 
     @Override
-    public Expression visitTypeCastOperand(TypeCastOperandContext context) {
-        return cast(context, context.objectType(), context.castOperand());
+    public Expression visitTypeCastOperand(ArcomatParser.TypeCastOperandContext context) {
+        return cast(context, phrases.type(context.objectType()), context.castOperand());
     }
 
     private Expression cast(
-            ParserRuleContext context, ParserRuleContext type, ParserRuleContext operand) {
-        return new Cast(span(context), types.build(type), build(operand));
+            ParserRuleContext context, TypeReference type, ParserRuleContext operand) {
+        return new Cast(span(context), type, build(operand));
     }
 
     @Override
-    public Expression visitBinaryExpression(BinaryExpressionContext context) {
-        List<ExpressionContext> row = Rows.operands(context);
-        return row(Operators.binary(context.operator), row, row.size() > LONG_ROW);
+    public Expression visitBinaryExpression(ArcomatParser.BinaryExpressionContext context) {
+        List<ArcomatParser.ExpressionContext> row = Rows.operands(context);
+        return row(BINARY.get(context.operator.getText()), row, row.size() > LONG_ROW);
     }
 
     /**
@@ -151,7 +184,8 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
      * @param shallow groups a long row by halves, which means the same: its operator evaluates from
      *     left to right, however operands are grouped
      */
-    private Expression row(BinaryOperator operator, List<ExpressionContext> row, boolean shallow) {
+    private Expression row(
+            BinaryOperator operator, List<ArcomatParser.ExpressionContext> row, boolean shallow) {
         int last = row.size() - 1;
         if (last == 0) {
             return build(row.get(0));
@@ -164,35 +198,37 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     @Override
-    public Expression visitInstanceOfExpression(InstanceOfExpressionContext context) {
+    public Expression visitInstanceOfExpression(ArcomatParser.InstanceOfExpressionContext context) {
         return new InstanceOf(
-                span(context), build(context.expression()), types.build(context.instanceType()));
+                span(context), build(context.expression()), phrases.type(context.instanceType()));
     }
 
     @Override
-    public Expression visitMembershipExpression(MembershipExpressionContext context) {
-        List<ExpressionContext> all = context.expression();
+    public Expression visitMembershipExpression(ArcomatParser.MembershipExpressionContext context) {
+        List<ArcomatParser.ExpressionContext> all = context.expression();
         return new Membership(
                 span(context), build(all.get(0)), buildAll(all.subList(1, all.size())));
     }
 
     @Override
-    public Expression visitAbsenceExpression(AbsenceExpressionContext context) {
+    public Expression visitAbsenceExpression(ArcomatParser.AbsenceExpressionContext context) {
         boolean present = context.operator.getText().equals("!=");
         return new Absence(span(context), build(context.expression()), present);
     }
 
     @Override
-    public Expression visitConditionalExpression(ConditionalExpressionContext context) {
+    public Expression visitConditionalExpression(
+            ArcomatParser.ConditionalExpressionContext context) {
         return conditional(context, context.expression());
     }
 
     @Override
-    public Expression visitIfExpression(IfExpressionContext context) {
+    public Expression visitIfExpression(ArcomatParser.IfExpressionContext context) {
         return conditional(context, context.expression());
     }
 
-    private Expression conditional(ParserRuleContext context, List<ExpressionContext> parts) {
+    private Expression conditional(
+            ParserRuleContext context, List<ArcomatParser.ExpressionContext> parts) {
         return new Conditional(
                 span(context), build(parts.get(0)), build(parts.get(1)), build(parts.get(2)));
     }

@@ -1,8 +1,6 @@
 package arcomat.syntax.build;
 
 import arcomat.syntax.antlr.ArcomatParser;
-import arcomat.syntax.antlr.ArcomatParser.InvariantBodyContext;
-import arcomat.tree.Expression;
 
 import org.antlr.v4.runtime.BailErrorStrategy;
 import org.antlr.v4.runtime.CommonToken;
@@ -22,13 +20,10 @@ import java.util.Optional;
  * tokens form an expression of models, it is one.
  */
 final class InvariantBody {
-    private final ExpressionBuilder expressions;
+    private InvariantBody() {}
 
-    InvariantBody(ExpressionBuilder expressions) {
-        this.expressions = expressions;
-    }
-
-    Optional<Expression> condition(InvariantBodyContext body) {
+    static Optional<ArcomatParser.ExpressionContext> condition(
+            ArcomatParser.InvariantBodyContext body) {
         if (body.javaBlock() != null || body.children == null) {
             return Optional.empty();
         }
@@ -44,7 +39,7 @@ final class InvariantBody {
         parser.removeErrorListeners();
         parser.setErrorHandler(new BailErrorStrategy());
         try {
-            return Optional.of(expressions.build(parser.expressionUnit().expression()));
+            return Optional.of(parser.expressionUnit().expression());
         } catch (ParseCancellationException anotherLanguage) {
             return Optional.empty();
         }

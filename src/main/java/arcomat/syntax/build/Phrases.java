@@ -1,24 +1,220 @@
 package arcomat.syntax.build;
 
-/** The builders of what occurs in definitions of every kind. */
-final class Phrases {
-    final SharedTexts texts;
-    final NameBuilder names;
-    final QualifiedNameBuilder qualifiedNames;
-    final ExpressionBuilder expressions;
-    final TypeBuilder types;
-    final StereotypeBuilder stereotypes;
-    final VariableBuilder variables;
-    final ValueBuilder values;
+import static arcomat.syntax.build.TreeBuilder.each;
+import static arcomat.syntax.build.TreeBuilder.optional;
 
-    Phrases(SharedTexts texts) {
-        this.texts = texts;
-        this.names = new NameBuilder(texts);
-        this.qualifiedNames = new QualifiedNameBuilder(texts, names);
-        this.expressions = new ExpressionBuilder(texts, names, qualifiedNames);
-        this.types = expressions.types;
-        this.stereotypes = new StereotypeBuilder(texts, names);
-        this.variables = new VariableBuilder(texts, names, expressions);
-        this.values = new ValueBuilder(texts, expressions);
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+import arcomat.syntax.antlr.ArcomatLexer;
+import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.tree.Name;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.Stereotype;
+import arcomat.tree.TypeArgument;
+import arcomat.tree.TypeReference;
+import arcomat.tree.Variable;
+
+import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What occurs in definitions of every kind: names, types, stereotypes, variables. Trees of large
+ * models live long, so what is equal in one file is kept once: the texts of names and literals, and
+ * the spans of nodes around a sole child.
+ */
+final class Phrases {
+    final ExpressionBuilder expressions = new ExpressionBuilder(this);
+    private final SourceFile file;
+    private final Map<String, String> texts = new HashMap<>();
+    private Span latest;
+
+    Phrases(SourceFile file) {
+        this.file = file;
+        this.latest = file.span(0, 0);
+    }
+
+    Span wholeFile() {
+        return file.span(0, file.text().length());
+    }
+
+    Span span(Token first, Token last) {
+        int start = first.getStartIndex();
+        int end = last.getStopIndex() + 1;
+        if (latest.start() != start || latest.end() != end) {
+            latest = file.span(start, end);
+        }
+        return latest;
+    }
+
+    private Span span(ParserRuleContext context) {
+        return span(context.start, context.stop);
+    }
+
+    String text(Span span) {
+        String text = span.text();
+        String known = texts.putIfAbsent(text, text);
+        return known == null ? text : known;
+    }
+
+    // ---- names ----------------------------------------------------------------------------
+
+    Name name(Token token) {
+        Span span = span(token, token);
+        return new Name(span, text(span));
+    }
+
+    Name name(ArcomatParser.NameContext context) {
+        return name(context.start);
+    }
+
+    Optional<Name> optionalName(ArcomatParser.NameContext context) {
+        return optional(context, this::name);
+    }
+
+    List<Name> names(List<ArcomatParser.NameContext> contexts) {
+        return each(contexts, this::name);
+    }
+
+    QualifiedName qualifiedName(ArcomatParser.QualifiedNameContext context) {
+        return qualifiedName(names(context.name()));
+    }
+
+    List<QualifiedName> qualifiedNames(List<ArcomatParser.QualifiedNameContext> contexts) {
+        return each(contexts, this::qualifiedName);
+    }
+
+    QualifiedName qualifiedName(List<Name> parts) {
+        Span first = parts.get(0).span();
+        Span span = parts.size() == 1 ? first : first.to(parts.get(parts.size() - 1).span());
+        return new QualifiedName(span, parts);
+    }
+
+    private QualifiedName qualifiedName(ArcomatParser.PlainNameContext context) {
+        List<Name> parts = new ArrayList<>(names(context.name()));
+        parts.add(0, name(context.start));
+        return qualifiedName(parts);
+    }
+
+    // ---- types ----------------------------------------------------------------------------
+
+    TypeReference type(ArcomatParser.TypeContext context) {
+        QualifiedName name =
+                context.qualifiedName() == null
+                        ? primitive(context)
+                        : qualifiedName(context.qualifiedName());
+        return type(context, name, context.typeArguments(), context.typeSuffix());
+    }
+
+    TypeReference type(ArcomatParser.PlainTypeContext context) {
+        QualifiedName name =
+                context.plainName() == null
+                        ? primitive(context)
+                        : qualifiedName(context.plainName());
+        return type(context, name, context.typeArguments(), context.typeSuffix());
+    }
+
+    TypeReference type(ArcomatParser.ObjectTypeContext context) {
+        QualifiedName name = qualifiedName(context.qualifiedName());
+        return type(context, name, context.typeArguments(), null);
+    }
+
+    TypeReference type(ArcomatParser.PrimitiveTypeContext context) {
+        return type(context, primitive(context), null, null);
+    }
+
+    TypeReference type(ArcomatParser.InstanceTypeContext context) {
+        return type(context, qualifiedName(names(context.name())), null, null);
+    }
+
+    List<TypeReference> types(List<ArcomatParser.TypeContext> contexts) {
+        return each(contexts, this::type);
+    }
+
+    private QualifiedName primitive(ParserRuleContext context) {
+        return qualifiedName(List.of(name(context.start)));
+    }
+
+    private TypeReference type(
+            ParserRuleContext context,
+            QualifiedName name,
+            ArcomatParser.TypeArgumentsContext arguments,
+            ArcomatParser.TypeSuffixContext suffix) {
+        return new TypeReference(
+                span(context),
+                name,
+                typeArguments(arguments),
+                suffix instanceof ArcomatParser.RangeSuffixContext range
+                        ? Optional.of(range(range))
+                        : Optional.empty(),
+                suffix instanceof ArcomatParser.ArraySuffixContext array
+                        ? array.getChildCount() / 2
+                        : 0);
+    }
+
+    private TypeReference.Range range(ArcomatParser.RangeSuffixContext context) {
+        return new TypeReference.Range(
+                span(context), expressions.build(context.low), expressions.build(context.high));
+    }
+
+    List<TypeArgument> typeArguments(ArcomatParser.TypeArgumentsContext context) {
+        return context == null ? List.of() : each(context.typeArgument(), this::typeArgument);
+    }
+
+    private TypeArgument typeArgument(ArcomatParser.TypeArgumentContext context) {
+        if (context instanceof ArcomatParser.WildcardArgumentContext wildcard) {
+            boolean upper = wildcard.bound == null || wildcard.bound.getText().equals("extends");
+            return new TypeArgument.Wildcard(
+                    span(context), upper, optional(wildcard.type(), this::type));
+        }
+        return new TypeArgument.Given(
+                span(context), type(((ArcomatParser.GivenArgumentContext) context).type()));
+    }
+
+    // ---- stereotypes and variables --------------------------------------------------------
+
+    List<Stereotype> stereotypes(ArcomatParser.StereotypesContext context) {
+        return context == null ? List.of() : each(context.stereotype(), this::stereotype);
+    }
+
+    private Stereotype stereotype(ArcomatParser.StereotypeContext context) {
+        Optional<Name> value =
+                context.literal() == null
+                        ? optionalName(context.word)
+                        : Optional.of(unquoted(context.literal().kind));
+        return new Stereotype(span(context), name(context.name(0)), value);
+    }
+
+    /** A string literal without its quotes, any other literal as written. */
+    private Name unquoted(Token literal) {
+        String text = literal.getText();
+        return new Name(
+                span(literal, literal),
+                literal.getType() == ArcomatLexer.STRING
+                        ? text.substring(1, text.length() - 1)
+                        : text);
+    }
+
+    List<Variable> variables(List<ArcomatParser.VariableContext> contexts) {
+        return each(contexts, this::variable);
+    }
+
+    private Variable variable(ArcomatParser.VariableContext context) {
+        return new Variable(
+                span(context),
+                name(context.name()),
+                optional(context.expression(), expressions::build));
+    }
+
+    Variable variable(ArcomatParser.ValuedVariableContext context) {
+        return new Variable(
+                span(context),
+                name(context.name()),
+                Optional.of(expressions.build(context.expression())));
     }
 }

@@ -1,8 +1,7 @@
 package arcomat.syntax.build;
 
 import arcomat.syntax.antlr.ArcomatLexer;
-import arcomat.syntax.antlr.ArcomatParser.BinaryExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.ExpressionContext;
+import arcomat.syntax.antlr.ArcomatParser;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -16,22 +15,24 @@ final class Rows {
     private Rows() {}
 
     /** The operands of a row; those of any other operation are two. */
-    static List<ExpressionContext> operands(BinaryExpressionContext context) {
-        List<ExpressionContext> operands = new ArrayList<>();
-        ExpressionContext rest = context;
+    static List<ArcomatParser.ExpressionContext> operands(
+            ArcomatParser.BinaryExpressionContext context) {
+        List<ArcomatParser.ExpressionContext> operands = new ArrayList<>();
+        ArcomatParser.ExpressionContext rest = context;
         do {
-            BinaryExpressionContext row = (BinaryExpressionContext) rest;
+            ArcomatParser.BinaryExpressionContext row =
+                    (ArcomatParser.BinaryExpressionContext) rest;
             operands.add(row.expression(1));
             rest = row.expression(0);
         } while (isRow(context)
-                && rest instanceof BinaryExpressionContext left
+                && rest instanceof ArcomatParser.BinaryExpressionContext left
                 && left.operator.getType() == context.operator.getType());
         operands.add(rest);
         Collections.reverse(operands);
         return operands;
     }
 
-    private static boolean isRow(BinaryExpressionContext context) {
+    private static boolean isRow(ArcomatParser.BinaryExpressionContext context) {
         String operator = ArcomatLexer.VOCABULARY.getLiteralName(context.operator.getType());
         return operator.equals("'&&'") || operator.equals("'||'");
     }

@@ -1,15 +1,7 @@
 package arcomat.syntax.build;
 
 import arcomat.source.Span;
-import arcomat.syntax.antlr.ArcomatParser.EventStreamContext;
-import arcomat.syntax.antlr.ArcomatParser.LiteralMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.NameMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.PortStreamContext;
-import arcomat.syntax.antlr.ArcomatParser.RepeatedGroupContext;
-import arcomat.syntax.antlr.ArcomatParser.RepeatedMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.SingleGroupContext;
-import arcomat.syntax.antlr.ArcomatParser.SingleMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.StreamContext;
+import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Call;
 import arcomat.tree.Expression.Reference;
@@ -34,55 +26,52 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
     private static final String TICK = "Tk";
     private static final BigInteger LARGEST = BigInteger.valueOf(Integer.MAX_VALUE);
 
-    private final Phrases phrases;
-
     StreamBuilder(Phrases phrases) {
-        super(phrases.texts);
-        this.phrases = phrases;
+        super(phrases);
     }
 
-    PortStream portStream(PortStreamContext context) {
+    PortStream portStream(ArcomatParser.PortStreamContext context) {
         return new PortStream(
                 span(context),
-                phrases.qualifiedNames.build(context.qualifiedName()),
+                phrases.qualifiedName(context.qualifiedName()),
                 elements(context.stream()));
     }
 
-    PortStream eventStream(EventStreamContext context) {
+    PortStream eventStream(ArcomatParser.EventStreamContext context) {
         return new PortStream(
                 span(context),
-                phrases.qualifiedNames.build(context.qualifiedName()),
+                phrases.qualifiedName(context.qualifiedName()),
                 context.stream() == null
                         ? List.of(build(context.streamElement()))
                         : elements(context.stream()));
     }
 
-    private List<StreamElement> elements(StreamContext context) {
+    private List<StreamElement> elements(ArcomatParser.StreamContext context) {
         return buildAll(context.streamElement());
     }
 
     @Override
-    public StreamElement visitSingleMessage(SingleMessageContext context) {
+    public StreamElement visitSingleMessage(ArcomatParser.SingleMessageContext context) {
         return build(context.message());
     }
 
     @Override
-    public StreamElement visitRepeatedMessage(RepeatedMessageContext context) {
+    public StreamElement visitRepeatedMessage(ArcomatParser.RepeatedMessageContext context) {
         return new Repeat(span(context), count(context.count), List.of(build(context.message())));
     }
 
     @Override
-    public StreamElement visitRepeatedGroup(RepeatedGroupContext context) {
+    public StreamElement visitRepeatedGroup(ArcomatParser.RepeatedGroupContext context) {
         return new Repeat(span(context), count(context.count), buildAll(context.streamElement()));
     }
 
     @Override
-    public StreamElement visitSingleGroup(SingleGroupContext context) {
+    public StreamElement visitSingleGroup(ArcomatParser.SingleGroupContext context) {
         return new Repeat(span(context), 1, buildAll(context.streamElement()));
     }
 
     @Override
-    public StreamElement visitLiteralMessage(LiteralMessageContext context) {
+    public StreamElement visitLiteralMessage(ArcomatParser.LiteralMessageContext context) {
         Expression literal = phrases.expressions.build(context.literal());
         return message(span(context), context.minus, literal);
     }
@@ -93,8 +82,8 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
     }
 
     @Override
-    public StreamElement visitNameMessage(NameMessageContext context) {
-        QualifiedName name = phrases.qualifiedNames.build(context.qualifiedName());
+    public StreamElement visitNameMessage(ArcomatParser.NameMessageContext context) {
+        QualifiedName name = phrases.qualifiedName(context.qualifiedName());
         Span span = span(context);
         if (context.arguments() != null) {
             return message(span, context.minus, call(context, name));
@@ -104,11 +93,11 @@ final class StreamBuilder extends TreeBuilder<StreamElement> {
                 : message(span, context.minus, new Reference(name.span(), name));
     }
 
-    private Expression call(NameMessageContext context, QualifiedName name) {
+    private Expression call(ArcomatParser.NameMessageContext context, QualifiedName name) {
         List<Name> before = name.parts().subList(0, name.parts().size() - 1);
         Optional<Expression> target = Optional.empty();
         if (!before.isEmpty()) {
-            QualifiedName owner = phrases.qualifiedNames.of(before);
+            QualifiedName owner = phrases.qualifiedName(before);
             target = Optional.of(new Reference(owner.span(), owner));
         }
         return new Call(
