@@ -131,12 +131,7 @@ public final class AutomatonGraph {
 
     private List<Graph.Caption> caption(int index) {
         Automaton.Transition transition = automaton.transitions().get(index);
-        String story =
-                automaton.states().get(transition.source())
-                        + " -> "
-                        + automaton.states().get(transition.target())
-                        + " "
-                        + TransitionText.full(transition);
+        String story = automaton.arrow(transition) + " " + TransitionText.full(transition);
         List<Highlights.Highlight> found = highlights.transitions().getOrDefault(index, List.of());
         Mark mark = Mark.of("transition", String.valueOf(index), transition.span()).telling(story);
         List<Line> lines = new ArrayList<>(TransitionText.label(transition));

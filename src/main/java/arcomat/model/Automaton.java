@@ -59,6 +59,11 @@ public record Automaton(
                 span);
     }
 
+    /** Where a transition leads: {@code driving -> waiting}. */
+    public String arrow(Transition transition) {
+        return states.get(transition.source) + " -> " + states.get(transition.target);
+    }
+
     /** The same with another completion. */
     public Automaton with(Completion other) {
         return with(other, initials, transitions);

@@ -6,7 +6,7 @@ import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.simulate.test.Recording;
+import arcomat.simulate.test.RecordedSuite;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Formatter;
 
@@ -70,7 +70,7 @@ final class Recorder {
                         + ".");
         remarks.addAll(decisions);
         trace.failure().ifPresent(failure -> remarks.add("What has stopped the run, " + failure));
-        String text = Recording.of(suite, trace, main.arguments(), remarks);
+        String text = RecordedSuite.of(suite, trace, main.arguments(), remarks);
         String formatted = Formatter.format(new SourceFile(written, text)).text().orElse(text);
         try {
             requireRecorded(written, file);

@@ -240,7 +240,8 @@ public final class StepRelation {
         return new Prospect(reactions, errors);
     }
 
-    private String forbids(Configuration before) {
+    /** That a completion forbids an input, in words. */
+    public String forbids(Configuration before) {
         return Fault.place(component, automaton, before.state())
                 + ": the automaton forbids this input";
     }

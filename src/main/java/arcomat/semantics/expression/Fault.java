@@ -74,12 +74,7 @@ public final class Fault extends ModelError {
     /** The place of a transition in messages: {@code AvoidCrash, driving -> waiting (line 12)}. */
     public static String place(
             Component component, Automaton automaton, Automaton.Transition transition) {
-        return component.name()
-                + ", "
-                + automaton.states().get(transition.source())
-                + " -> "
-                + automaton.states().get(transition.target())
-                + line(transition.span());
+        return component.name() + ", " + automaton.arrow(transition) + line(transition.span());
     }
 
     /** The place of a state in messages, where no transition is to blame. */

@@ -21,7 +21,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.function.Function;
 
 /** One instance as it runs: where its automata are, and how they go on. */
 final class Actor {
@@ -50,6 +50,14 @@ final class Actor {
      * @return per output port the messages of the initial output
      */
     List<List<Value>> start() {
+        try {
+            return begin();
+        } catch (ModelError problem) {
+            throw at(instance, problem);
+        }
+    }
+
+    private List<List<Value>> begin() {
         List<JointStart> starts = behaviour.starts();
         if (starts.isEmpty()) {
             throw contradiction("to begin with");
@@ -66,6 +74,20 @@ final class Actor {
      * @return per output port the messages to send
      */
     List<List<Value>> react(Input input, int step, List<Trace.Activity> activities) {
+        try {
+            return goOn(input, step, activities);
+        } catch (ModelError problem) {
+            throw at(instance, problem);
+        }
+    }
+
+    /** A problem, with the path of the instance that has it. */
+    static ModelError at(Network.Instance instance, ModelError problem) {
+        String message = instance.with(problem.getMessage());
+        return problem instanceof Impasse ? new Impasse(message) : new ModelError(message);
+    }
+
+    private List<List<Value>> goOn(Input input, int step, List<Trace.Activity> activities) {
         JointReaction reaction = relations.size() == 1 ? single(input, step) : joint(input, step);
         List<Configuration> next = new ArrayList<>(relations.size());
         for (int i = 0; i < relations.size(); i++) {
@@ -107,14 +129,13 @@ final class Actor {
         return pick(prospect.reactions(), step, r -> Descriptions.of(relations, r));
     }
 
-    private <T> T pick(List<T> alternatives, int step, Descriptions.Wording<T> wording) {
+    private <T> T pick(List<T> alternatives, int step, Function<T, String> wording) {
         int count = alternatives.size();
         if (count == 1) {
             return alternatives.get(0);
         }
         Question question =
-                new Question(
-                        instance.path(), step, count, i -> wording.describe(alternatives.get(i)));
+                new Question(instance.path(), step, count, i -> wording.apply(alternatives.get(i)));
         return alternatives.get(choice.pick(question));
     }
 
@@ -128,11 +149,7 @@ final class Actor {
     /** A run keeps the state where a completion allows to leave it. */
     private Configuration after(StepRelation relation, Configuration before, Reaction reaction) {
         if (reaction.next() == Configuration.ERROR) {
-            throw new ModelError(
-                    instance.component().name()
-                            + ", in "
-                            + relation.automaton().states().get(before.state())
-                            + ": the automaton forbids this input");
+            throw new ModelError(relation.forbids(before));
         }
         return reaction.next().isState() ? reaction.next() : before;
     }
@@ -172,7 +189,6 @@ final class Actor {
         if (sent instanceof Sent.Messages messages) {
             return messages.values();
         }
-        Optional<Value> message = choice.message(port, sent instanceof Sent.AnyMessage);
-        return message.map(List::of).orElse(List.of());
+        return choice.message(port, sent instanceof Sent.AnyMessage).stream().toList();
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.simulate.run;
 
+import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 
@@ -22,11 +23,14 @@ public interface Choice {
     int pick(Question question);
 
     /**
-     * The message on an output port that the model leaves open.
+     * The message on an output port that the model leaves open; where nobody draws one, the first
+     * of its type where there has to be one.
      *
      * @param required whether there has to be one
      */
-    Optional<Value> message(Port port, boolean required);
+    default Optional<Value> message(Port port, boolean required) {
+        return required ? Optional.of(FirstValue.of(port.type())) : Optional.empty();
+    }
 
     /**
      * Whether the first alternative is always picked. Then nobody looks for others, as in generated
@@ -38,7 +42,17 @@ public interface Choice {
 
     /** The first alternative in text order. */
     static Choice first() {
-        return new FirstChoice();
+        return new Choice() {
+            @Override
+            public boolean isTextOrder() {
+                return true;
+            }
+
+            @Override
+            public int pick(Question question) {
+                return 0;
+            }
+        };
     }
 
     /** An alternative at random; the same seed always gives the same run, in compiled code too. */
@@ -53,7 +67,14 @@ public interface Choice {
 
     /** What somebody answers. */
     static Choice ask(Asker asker) {
-        return new AskedChoice(asker);
+        return question -> {
+            int answer = asker.ask(question);
+            if (answer < 0 || answer >= question.count()) {
+                throw new IllegalArgumentException(
+                        "there are " + question.count() + " alternatives, " + answer + " is none");
+            }
+            return answer;
+        };
     }
 
     /** Somebody who is asked, such as a user at a terminal. */

@@ -6,6 +6,7 @@ import arcomat.model.Trace;
 import arcomat.semantics.automaton.Behaviour.JointReaction;
 import arcomat.semantics.automaton.Behaviour.JointStart;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
@@ -16,11 +17,6 @@ import java.util.Locale;
 /** Says in a line what an alternative is. */
 final class Descriptions {
     private Descriptions() {}
-
-    @FunctionalInterface
-    interface Wording<T> {
-        String describe(T alternative);
-    }
 
     /** {@code driving -> waiting (line 12)}. */
     static String of(StepRelation relation, Trace.Taken taken) {
@@ -51,12 +47,7 @@ final class Descriptions {
     }
 
     private static String transition(Automaton automaton, Automaton.Transition transition) {
-        return automaton.states().get(transition.source())
-                + " -> "
-                + automaton.states().get(transition.target())
-                + " (line "
-                + transition.span().startPosition().line()
-                + ")";
+        return automaton.arrow(transition) + Fault.line(transition.span());
     }
 
     private static String output(Component component, Output output) {

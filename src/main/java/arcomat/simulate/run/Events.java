@@ -76,7 +76,7 @@ public final class Events implements Interpreter.Engine {
         List<Trace.Activity> activities = new ArrayList<>();
         if (!started) {
             started = true;
-            mailboxes.forEach(this::start);
+            mailboxes.forEach(mailbox -> send(mailbox, mailbox.actor.start()));
             runToCompletion(number, activities);
             opening = Optional.of(new Letter(outputs));
         }
@@ -97,18 +97,6 @@ public final class Events implements Interpreter.Engine {
     @Override
     public Trace.End end(Letter input) {
         return new Trace.End(input, Letter.SILENCE);
-    }
-
-    private void start(Mailbox mailbox) {
-        send(mailbox, begun(mailbox.actor));
-    }
-
-    private static List<List<Value>> begun(Actor actor) {
-        try {
-            return actor.start();
-        } catch (ModelError problem) {
-            throw Slices.at(actor.instance(), problem);
-        }
     }
 
     private void runToCompletion(int number, List<Trace.Activity> activities) {
@@ -133,13 +121,7 @@ public final class Events implements Interpreter.Engine {
     private void react(Mailbox mailbox, Event event, int number, List<Trace.Activity> activities) {
         Value[] messages = mailbox.latched.clone();
         messages[event.port] = event.message;
-        List<List<Value>> sent;
-        try {
-            sent = mailbox.actor.react(Input.of(messages), number, activities);
-        } catch (ModelError problem) {
-            throw Slices.at(mailbox.actor.instance(), problem);
-        }
-        send(mailbox, sent);
+        send(mailbox, mailbox.actor.react(Input.of(messages), number, activities));
     }
 
     private void send(Mailbox sender, List<List<Value>> messages) {
@@ -170,7 +152,7 @@ public final class Events implements Interpreter.Engine {
     }
 
     public static ModelError fullQueue(Network.Instance instance, String port) {
-        return Slices.at(
+        return Actor.at(
                 instance,
                 new ModelError(
                         "the queue is full: "

@@ -23,7 +23,7 @@ final class RandomChoice implements Choice {
     @Override
     public Optional<Value> message(Port port, boolean required) {
         if (!drawsMessages) {
-            return Choice.first().message(port, required);
+            return Choice.super.message(port, required);
         }
         return required || generator.next(2) == 0
                 ? Optional.of(RandomValues.draw(port.type(), generator))

@@ -3,7 +3,6 @@ package arcomat.simulate.run;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.rt.ModelError;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.network.Network;
 
@@ -44,7 +43,7 @@ public final class Slices implements Interpreter.Engine {
     @Override
     public Trace.Step step(Letter input, int number) {
         if (!started) {
-            actors.forEach(actor -> send(actor.instance(), start(actor)));
+            actors.forEach(actor -> send(actor.instance(), actor.start()));
             delayed.forEach(signal -> visible[signal] = registers[signal]);
             started = true;
         }
@@ -68,32 +67,14 @@ public final class Slices implements Interpreter.Engine {
         }
     }
 
-    private static List<List<Value>> start(Actor actor) {
-        try {
-            return actor.start();
-        } catch (ModelError problem) {
-            throw at(actor.instance(), problem);
-        }
-    }
-
     private List<List<Value>> react(Actor actor, int number, List<Trace.Activity> activities) {
-        Network.Instance instance = actor.instance();
-        List<Integer> signals = instance.inputSignals();
+        List<Integer> signals = actor.instance().inputSignals();
         Value[] messages = new Value[signals.size()];
         for (int i = 0; i < messages.length; i++) {
             int signal = signals.get(i);
             messages[i] = signal == Network.UNCONNECTED ? null : visible[signal];
         }
-        try {
-            return actor.react(Input.of(messages), number, activities);
-        } catch (ModelError problem) {
-            throw at(instance, problem);
-        }
-    }
-
-    static ModelError at(Network.Instance instance, RuntimeException problem) {
-        String message = instance.with(problem.getMessage());
-        return problem instanceof Impasse ? new Impasse(message) : new ModelError(message);
+        return actor.react(Input.of(messages), number, activities);
     }
 
     private void send(Network.Instance instance, List<List<Value>> messages) {

@@ -4,11 +4,9 @@ import arcomat.model.Letter;
 import arcomat.model.StreamTest;
 import arcomat.model.Value;
 import arcomat.semantics.Execution;
-import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Behaviour.JointReaction;
 import arcomat.semantics.automaton.Behaviour.JointStart;
 import arcomat.semantics.automaton.Behaviour.Prospect;
-import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
@@ -25,33 +23,20 @@ import java.util.Optional;
  * expects. What is left open is what is expected, or, where only parts receive it, some of what it
  * may be: what is not tried is remembered.
  */
-final class AllowedEvents {
+final class AllowedEvents extends AllowedBehaviour {
     /** More runs than that are not followed. */
     static final int MOST_RUNS = 10_000;
 
     /** Within one event, more than that are taken for too many. */
     private static final int MOST_MOMENTS = 200_000;
 
-    private final Network network;
-    private final List<Behaviour> behaviours;
     private final Posts posts;
     private int event;
-    private String lastProblem;
     private String gaveUp;
 
     AllowedEvents(Network network, StreamTest test, Collection<Value> mentioned) {
-        this.network = network;
-        behaviours = Behaviour.ofParts(network);
+        super(network);
         posts = new Posts(network, test, mentioned);
-    }
-
-    Network network() {
-        return network;
-    }
-
-    /** Why the last run that could not go on could not. */
-    Optional<String> lastProblem() {
-        return Optional.ofNullable(lastProblem);
     }
 
     /** Why not all runs were followed; empty if they were. */
@@ -60,19 +45,19 @@ final class AllowedEvents {
     }
 
     /** Whether a run has shown all that is expected. */
-    boolean isComplete(EventRun run) {
+    boolean isComplete(PossibleRun run) {
         return posts.isComplete(run);
     }
 
     /** The beginnings, and what they cause. */
-    Collection<EventRun> starts() {
+    Collection<PossibleRun> starts() {
         int[] ports = network.instances().stream().mapToInt(i -> i.inputSignals().size()).toArray();
-        List<EventRun> runs = List.of(new EventRun(ports, posts.streams()));
+        List<PossibleRun> runs = List.of(new PossibleRun(ports, posts.streams()));
         for (int i = 0; i < behaviours.size(); i++) {
-            List<EventRun> next = new ArrayList<>();
-            for (EventRun before : runs) {
+            List<PossibleRun> next = new ArrayList<>();
+            for (PossibleRun before : runs) {
                 for (JointStart start : behaviours.get(i).starts()) {
-                    EventRun after = before.copy();
+                    PossibleRun after = before.copy();
                     after.configurations.add(start.configurations());
                     send(after, i, start.output().ports(), next);
                 }
@@ -86,13 +71,13 @@ final class AllowedEvents {
     }
 
     /** All ways to work off an event. */
-    Collection<EventRun> event(Collection<EventRun> runs, Letter letter, int number) {
+    Collection<PossibleRun> event(Collection<PossibleRun> runs, Letter letter, int number) {
         event = number;
         lastProblem = null;
         posts.forgetProblem();
-        List<EventRun> next = new ArrayList<>();
-        for (EventRun before : runs) {
-            EventRun after = before.copy();
+        List<PossibleRun> next = new ArrayList<>();
+        for (PossibleRun before : runs) {
+            PossibleRun after = before.copy();
             after.begin();
             boolean fits = true;
             for (Network.External external : network.inputs()) {
@@ -108,15 +93,15 @@ final class AllowedEvents {
     }
 
     /** Lets all react to all that waits, in every way. */
-    private Collection<EventRun> worked(List<EventRun> runs) {
-        Map<Object, EventRun> quiet = new LinkedHashMap<>();
-        Map<Object, EventRun> met = new LinkedHashMap<>();
-        List<EventRun> current = runs;
+    private Collection<PossibleRun> worked(List<PossibleRun> runs) {
+        Map<Object, PossibleRun> quiet = new LinkedHashMap<>();
+        Map<Object, PossibleRun> met = new LinkedHashMap<>();
+        List<PossibleRun> current = runs;
         for (int reactions = 0; !current.isEmpty(); reactions++) {
-            List<EventRun> next = new ArrayList<>();
+            List<PossibleRun> next = new ArrayList<>();
             // A single run need not be remembered: it ends, or is taken to circle.
             boolean many = !met.isEmpty() || current.size() > 1;
-            for (EventRun run : current) {
+            for (PossibleRun run : current) {
                 if (run.isQuiet()) {
                     keepBest(quiet, run);
                 } else if (!many || keepBest(met, run)) {
@@ -144,8 +129,8 @@ final class AllowedEvents {
                 + ": the test leaves too much open";
     }
 
-    private static boolean keepBest(Map<Object, EventRun> runs, EventRun run) {
-        EventRun known = runs.get(run.state());
+    private static boolean keepBest(Map<Object, PossibleRun> runs, PossibleRun run) {
+        PossibleRun known = runs.get(run.state());
         boolean better = known == null || run.isBetterThan(known);
         if (better) {
             runs.put(run.state(), run);
@@ -153,38 +138,27 @@ final class AllowedEvents {
         return better;
     }
 
-    private void react(EventRun before, List<EventRun> next) {
+    private void react(PossibleRun before, List<PossibleRun> next) {
         int instance = before.next();
-        EventRun taken = before.copy();
+        PossibleRun taken = before.copy();
         Input input = Input.of(taken.take(instance));
-        Prospect prospect =
-                behaviours.get(instance).prospect(taken.configurations.get(instance), input);
-        prospect.errors()
-                .forEach(
-                        error ->
-                                lastProblem =
-                                        network.instances().get(instance).with(error.message()));
-        if (prospect.isContradiction()) {
-            lastProblem =
-                    network.instances().get(instance).with("its automata contradict each other");
-        }
+        Prospect prospect = prospect(instance, taken.configurations.get(instance), input);
         for (JointReaction reaction : prospect.reactions()) {
-            EventRun after = taken.copy();
+            PossibleRun after = taken.copy();
             after.configurations.set(instance, reaction.next());
             send(after, instance, reaction.output().ports(), next);
         }
     }
 
-    private void send(EventRun run, int instance, List<Sent> sent, List<EventRun> next) {
-        List<Configuration> sender = run.configurations.get(instance);
-        boolean chaotic = sender.isEmpty() || sender.contains(Configuration.CHAOS);
+    private void send(PossibleRun run, int instance, List<Sent> sent, List<PossibleRun> next) {
+        boolean chaotic = isChaotic(run.configurations.get(instance));
         List<Integer> signals = network.instances().get(instance).outputSignals();
-        List<EventRun> runs = List.of(run);
+        List<PossibleRun> runs = List.of(run);
         for (int i = 0; i < sent.size(); i++) {
-            List<EventRun> longer = new ArrayList<>();
-            for (EventRun each : runs) {
+            List<PossibleRun> longer = new ArrayList<>();
+            for (PossibleRun each : runs) {
                 for (List<Value> messages : posts.options(each, signals.get(i), sent.get(i))) {
-                    EventRun copy = each.copy();
+                    PossibleRun copy = each.copy();
                     if (!(sent.get(i) instanceof Sent.Messages)
                             && chaotic
                             && posts.isOfUse(signals.get(i))) {

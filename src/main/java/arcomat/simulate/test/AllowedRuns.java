@@ -3,7 +3,6 @@ package arcomat.simulate.test;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Behaviour.JointReaction;
 import arcomat.semantics.automaton.Behaviour.JointStart;
 import arcomat.semantics.automaton.Behaviour.Prospect;
@@ -11,6 +10,7 @@ import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
+import arcomat.simulate.test.Possibility.NetworkState;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -28,18 +28,15 @@ import java.util.Optional;
  * it is, and what is not tried is remembered: an instance that might have read anything is in chaos
  * from there on, a loose run that shows at most that nobody knows.
  */
-final class AllowedRuns {
+final class AllowedRuns extends AllowedBehaviour {
     /** More worlds than that are not followed. */
     static final int MOST_WORLDS = 10_000;
 
     /** Of those, as many. */
     private static final int FOLLOWED = 1_000;
 
-    private final Network network;
     private final Wires wires;
     private final Division division;
-    private final List<Behaviour> behaviours;
-    private String lastProblem;
     private String tooMany;
     private String untried;
 
@@ -47,19 +44,13 @@ final class AllowedRuns {
      * @param mentioned values that may matter where not all can be tried
      */
     AllowedRuns(Network network, Collection<Value> mentioned) {
-        this.network = network;
+        super(network);
         wires = new Wires(network);
-        behaviours = Behaviour.ofParts(network);
         division = new Division(wires, behaviours, mentioned);
     }
 
     Wires wires() {
         return wires;
-    }
-
-    /** Why the last possibility that could not go on could not. */
-    Optional<String> lastProblem() {
-        return Optional.ofNullable(lastProblem);
     }
 
     /** Why not all runs were followed; empty if they were. */
@@ -72,8 +63,8 @@ final class AllowedRuns {
         return possible.stream()
                 .filter(each -> each.chaotic >= 0)
                 .findFirst()
-                .map(each -> Chaos.in(network, each.chaotic, each.configurations))
-                .orElse(Chaos.somewhere(network));
+                .map(each -> chaos(network, each.chaotic, each.configurations))
+                .orElse(chaosSomewhere(network));
     }
 
     /** What a loose run is about. */
@@ -82,10 +73,10 @@ final class AllowedRuns {
     }
 
     /** Between two slices, with what each world stands for. */
-    Map<World, Standing> starts() {
+    Map<NetworkState, Standing> starts() {
         Sent[] silent = new Sent[network.signals()];
         Arrays.fill(silent, Sent.SILENCE);
-        World nothing = new World(List.of(), List.of(silent));
+        NetworkState nothing = new NetworkState(List.of(), List.of(silent));
         List<Possibility> possible = List.of(new Possibility(nothing, Standing.SURE));
         for (int i = 0; i < behaviours.size(); i++) {
             List<Possibility> next = new ArrayList<>();
@@ -103,7 +94,7 @@ final class AllowedRuns {
     }
 
     /** All ways through a slice that show what is expected. */
-    List<Possibility> slice(Map<World, Standing> worlds, Letter letter, Expected expected) {
+    List<Possibility> slice(Map<NetworkState, Standing> worlds, Letter letter, Expected expected) {
         lastProblem = null;
         List<Possibility> possible = new ArrayList<>();
         for (Possibility possibility : beginnings(worlds)) {
@@ -129,21 +120,21 @@ final class AllowedRuns {
     }
 
     /** What is visible in a slice before anything reacts in it, where that is as expected. */
-    List<Possibility> registers(Map<World, Standing> worlds, Expected expected) {
+    List<Possibility> registers(Map<NetworkState, Standing> worlds, Expected expected) {
         List<Possibility> possible = beginnings(worlds);
         possible.removeIf(possibility -> !shows(possibility, expected));
         return possible;
     }
 
-    private static List<Possibility> beginnings(Map<World, Standing> worlds) {
+    private static List<Possibility> beginnings(Map<NetworkState, Standing> worlds) {
         List<Possibility> possible = new ArrayList<>();
         worlds.forEach((world, standing) -> possible.add(new Possibility(world, standing)));
         return possible;
     }
 
     /** Possibilities that are the same from here on are one world, which stands for the best. */
-    static Map<World, Standing> worlds(List<Possibility> possible) {
-        Map<World, Standing> worlds = new LinkedHashMap<>();
+    static Map<NetworkState, Standing> worlds(List<Possibility> possible) {
+        Map<NetworkState, Standing> worlds = new LinkedHashMap<>();
         for (Possibility each : possible) {
             worlds.merge(
                     each.finish(), each.standing, (one, two) -> one.isBetterThan(two) ? one : two);
@@ -258,24 +249,9 @@ final class AllowedRuns {
 
     private void react(
             Possibility before, int instance, Expected expected, List<Possibility> next) {
-        List<Configuration> configurations = before.configurations.get(instance);
-        Prospect prospect =
-                behaviours
-                        .get(instance)
-                        .prospect(
-                                configurations,
-                                Input.of(
-                                        network.instances().get(instance).inputSignals(),
-                                        before.visible));
-        prospect.errors()
-                .forEach(
-                        error ->
-                                lastProblem =
-                                        network.instances().get(instance).with(error.message()));
-        if (prospect.isContradiction()) {
-            lastProblem =
-                    network.instances().get(instance).with("its automata contradict each other");
-        }
+        List<Integer> signals = network.instances().get(instance).inputSignals();
+        Input input = Input.of(signals, before.visible);
+        Prospect prospect = prospect(instance, before.configurations.get(instance), input);
         for (JointReaction reaction : prospect.reactions()) {
             Possibility after = before.copy();
             after.configurations.set(instance, reaction.next());

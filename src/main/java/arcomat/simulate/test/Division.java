@@ -48,13 +48,13 @@ final class Division {
 
     /** Whether an instance looks at one of its ports in this slice. */
     boolean isSeen(Possibility possibility, int instance, int port) {
-        return !(look(possibility, new Wires.Reader(instance, port)) instanceof Unseen);
+        return !(look(possibility, instance, port) instanceof Unseen);
     }
 
     Options of(Possibility possibility, int signal) {
         Look look = new Unseen();
         for (Wires.Reader reader : wires.readers(signal)) {
-            look = look.and(look(possibility, reader));
+            look = look.and(look(possibility, reader.instance(), reader.port()));
         }
         boolean required = !possibility.visible[signal].allows(List.of());
         return values(wires.port(signal), required, look, mentioned);
@@ -75,12 +75,8 @@ final class Division {
         }
     }
 
-    private Look look(Possibility possibility, Wires.Reader reader) {
-        return behaviours
-                .get(reader.instance())
-                .attention(possibility.before(reader.instance()))
-                .looks()
-                .get(reader.port());
+    private Look look(Possibility possibility, int instance, int port) {
+        return behaviours.get(instance).attention(possibility.before(instance)).looks().get(port);
     }
 
     /** Those that the test speaks of, the simplest one, and some between them. */

@@ -6,6 +6,7 @@ import arcomat.model.Trace;
 import arcomat.rt.ModelError;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.run.Surroundings;
+import arcomat.simulate.test.AllowedBehaviour.Standing;
 import arcomat.simulate.test.StreamTestResult.Cell;
 import arcomat.simulate.test.StreamTestResult.Verdict;
 
@@ -25,7 +26,7 @@ final class EventTest {
     }
 
     StreamTestResult run() {
-        Optional<EventRun> best;
+        Optional<PossibleRun> best;
         try {
             AllowedEvents allowed = allowed(test);
             best =
@@ -50,9 +51,9 @@ final class EventTest {
     }
 
     /** Those that go on to the end of the test and show the beginnings of what is expected. */
-    private Collection<EventRun> runs(AllowedEvents allowed) {
-        Surroundings surroundings = new Surroundings(allowed.network());
-        Collection<EventRun> runs = allowed.starts();
+    private Collection<PossibleRun> runs(AllowedEvents allowed) {
+        Surroundings surroundings = new Surroundings(allowed.network);
+        Collection<PossibleRun> runs = allowed.starts();
         List<Letter> letters = StreamTests.letters(test, test.component());
         for (int event = 0; event < letters.size() && !runs.isEmpty(); event++) {
             surroundings.requireKnownPorts(letters.get(event));
@@ -78,14 +79,14 @@ final class EventTest {
                 : Optional.empty();
     }
 
-    private StreamTestResult vacuous(EventRun best) {
+    private StreamTestResult vacuous(PossibleRun best) {
         Network network = Network.of(test.component(), test.arguments());
         return passing(
                 Verdict.VACUOUS,
                 OptionalInt.of(best.since),
                 best.chaotic < 0
-                        ? Chaos.somewhere(network)
-                        : Chaos.in(network, best.chaotic, best.configurations),
+                        ? AllowedBehaviour.chaosSomewhere(network)
+                        : AllowedBehaviour.chaos(network, best.chaotic, best.configurations),
                 Optional.empty());
     }
 
@@ -97,7 +98,7 @@ final class EventTest {
             Verdict verdict, OptionalInt vacuousFrom, String chaotic, Optional<String> reason) {
         List<Cell> cells =
                 StreamTests.cells(test, StreamTests.firstRun(test), List.of()).stream()
-                        .map(SliceTest::unmarked)
+                        .map(cell -> cell.with(false))
                         .toList();
         return new StreamTestResult(
                 test, verdict, cells, OptionalInt.empty(), vacuousFrom, chaotic, reason);

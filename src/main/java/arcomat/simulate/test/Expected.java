@@ -60,11 +60,6 @@ final class Expected {
         messages.computeIfAbsent(signal, key -> new ArrayList<>(1)).add(expected);
     }
 
-    /** Whether anything is expected on a signal. */
-    boolean isAbout(int signal) {
-        return messages.containsKey(signal);
-    }
-
     /**
      * What is left of a message: the expected one, if that is allowed.
      *

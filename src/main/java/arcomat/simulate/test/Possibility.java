@@ -2,6 +2,7 @@ package arcomat.simulate.test;
 
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.Sent;
+import arcomat.simulate.test.AllowedBehaviour.Standing;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -20,7 +21,7 @@ final class Possibility {
      */
     int chaotic = -1;
 
-    Possibility(World world, Standing standing) {
+    Possibility(NetworkState world, Standing standing) {
         this.standing = standing;
         before = world.configurations();
         visible = world.registers().toArray(new Sent[0]);
@@ -54,15 +55,24 @@ final class Possibility {
      */
     boolean isChaotic(int instance, boolean delayed) {
         List<Configuration> sender = (delayed ? before : configurations).get(instance);
-        return sender.contains(Configuration.CHAOS) || sender.isEmpty();
+        return AllowedBehaviour.isChaotic(sender);
     }
 
-    World finish() {
-        return new World(List.copyOf(configurations), List.of(registers));
+    NetworkState finish() {
+        return new NetworkState(List.copyOf(configurations), List.of(registers));
     }
 
     /** All that matters for the rest of the slice, to find possibilities that are the same. */
     List<Object> state() {
         return List.of(List.copyOf(configurations), List.of(registers), List.of(visible), before);
     }
+
+    /**
+     * A state of a network between two slices.
+     *
+     * @param configurations per instance, per automaton
+     * @param registers per signal what its next slice shows; silence for a signal without a
+     *     register
+     */
+    record NetworkState(List<List<Configuration>> configurations, List<Sent> registers) {}
 }

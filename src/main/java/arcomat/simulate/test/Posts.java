@@ -1,6 +1,5 @@
 package arcomat.simulate.test;
 
-import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Sent;
@@ -23,32 +22,24 @@ final class Posts {
 
     private static final int MOST_OPTIONS = 100;
 
-    private record Receiver(int instance, int port, boolean latched) {}
-
     /** An output that the test looks at. */
     private record Stream(int number, List<Value> expected) {}
 
     private final Network network;
     private final Collection<Value> mentioned;
-    private final List<List<Receiver>> receivers = new ArrayList<>();
+    private final Wires wires;
     private final List<List<Stream>> streams = new ArrayList<>();
     private final List<Stream> all = new ArrayList<>();
-    private final Port[] senders;
     private String problem;
     private String untried;
 
     Posts(Network network, StreamTest test, Collection<Value> mentioned) {
         this.network = network;
         this.mentioned = mentioned;
-        senders = new Port[network.signals()];
+        this.wires = new Wires(network);
         for (int signal = 0; signal < network.signals(); signal++) {
-            receivers.add(new ArrayList<>(1));
             streams.add(new ArrayList<>(1));
         }
-        for (int i = 0; i < network.instances().size(); i++) {
-            connect(i, network.instances().get(i));
-        }
-        network.inputs().forEach(external -> senders[external.signal()] = external.port());
         for (Network.External external : network.outputs()) {
             if (test.expected().containsKey(external.name())) {
                 List<Value> expected =
@@ -64,32 +55,17 @@ final class Posts {
         }
     }
 
-    private void connect(int number, Network.Instance instance) {
-        List<Port> inputs = instance.component().inputs();
-        for (int port = 0; port < inputs.size(); port++) {
-            int signal = instance.inputSignals().get(port);
-            if (signal != Network.UNCONNECTED) {
-                boolean latched = inputs.get(port).latched();
-                receivers.get(signal).add(new Receiver(number, port, latched));
-            }
-        }
-        List<Port> outputs = instance.component().outputs();
-        for (int port = 0; port < outputs.size(); port++) {
-            senders[instance.outputSignals().get(port)] = outputs.get(port);
-        }
-    }
-
     int streams() {
         return all.size();
     }
 
-    boolean isComplete(EventRun run) {
+    boolean isComplete(PossibleRun run) {
         return all.stream().allMatch(each -> run.seen[each.number] == each.expected.size());
     }
 
     /** Whether anybody takes notice of a signal. */
     boolean isOfUse(int signal) {
-        return !receivers.get(signal).isEmpty() || !streams.get(signal).isEmpty();
+        return !wires.readers(signal).isEmpty() || !streams.get(signal).isEmpty();
     }
 
     /** Why a message could not be sent, if it was not that the test expects another. */
@@ -106,12 +82,12 @@ final class Posts {
         return Optional.ofNullable(untried);
     }
 
-    boolean send(EventRun run, int signal, List<Value> messages) {
+    boolean send(PossibleRun run, int signal, List<Value> messages) {
         return messages.stream().allMatch(message -> send(run, signal, message));
     }
 
     /** False where the test expects something else, or a queue is full. */
-    boolean send(EventRun run, int signal, Value message) {
+    boolean send(PossibleRun run, int signal, Value message) {
         for (Stream stream : streams.get(signal)) {
             int position = run.seen[stream.number]++;
             if (position >= stream.expected.size()
@@ -119,14 +95,14 @@ final class Posts {
                 return false;
             }
         }
-        for (Receiver receiver : receivers.get(signal)) {
-            if (receiver.latched) {
-                run.latch(receiver.instance, receiver.port, message);
-            } else if (run.waiting(receiver.instance) < capacity(receiver)) {
-                run.enqueue(receiver.instance, new EventRun.Event(receiver.port, message));
+        for (Wires.Reader receiver : wires.readers(signal)) {
+            Network.Instance instance = network.instances().get(receiver.instance());
+            if (receiver.latched()) {
+                run.latch(receiver.instance(), receiver.port(), message);
+            } else if (run.waiting(receiver.instance()) < instance.component().queueCapacity()) {
+                run.enqueue(receiver.instance(), new PossibleRun.Event(receiver.port(), message));
             } else {
-                Network.Instance instance = network.instances().get(receiver.instance);
-                String port = instance.component().inputs().get(receiver.port).name();
+                String port = instance.component().inputs().get(receiver.port()).name();
                 problem = Events.fullQueue(instance, port).getMessage();
                 return false;
             }
@@ -134,12 +110,8 @@ final class Posts {
         return true;
     }
 
-    private int capacity(Receiver receiver) {
-        return network.instances().get(receiver.instance).component().queueCapacity();
-    }
-
     /** What may be sent on a signal: the messages themselves, or some of what is left open. */
-    List<List<Value>> options(EventRun run, int signal, Sent sent) {
+    List<List<Value>> options(PossibleRun run, int signal, Sent sent) {
         if (sent instanceof Sent.Messages messages) {
             return List.of(messages.values());
         }
@@ -150,14 +122,15 @@ final class Posts {
     }
 
     /** The next messages that the test expects, each number of them. */
-    private List<List<Value>> expected(EventRun run, int signal, Sent sent) {
+    private List<List<Value>> expected(PossibleRun run, int signal, Sent sent) {
         Stream stream = streams.get(signal).get(0);
         int from = Math.min(run.seen[stream.number], stream.expected.size());
         List<List<Value>> options = new ArrayList<>();
         for (int to = from; to <= stream.expected.size(); to++) {
             List<Value> messages = stream.expected.subList(from, to);
             if (sent.allows(messages)
-                    && messages.stream().allMatch(v -> Division.isOf(senders[signal].type(), v))) {
+                    && messages.stream()
+                            .allMatch(v -> Division.isOf(wires.port(signal).type(), v))) {
                 options.add(messages);
             }
         }
@@ -166,10 +139,10 @@ final class Posts {
 
     private List<List<Value>> inside(int signal, Sent sent) {
         Division.Options each =
-                Division.values(senders[signal], true, new Attention.Whole(), mentioned);
+                Division.values(wires.port(signal), true, new Attention.Whole(), mentioned);
         boolean complete = each.complete();
         boolean one = !sent.allows(List.of());
-        boolean held = receivers.get(signal).stream().allMatch(Receiver::latched);
+        boolean held = wires.readers(signal).stream().allMatch(Wires.Reader::latched);
         List<List<Value>> options = new ArrayList<>();
         List<List<Value>> longest = List.of(List.of());
         if (!one) {
@@ -193,7 +166,7 @@ final class Posts {
         if (!complete || !one && !held) {
             untried =
                     "not everything that the model leaves open on port '"
-                            + senders[signal].name()
+                            + wires.port(signal).name()
                             + "' inside was tried";
         }
         return options;

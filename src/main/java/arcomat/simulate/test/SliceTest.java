@@ -7,15 +7,19 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.GivenUp;
+import arcomat.simulate.test.AllowedBehaviour.Standing;
+import arcomat.simulate.test.Possibility.NetworkState;
 import arcomat.simulate.test.StreamTestResult.Cell;
 import arcomat.simulate.test.StreamTestResult.Verdict;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 
 /** A stream test of a time-synchronous component against all that its model allows. */
 final class SliceTest {
@@ -63,7 +67,7 @@ final class SliceTest {
     }
 
     private void explore(AllowedRuns runs) {
-        Map<World, Standing> worlds = runs.starts();
+        Map<NetworkState, Standing> worlds = runs.starts();
         int inputs = test.inputs().size();
         if (worlds.isEmpty()) {
             throw new ModelError("slice 0: its automata contradict each other to begin with");
@@ -143,48 +147,35 @@ final class SliceTest {
                                 agreeing.removeIf(each -> !runs.shows(each, signal, expected));
                             }
                         });
-        List<Map<String, List<String>>> before = new ArrayList<>();
-        for (int i = 0; i < slice; i++) {
-            before.add(Map.of());
-        }
-        before.add(seen);
-        allowed = before;
+        allowed = new ArrayList<>(Collections.nCopies(slice, Map.of()));
+        allowed.add(seen);
         difference = OptionalInt.of(slice);
     }
 
     private static List<String> texts(AllowedRuns runs, List<Possibility> possible, int signal) {
-        List<String> texts = new ArrayList<>();
-        possible.stream()
-                .map(possibility -> AllowedRuns.seen(possibility, signal).toString())
-                .distinct()
-                .forEach(texts::add);
-        if (runs.tooMany().isPresent()) {
-            texts.add("...");
-        }
-        return texts;
+        Stream<String> texts =
+                possible.stream().map(each -> AllowedRuns.seen(each, signal).toString()).distinct();
+        return Stream.concat(texts, runs.tooMany().map(most -> "...").stream()).toList();
     }
 
     /** Streams side by side; no cell of a test that passes differs. */
     private List<Cell> cells() {
         Trace actual = StreamTests.firstRun(test);
-        return StreamTests.cells(test, actual, allowed).stream().map(SliceTest::unmarked).toList();
-    }
-
-    static Cell unmarked(Cell cell) {
-        return with(cell, false);
+        return StreamTests.cells(test, actual, allowed).stream()
+                .map(cell -> cell.with(false))
+                .toList();
     }
 
     /** In the slice of the difference, what is not allowed or not sent; later on, nothing. */
     private List<Cell> marked(List<Cell> cells) {
         int slice = difference.orElse(-1);
-        List<Cell> marked = new ArrayList<>();
-        for (Cell cell : cells) {
-            marked.add(with(cell, cell.slice() == slice && !isAllowed(cell)));
-        }
-        boolean none = marked.stream().noneMatch(Cell::differs);
-        return none
-                ? cells.stream().map(cell -> with(cell, cell.slice() == slice)).toList()
-                : marked;
+        List<Cell> marked =
+                cells.stream()
+                        .map(cell -> cell.with(cell.slice() == slice && !isAllowed(cell)))
+                        .toList();
+        return marked.stream().anyMatch(Cell::differs)
+                ? marked
+                : cells.stream().map(cell -> cell.with(cell.slice() == slice)).toList();
     }
 
     private static boolean isAllowed(Cell cell) {
@@ -196,10 +187,5 @@ final class SliceTest {
                                         || text.equals(new Sent.Anything().toString())
                                         || text.equals(new Sent.AnyMessage().toString())
                                                 && cell.expected().size() == 1);
-    }
-
-    private static Cell with(Cell cell, boolean differs) {
-        return new Cell(
-                cell.slice(), cell.port(), cell.expected(), cell.actual(), cell.allowed(), differs);
     }
 }

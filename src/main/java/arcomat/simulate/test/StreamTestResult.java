@@ -65,5 +65,9 @@ public record StreamTestResult(
             actual = List.copyOf(actual);
             allowed = List.copyOf(allowed);
         }
+
+        Cell with(boolean difference) {
+            return new Cell(slice, port, expected, actual, allowed, difference);
+        }
     }
 }

@@ -10,12 +10,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 
-/** Who sends and who reads each signal of a time-synchronous network. */
+/** Who sends and who reads each signal of a network. */
 final class Wires {
     private static final int OUTSIDE = -1;
 
     /** An input port of an instance. */
-    record Reader(int instance, int port) {}
+    record Reader(int instance, int port, boolean latched) {}
 
     private final Network network;
     private final int[] sender;
@@ -55,10 +55,11 @@ final class Wires {
             port[signal] = sends.get(i);
             delayed[signal] = sends.get(i).delay() > 0;
         }
-        for (int i = 0; i < instance.inputSignals().size(); i++) {
+        List<Port> reads = instance.component().inputs();
+        for (int i = 0; i < reads.size(); i++) {
             int signal = instance.inputSignals().get(i);
             if (signal != Network.UNCONNECTED) {
-                readers.get(signal).add(new Reader(number, i));
+                readers.get(signal).add(new Reader(number, i, reads.get(i).latched()));
             }
         }
     }

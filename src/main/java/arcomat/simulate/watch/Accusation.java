@@ -12,9 +12,9 @@ import java.util.Set;
 /** Says what was seen that none of the ways allows, and what they would have allowed. */
 final class Accusation {
     private final List<Port> outputs;
-    private final List<Way> ways;
+    private final List<ConsistentRun> ways;
 
-    Accusation(List<Port> outputs, List<Way> ways) {
+    Accusation(List<Port> outputs, List<ConsistentRun> ways) {
         this.outputs = outputs;
         this.ways = ways;
     }
@@ -44,7 +44,7 @@ final class Accusation {
                 .anyMatch(way -> !(way.promised().ports().get(port) instanceof Sent.Anything));
     }
 
-    private String promised(Way way, List<Integer> ports) {
+    private String promised(ConsistentRun way, List<Integer> ports) {
         List<String> promised = new ArrayList<>();
         for (int port : ports) {
             promised.add(outputs.get(port).name() + " = " + way.promised().ports().get(port));

@@ -48,7 +48,7 @@ public final class Watch {
     /** Positions of the outputs that show in a slice, or after an event, the reaction to it. */
     private final List<Integer> instant = new ArrayList<>();
 
-    private List<Way> ways = new ArrayList<>();
+    private List<ConsistentRun> ways = new ArrayList<>();
 
     /** Why the requirement may have ended in an error in the last step; empty if it may not. */
     private String error = "";
@@ -84,7 +84,7 @@ public final class Watch {
         for (int i = 0; i < outputs.size(); i++) {
             (timed && outputs.get(i).delay() > 0 ? late : instant).add(i);
         }
-        relation.starts().forEach(start -> ways.add(Way.of(automaton, start)));
+        relation.starts().forEach(start -> ways.add(ConsistentRun.of(automaton, start)));
     }
 
     /** The component, with the automaton where it is one of several, and the line. */
@@ -204,7 +204,7 @@ public final class Watch {
     }
 
     private Optional<Violation> keep(Letter shown, List<Integer> ports) {
-        List<Way> kept = ways.stream().filter(way -> agrees(way, shown, ports)).toList();
+        List<ConsistentRun> kept = ways.stream().filter(way -> agrees(way, shown, ports)).toList();
         if (kept.isEmpty()) {
             return Optional.of(violation(new Accusation(outputs, ways).of(ports, shown)));
         }
@@ -212,7 +212,7 @@ public final class Watch {
         return Optional.empty();
     }
 
-    private boolean agrees(Way way, Letter shown, List<Integer> ports) {
+    private boolean agrees(ConsistentRun way, Letter shown, List<Integer> ports) {
         for (int port : ports) {
             Sent promised = way.promised().ports().get(port);
             if (!promised.allows(shown(shown, port))) {
@@ -226,7 +226,7 @@ public final class Watch {
      * @param seen whether what follows from the last step has been judged
      */
     private void noteChaos(boolean seen) {
-        if (seen && satisfiedFrom.isEmpty() && ways.stream().anyMatch(Way::isChaos)) {
+        if (seen && satisfiedFrom.isEmpty() && ways.stream().anyMatch(ConsistentRun::isChaos)) {
             satisfiedFrom = OptionalInt.of(number);
         }
     }
@@ -251,16 +251,17 @@ public final class Watch {
                 : new Prospect(List.of(completion), List.of());
     }
 
-    private Way withoutEvent(Way way) {
+    private ConsistentRun withoutEvent(ConsistentRun way) {
         Output nothing = new Output(Collections.nCopies(outputs.size(), Sent.SILENCE));
-        return new Way("there is no event", way.configuration(), nothing);
+        return new ConsistentRun("there is no event", way.configuration(), nothing);
     }
 
     private void follow(Set<Configuration> before, Function<Configuration, Prospect> step) {
-        List<Way> next = new ArrayList<>();
+        List<ConsistentRun> next = new ArrayList<>();
         for (Configuration each : before) {
             Prospect prospect = step.apply(each);
-            prospect.reactions().forEach(r -> next.add(Way.of(relation.automaton(), each, r)));
+            prospect.reactions()
+                    .forEach(r -> next.add(ConsistentRun.of(relation.automaton(), each, r)));
             if (error.isEmpty() && !prospect.errors().isEmpty()) {
                 error = only(each, prospect.errors().get(0));
             }
@@ -285,8 +286,12 @@ public final class Watch {
     }
 
     /** Where everything is allowed from here on, the other ways matter only for an error. */
-    private void giveUp(List<Way> next) {
-        ways = Stream.concat(ways.stream(), next.stream()).filter(Way::isChaos).limit(1).toList();
+    private void giveUp(List<ConsistentRun> next) {
+        ways =
+                Stream.concat(ways.stream(), next.stream())
+                        .filter(ConsistentRun::isChaos)
+                        .limit(1)
+                        .toList();
         lost = true;
         if (ways.isEmpty()) {
             unknown = Optional.of(tooMany());

@@ -17,8 +17,8 @@ import java.util.Set;
  * and is left out. So is that of a slice that goes wrong, for the run shows in it what was sent
  * before.
  */
-public final class Recording {
-    private Recording() {}
+public final class RecordedSuite {
+    private RecordedSuite() {}
 
     /**
      * The text of a suite in the package of the component.

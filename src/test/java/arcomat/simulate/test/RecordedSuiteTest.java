@@ -26,7 +26,7 @@ import java.util.Map;
 import java.util.stream.Stream;
 
 /** Recorded runs repeat themselves: those of the case study, and their text. */
-class RecordingTest {
+class RecordedSuiteTest {
     private static final Path FOLDER = Path.of("models/coffee");
 
     @Test
@@ -36,7 +36,7 @@ class RecordingTest {
         List<Letter> letters =
                 Runs.letters(avoid, "frontUS=tooClose", "", "frontUS=clear", "frontUS=clear", "");
         Trace trace = Simulation.run(interpreter, letters);
-        assertThat(Recording.of("Seen", trace, List.of(), interpreter.decisions()))
+        assertThat(RecordedSuite.of("Seen", trace, List.of(), interpreter.decisions()))
                 .isEqualTo(
                         """
                         package coffee;
@@ -70,7 +70,7 @@ class RecordingTest {
         Interpreter interpreter = new Interpreter(component, List.of(), Choice.random(7));
         List<Letter> letters = Simulation.randomLetters(interpreter.network(), 7, 40, 60);
         Trace trace = Simulation.run(interpreter, letters);
-        String text = Recording.of("Recorded", trace, List.of(), interpreter.decisions());
+        String text = RecordedSuite.of("Recorded", trace, List.of(), interpreter.decisions());
         String path = component.packageName().replace('.', '/') + "/Recorded.mt";
         StreamTest test =
                 ModelText.read(FOLDER, Map.of(path, text)).tests().stream()

@@ -16,26 +16,23 @@ import java.util.Locale;
  * @param cause what its last step was, in words
  * @param promised per output port, what is to be seen of that step
  */
-record Way(String cause, Configuration configuration, Output promised) {
+record ConsistentRun(String cause, Configuration configuration, Output promised) {
 
-    static Way of(Automaton automaton, Start start) {
+    static ConsistentRun of(Automaton automaton, Start start) {
         String state = automaton.states().get(start.initial().state());
         String cause = line(start.initial().span()) + ": initial " + state;
-        return new Way(cause, start.configuration(), start.output());
+        return new ConsistentRun(cause, start.configuration(), start.output());
     }
 
-    static Way of(Automaton automaton, Configuration before, Reaction reaction) {
-        return new Way(cause(automaton, before, reaction), reaction.next(), reaction.output());
+    static ConsistentRun of(Automaton automaton, Configuration before, Reaction reaction) {
+        return new ConsistentRun(
+                cause(automaton, before, reaction), reaction.next(), reaction.output());
     }
 
     private static String cause(Automaton automaton, Configuration before, Reaction reaction) {
         if (reaction.cause() instanceof Trace.Taken taken) {
             Automaton.Transition transition = taken.transition();
-            return "%s: %s -> %s"
-                    .formatted(
-                            line(transition.span()),
-                            automaton.states().get(transition.source()),
-                            automaton.states().get(transition.target()));
+            return line(transition.span()) + ": " + automaton.arrow(transition);
         }
         String where = before.isState() ? automaton.states().get(before.state()) : "chaos";
         String completion = automaton.completion().name().toLowerCase(Locale.ROOT);

@@ -2,13 +2,14 @@ package arcomat.simulate.test;
 
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
+import arcomat.simulate.test.AllowedBehaviour.Standing;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
 /** A run of an event-driven network, in the middle of an event or between two. */
-final class EventRun {
+final class PossibleRun {
     /** A message that waits. */
     record Event(int port, Value message) {}
 
@@ -36,7 +37,7 @@ final class EventRun {
      * @param ports how many inputs each instance has
      * @param streams how many are expected
      */
-    EventRun(int[] ports, int streams) {
+    PossibleRun(int[] ports, int streams) {
         configurations = new ArrayList<>();
         queues = new ArrayList<>();
         latched = new Value[ports.length][];
@@ -47,7 +48,7 @@ final class EventRun {
         }
     }
 
-    private EventRun(EventRun other) {
+    private PossibleRun(PossibleRun other) {
         configurations = new ArrayList<>(other.configurations);
         queues = new ArrayList<>(other.queues);
         latched = other.latched.clone();
@@ -58,8 +59,8 @@ final class EventRun {
         chaotic = other.chaotic;
     }
 
-    EventRun copy() {
-        return new EventRun(this);
+    PossibleRun copy() {
+        return new PossibleRun(this);
     }
 
     void latch(int instance, int port, Value message) {
@@ -117,7 +118,7 @@ final class EventRun {
     }
 
     /** Whether it tells more than another one that goes on alike. */
-    boolean isBetterThan(EventRun other) {
+    boolean isBetterThan(PossibleRun other) {
         return standing.isBetterThan(other.standing)
                 || standing == other.standing && since > other.since;
     }
