@@ -1,7 +1,7 @@
 package arcomat.benchmarks.analysis;
 
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
 
 import java.io.IOException;
 import java.util.ArrayList;

@@ -1,8 +1,8 @@
 package arcomat.benchmarks.build;
 
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
-import arcomat.benchmarks.Measurement;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
+import arcomat.benchmarks.measure.Measurement;
 
 import java.io.IOException;
 import java.util.List;

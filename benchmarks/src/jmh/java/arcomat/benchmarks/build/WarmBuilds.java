@@ -1,6 +1,6 @@
 package arcomat.benchmarks.build;
 
-import arcomat.benchmarks.Measurement;
+import arcomat.benchmarks.measure.Measurement;
 
 import org.gradle.testkit.runner.GradleRunner;
 import org.gradle.testkit.runner.TaskOutcome;

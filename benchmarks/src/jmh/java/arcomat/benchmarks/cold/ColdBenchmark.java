@@ -1,7 +1,7 @@
 package arcomat.benchmarks.cold;
 
-import arcomat.benchmarks.Command;
-import arcomat.benchmarks.Folders;
+import arcomat.benchmarks.measure.Command;
+import arcomat.benchmarks.measure.Folders;
 
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

@@ -1,7 +1,7 @@
 package arcomat.benchmarks.cold;
 
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
 
 import java.util.List;
 

@@ -1,7 +1,7 @@
 package arcomat.benchmarks.frontend;
 
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 

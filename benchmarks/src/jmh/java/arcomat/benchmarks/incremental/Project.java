@@ -1,7 +1,7 @@
 package arcomat.benchmarks.incremental;
 
-import arcomat.benchmarks.Folders;
 import arcomat.benchmarks.frontend.Texts;
+import arcomat.benchmarks.measure.Folders;
 import arcomat.cli.Embedded;
 import arcomat.source.SourceFile;
 

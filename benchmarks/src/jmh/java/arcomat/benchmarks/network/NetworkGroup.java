@@ -1,9 +1,9 @@
 package arcomat.benchmarks.network;
 
-import arcomat.benchmarks.Allocation;
-import arcomat.benchmarks.Alternation;
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
+import arcomat.benchmarks.measure.Allocation;
+import arcomat.benchmarks.measure.Alternation;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -1,9 +1,9 @@
 package arcomat.benchmarks.step;
 
-import arcomat.benchmarks.Allocation;
-import arcomat.benchmarks.Alternation;
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
+import arcomat.benchmarks.measure.Allocation;
+import arcomat.benchmarks.measure.Alternation;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
 
 import coffee.fig6.logic.AvoidCrash;
 

@@ -1,8 +1,8 @@
 package arcomat.benchmarks.world;
 
-import arcomat.benchmarks.Goal;
-import arcomat.benchmarks.Group;
-import arcomat.benchmarks.Measurement;
+import arcomat.benchmarks.measure.Goal;
+import arcomat.benchmarks.measure.Group;
+import arcomat.benchmarks.measure.Measurement;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.step.Progress;
 import arcomat.pipeline.step.WrongUse;

@@ -1,4 +1,4 @@
-package arcomat.benchmarks;
+package arcomat.benchmarks.measure;
 
 import com.sun.management.ThreadMXBean;
 

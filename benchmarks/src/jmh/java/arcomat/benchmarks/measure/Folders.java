@@ -1,4 +1,4 @@
-package arcomat.benchmarks;
+package arcomat.benchmarks.measure;
 
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,4 +1,4 @@
-package arcomat.benchmarks;
+package arcomat.benchmarks.measure;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -9,12 +9,12 @@ import java.util.Locale;
 import java.util.Map;
 
 /** The committed results of a group, one line per benchmark: label, median, unit. */
-final class Baseline {
+public final class Baseline {
     private static final Path FOLDER = Path.of("benchmarks", "baseline");
 
     private Baseline() {}
 
-    static void write(Group group, Map<String, Measurement> results, List<String> notes)
+    public static void write(Group group, Map<String, Measurement> results, List<String> notes)
             throws IOException {
         List<String> lines = new ArrayList<>();
         lines.add(

@@ -1,4 +1,4 @@
-package arcomat.benchmarks;
+package arcomat.benchmarks.measure;
 
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.util.ListStatistics;
@@ -20,7 +20,7 @@ import java.util.TreeMap;
  */
 public record Measurement(String label, double median, double low, double high, String unit) {
 
-    static Map<String, Measurement> of(Collection<RunResult> results) {
+    public static Map<String, Measurement> of(Collection<RunResult> results) {
         Map<String, Measurement> measurements = new TreeMap<>();
         for (RunResult result : results) {
             Measurement measurement = of(result);

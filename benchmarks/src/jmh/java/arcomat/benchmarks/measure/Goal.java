@@ -1,4 +1,4 @@
-package arcomat.benchmarks;
+package arcomat.benchmarks.measure;
 
 import java.util.Map;
 
@@ -37,7 +37,7 @@ public record Goal(
         return new Goal(text, measured, reference, otherFactor, limit, difference, promised);
     }
 
-    double value(Map<String, Measurement> results) {
+    public double value(Map<String, Measurement> results) {
         double median = results.get(measured).median();
         double other = results.get(reference).median();
         return difference ? median - other : factor * median / other;

@@ -1,4 +1,4 @@
-package arcomat.benchmarks;
+package arcomat.benchmarks.measure;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
