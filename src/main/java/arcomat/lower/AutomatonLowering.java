@@ -69,7 +69,7 @@ final class AutomatonLowering {
         return new Automaton.Transition(
                 transition.source().orElseThrow().index(),
                 transition.target().orElseThrow().index(),
-                guards.isEmpty() ? Optional.empty() : Optional.of(Formulas.conjunction(guards)),
+                guards.isEmpty() ? Optional.empty() : Optional.of(Guards.conjunction(guards)),
                 matches,
                 sends(transition.output()),
                 assignments(transition.output()),
@@ -122,7 +122,7 @@ final class AutomatonLowering {
     }
 
     private static ValueSymbol target(ItemSymbol item) {
-        return Resolved.get(item.target(), item.node().span());
+        return Lowering.resolved(item.target(), item.node().span());
     }
 
     private Port port(PortSymbol port) {

@@ -124,7 +124,7 @@ final class ComponentLowering {
 
     private static List<String> refines(ComponentSymbol symbol) {
         return symbol.signature().refines().stream()
-                .map(r -> Resolved.get(r.resolution(), r.node()).qualifiedName())
+                .map(r -> Lowering.resolved(r.resolution(), r.node()).qualifiedName())
                 .toList();
     }
 

@@ -4,9 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
-import arcomat.symbols.expressions.Typed;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /** The inside of a decomposed component: parts with all their arguments, single connections. */
@@ -35,19 +33,14 @@ final class CompositionLowering {
     private Component.Part part(InstanceSymbol instance) {
         Instantiation type = whole.of(instance);
         Component component = components.lowered(type);
-        List<Expression> given = new ArrayList<>();
-        ExpressionLowering expressions = new ExpressionLowering(environment);
-        for (int i = 0; i < instance.arguments().size(); i++) {
-            Typed argument = instance.arguments().get(i);
-            given.add(expressions.lower(argument, component.parameters().get(i).type()));
-        }
-        List<Expression> all =
-                Arguments.complete(
-                        given,
+        List<Expression> arguments =
+                ArgumentLowering.lower(
+                        instance.arguments(),
+                        environment,
                         type.component().parameters(),
                         component.parameters(),
                         components.environment(type));
-        return new Component.Part(instance.name(), component, all, instance.nameSpan());
+        return new Component.Part(instance.name(), component, arguments, instance.nameSpan());
     }
 
     private static Component.Connection connection(ConnectorSymbol connector) {

@@ -5,31 +5,67 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 
 /** The values of expressions that read nothing: messages and arguments of stream tests. */
-final class ConstantEvaluation {
+final class ConstantEvaluation implements Expression.Cases<Value> {
+    private static final ConstantEvaluation INSTANCE = new ConstantEvaluation();
+
     private ConstantEvaluation() {}
 
+    /**
+     * @throws IllegalStateException if the expression does read something
+     */
     static Value value(Expression expression) {
-        if (expression instanceof Expression.Constant constant) {
-            return constant.value();
-        }
-        if (expression instanceof Expression.Cast cast) {
-            return Conversion.convert(value(cast.operand()), cast.type());
-        }
-        if (expression instanceof Expression.Unary unary) {
-            return unary(unary);
-        }
-        if (expression instanceof Expression.Binary binary) {
-            return binary(binary);
-        }
-        if (expression instanceof Expression.Conditional conditional) {
-            return value(
-                    isTrue(conditional.condition()) ? conditional.then() : conditional.otherwise());
-        }
-        if (expression instanceof Expression.IsIn membership) {
-            Value element = value(membership.element());
-            return truth(membership.set().stream().anyMatch(e -> equal(value(e), element)));
-        }
-        throw new IllegalStateException("not constant at " + expression.span());
+        return expression.match(INSTANCE);
+    }
+
+    @Override
+    public Value constant(Expression.Constant constant) {
+        return constant.value();
+    }
+
+    @Override
+    public Value portRead(Expression.PortRead read) {
+        throw notConstant(read);
+    }
+
+    @Override
+    public Value variableRead(Expression.VariableRead read) {
+        throw notConstant(read);
+    }
+
+    @Override
+    public Value parameterRead(Expression.ParameterRead read) {
+        throw notConstant(read);
+    }
+
+    @Override
+    public Value attributeRead(Expression.AttributeRead read) {
+        throw notConstant(read);
+    }
+
+    @Override
+    public Value portMatches(Expression.PortMatches matches) {
+        throw notConstant(matches);
+    }
+
+    private static IllegalStateException notConstant(Expression expression) {
+        return new IllegalStateException("not constant at " + expression.span());
+    }
+
+    @Override
+    public Value cast(Expression.Cast cast) {
+        return Conversion.convert(value(cast.operand()), cast.type());
+    }
+
+    @Override
+    public Value conditional(Expression.Conditional conditional) {
+        return value(
+                isTrue(conditional.condition()) ? conditional.then() : conditional.otherwise());
+    }
+
+    @Override
+    public Value isIn(Expression.IsIn membership) {
+        Value element = value(membership.element());
+        return truth(membership.set().stream().anyMatch(e -> equal(value(e), element)));
     }
 
     private static boolean isTrue(Expression expression) {
@@ -40,7 +76,8 @@ final class ConstantEvaluation {
         return new Value.BooleanValue(value);
     }
 
-    private static Value unary(Expression.Unary unary) {
+    @Override
+    public Value unary(Expression.Unary unary) {
         Value operand = value(unary.operand());
         return switch (unary.operator()) {
             case NOT -> truth(!((Value.BooleanValue) operand).value());
@@ -52,7 +89,8 @@ final class ConstantEvaluation {
         };
     }
 
-    private static Value binary(Expression.Binary binary) {
+    @Override
+    public Value binary(Expression.Binary binary) {
         return switch (binary.operator()) {
             case AND -> truth(isTrue(binary.left()) && isTrue(binary.right()));
             case OR -> truth(isTrue(binary.left()) || isTrue(binary.right()));
@@ -72,28 +110,26 @@ final class ConstantEvaluation {
                 : left.equals(right);
     }
 
+    /** Nothing is less than NaN, nor greater. */
     private static boolean compare(Expression.Binary binary) {
         Value left = value(binary.left());
         Value right = value(binary.right());
-        if (left instanceof Value.RealValue) {
-            return compare(binary, Conversion.real(left), Conversion.real(right));
+        if (!(left instanceof Value.RealValue)) {
+            return holds(binary, Long.compare(number(left), number(right)));
         }
-        int order = Long.compare(number(left), number(right));
+        double first = Conversion.real(left);
+        double second = Conversion.real(right);
+        boolean isOrdered = !Double.isNaN(first) && !Double.isNaN(second);
+        // Double.compare would tell two zeros apart.
+        return isOrdered && holds(binary, first < second ? -1 : first > second ? 1 : 0);
+    }
+
+    private static boolean holds(Expression.Binary binary, int order) {
         return switch (binary.operator()) {
             case LESS -> order < 0;
             case LESS_OR_EQUAL -> order <= 0;
             case GREATER -> order > 0;
             case GREATER_OR_EQUAL -> order >= 0;
-            default -> throw new AssertionError(binary.operator());
-        };
-    }
-
-    private static boolean compare(Expression.Binary binary, double left, double right) {
-        return switch (binary.operator()) {
-            case LESS -> left < right;
-            case LESS_OR_EQUAL -> left <= right;
-            case GREATER -> left > right;
-            case GREATER_OR_EQUAL -> left >= right;
             default -> throw new AssertionError(binary.operator());
         };
     }

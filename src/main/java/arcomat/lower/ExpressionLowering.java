@@ -2,6 +2,8 @@ package arcomat.lower;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Expression.UnaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
@@ -15,7 +17,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Typed expressions of the text as expressions of the model. */
-final class ExpressionLowering {
+final class ExpressionLowering implements TypedExpression.Cases<Expression> {
     private final Environment environment;
 
     ExpressionLowering(Environment environment) {
@@ -24,65 +26,15 @@ final class ExpressionLowering {
 
     /** The expression, converted to the type of the place it stands in. */
     Expression lower(Typed typed, Type target) {
-        return Conversion.to(target, lower(typed.expression()));
+        return lower(typed.expression(), target);
     }
 
     Expression lower(TypedExpression expression) {
-        if (expression instanceof TypedExpression.Literal literal) {
-            return literal(literal);
-        }
-        if (expression instanceof TypedExpression.Constant constant) {
-            Type.EnumType type = TypeLowering.enumeration(constant.type());
-            return new Expression.Constant(
-                    new Value.EnumValue(type, constant.ordinal()), type, span(expression));
-        }
-        if (expression instanceof TypedExpression.PortRead read) {
-            return new Expression.PortRead(
-                    known(environment.ports(), read.port().name()), span(expression));
-        }
-        if (expression instanceof TypedExpression.VariableRead read) {
-            return new Expression.VariableRead(variable(read.variable()), span(expression));
-        }
-        if (expression instanceof TypedExpression.ParameterRead read) {
-            return parameter(read);
-        }
-        if (expression instanceof TypedExpression.AttributeRead read) {
-            return new Expression.AttributeRead(
-                    lower(read.object()),
-                    read.index(),
-                    environment.type(read.type()),
-                    span(expression));
-        }
-        if (expression instanceof TypedExpression.Absence absence) {
-            return absence(absence);
-        }
-        return composed(expression);
+        return expression.match(this);
     }
 
-    private Expression composed(TypedExpression expression) {
-        if (expression instanceof TypedExpression.Unary unary) {
-            return unary(unary);
-        }
-        if (expression instanceof TypedExpression.Binary binary) {
-            return binary(binary);
-        }
-        if (expression instanceof TypedExpression.Conditional conditional) {
-            return conditional(conditional);
-        }
-        if (expression instanceof TypedExpression.Membership membership) {
-            return membership(membership);
-        }
-        if (expression instanceof TypedExpression.Cast cast) {
-            Expression operand = lower(cast.operand());
-            Expression converted = Conversion.to(environment.type(cast.type()), operand);
-            return converted instanceof Expression.Cast made
-                    ? new Expression.Cast(made.operand(), made.type(), span(expression))
-                    : converted;
-        }
-        if (expression instanceof TypedExpression.NewObject object) {
-            return newObject(object);
-        }
-        throw new IllegalStateException("erroneous expression at " + span(expression));
+    private Expression lower(TypedExpression expression, Type target) {
+        return Conversion.to(target, lower(expression));
     }
 
     private static Span span(TypedExpression expression) {
@@ -104,7 +56,33 @@ final class ExpressionLowering {
         };
     }
 
-    private Expression parameter(TypedExpression.ParameterRead read) {
+    @Override
+    public Expression literal(TypedExpression.Literal literal) {
+        return new Expression.Constant(
+                WrittenMessages.value(literal.value()),
+                environment.type(literal.type()),
+                span(literal));
+    }
+
+    @Override
+    public Expression constant(TypedExpression.Constant constant) {
+        Type.EnumType type = TypeLowering.enumeration(constant.type());
+        return new Expression.Constant(
+                new Value.EnumValue(type, constant.ordinal()), type, span(constant));
+    }
+
+    @Override
+    public Expression portRead(TypedExpression.PortRead read) {
+        return new Expression.PortRead(known(environment.ports(), read.port().name()), span(read));
+    }
+
+    @Override
+    public Expression variableRead(TypedExpression.VariableRead read) {
+        return new Expression.VariableRead(variable(read.variable()), span(read));
+    }
+
+    @Override
+    public Expression parameterRead(TypedExpression.ParameterRead read) {
         String name = read.parameter().name();
         Expression argument = environment.arguments().get(name);
         return argument != null
@@ -112,106 +90,115 @@ final class ExpressionLowering {
                 : new Expression.ParameterRead(known(environment.parameters(), name), span(read));
     }
 
-    private Expression literal(TypedExpression.Literal literal) {
-        return new Expression.Constant(
-                value(literal.value()), environment.type(literal.type()), span(literal));
+    @Override
+    public Expression attributeRead(TypedExpression.AttributeRead read) {
+        return new Expression.AttributeRead(
+                lower(read.object()), read.index(), environment.type(read.type()), span(read));
     }
 
-    private static Value value(Object value) {
-        if (value instanceof Boolean truth) {
-            return new Value.BooleanValue(truth);
-        }
-        if (value instanceof Long number) {
-            return new Value.IntegerValue(number);
-        }
-        if (value instanceof Double number) {
-            return new Value.RealValue(number);
-        }
-        if (value instanceof Character character) {
-            return new Value.CharacterValue(character);
-        }
-        if (value instanceof String text) {
-            return new Value.StringValue(text);
-        }
-        throw new AssertionError(value);
-    }
-
-    private Expression absence(TypedExpression.Absence absence) {
+    @Override
+    public Expression absence(TypedExpression.Absence absence) {
         Automaton.Pattern pattern =
                 absence.node().present() ? new Automaton.Present() : new Automaton.Absent();
         return new Expression.PortMatches(
                 known(environment.ports(), absence.port().name()), pattern, span(absence));
     }
 
-    private Expression unary(TypedExpression.Unary unary) {
+    @Override
+    public Expression unary(TypedExpression.Unary unary) {
         Type type = environment.type(unary.type());
-        Expression operand = Conversion.to(type, lower(unary.operand()));
+        Expression operand = lower(unary.operand(), type);
         return switch (unary.node().operator()) {
             case PLUS -> operand;
-            case NOT ->
-                    new Expression.Unary(Expression.UnaryOperator.NOT, operand, type, span(unary));
+            case NOT -> new Expression.Unary(UnaryOperator.NOT, operand, type, span(unary));
             case COMPLEMENT ->
-                    new Expression.Unary(
-                            Expression.UnaryOperator.COMPLEMENT, operand, type, span(unary));
+                    new Expression.Unary(UnaryOperator.COMPLEMENT, operand, type, span(unary));
             case MINUS ->
                     operand instanceof Expression.Constant constant
                             ? negated(constant, type, span(unary))
                             : new Expression.Unary(
-                                    Expression.UnaryOperator.NEGATE, operand, type, span(unary));
+                                    UnaryOperator.NEGATE, operand, type, span(unary));
         };
     }
 
     /** A minus before a number is part of the number. */
     private static Expression negated(Expression.Constant constant, Type type, Span span) {
-        Value value =
-                constant.value() instanceof Value.RealValue real
-                        ? new Value.RealValue(-real.value())
-                        : new Value.IntegerValue(
-                                Conversion.wrap(
-                                        -((Value.IntegerValue) constant.value()).value(),
-                                        ((Type.IntegerType) type).width()));
-        return new Expression.Constant(value, type, span);
+        Expression negation = new Expression.Unary(UnaryOperator.NEGATE, constant, type, span);
+        return new Expression.Constant(ConstantEvaluation.value(negation), type, span);
     }
 
-    private Expression binary(TypedExpression.Binary binary) {
+    @Override
+    public Expression binary(TypedExpression.Binary binary) {
         Type operands = environment.type(binary.operandType());
         return new Expression.Binary(
-                Operators.binary(binary.node().operator()),
-                Conversion.to(operands, lower(binary.left())),
-                Conversion.to(operands, lower(binary.right())),
+                operator(binary.node().operator()),
+                lower(binary.left(), operands),
+                lower(binary.right(), operands),
                 environment.type(binary.type()),
                 span(binary));
     }
 
-    private Expression conditional(TypedExpression.Conditional conditional) {
+    private static BinaryOperator operator(arcomat.tree.Expression.BinaryOperator operator) {
+        return switch (operator) {
+            case MULTIPLY -> BinaryOperator.MULTIPLY;
+            case DIVIDE -> BinaryOperator.DIVIDE;
+            case REMAINDER -> BinaryOperator.REMAINDER;
+            case ADD -> BinaryOperator.PLUS;
+            case SUBTRACT -> BinaryOperator.MINUS;
+            case LESS -> BinaryOperator.LESS;
+            case LESS_OR_EQUAL -> BinaryOperator.LESS_OR_EQUAL;
+            case GREATER -> BinaryOperator.GREATER;
+            case GREATER_OR_EQUAL -> BinaryOperator.GREATER_OR_EQUAL;
+            case EQUAL -> BinaryOperator.EQUAL;
+            case NOT_EQUAL -> BinaryOperator.NOT_EQUAL;
+            case AND -> BinaryOperator.AND;
+            case OR -> BinaryOperator.OR;
+            case IMPLIES -> BinaryOperator.IMPLIES;
+            case EQUIVALENT -> BinaryOperator.EQUIVALENT;
+        };
+    }
+
+    @Override
+    public Expression conditional(TypedExpression.Conditional conditional) {
         Type type = environment.type(conditional.type());
         return new Expression.Conditional(
                 lower(conditional.condition()),
-                Conversion.to(type, lower(conditional.then())),
-                Conversion.to(type, lower(conditional.otherwise())),
+                lower(conditional.then(), type),
+                lower(conditional.otherwise(), type),
                 type,
                 span(conditional));
     }
 
-    private Expression membership(TypedExpression.Membership membership) {
+    @Override
+    public Expression membership(TypedExpression.Membership membership) {
         Type operands = environment.type(membership.operandType());
-        List<Expression> set = new ArrayList<>();
-        for (TypedExpression member : membership.set()) {
-            set.add(Conversion.to(operands, lower(member)));
-        }
         return new Expression.IsIn(
-                Conversion.to(operands, lower(membership.element())), set, span(membership));
+                lower(membership.element(), operands),
+                membership.set().stream().map(member -> lower(member, operands)).toList(),
+                span(membership));
     }
 
-    private Expression newObject(TypedExpression.NewObject object) {
+    @Override
+    public Expression cast(TypedExpression.Cast cast) {
+        Expression converted = lower(cast.operand(), environment.type(cast.type()));
+        return converted instanceof Expression.Cast made
+                ? new Expression.Cast(made.operand(), made.type(), span(cast))
+                : converted;
+    }
+
+    @Override
+    public Expression newObject(TypedExpression.NewObject object) {
         Type.ClassType type = TypeLowering.object(object.type());
         List<Value> attributes = new ArrayList<>();
         for (int i = 0; i < object.arguments().size(); i++) {
-            Expression argument =
-                    Conversion.to(
-                            type.attributes().get(i).type(), lower(object.arguments().get(i)));
-            attributes.add(ConstantEvaluation.value(argument));
+            Type attribute = type.attributes().get(i).type();
+            attributes.add(ConstantEvaluation.value(lower(object.arguments().get(i), attribute)));
         }
         return new Expression.Constant(new Value.ObjectValue(type, attributes), type, span(object));
+    }
+
+    @Override
+    public Expression erroneous(TypedExpression.Erroneous erroneous) {
+        throw new IllegalStateException("erroneous expression at " + span(erroneous));
     }
 }

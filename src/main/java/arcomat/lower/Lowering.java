@@ -7,6 +7,7 @@ import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.names.Resolution;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -38,6 +39,13 @@ public final class Lowering {
      */
     public static Model lower(Workspace workspace, Runnable goOn) {
         return new Lowering(workspace, goOn).model();
+    }
+
+    /** What the checks guarantee to be found. */
+    static <T> T resolved(Resolution<T> resolution, Object what) {
+        return resolution
+                .found()
+                .orElseThrow(() -> new IllegalStateException("unresolved: " + what));
     }
 
     private Model model() {

@@ -23,7 +23,7 @@ record PortCondition(Port port, List<Automaton.Pattern> patterns, Span span) {
 
     /** As a guard that is always defined. */
     Expression guard() {
-        return Formulas.disjunction(
+        return Guards.disjunction(
                 patterns.stream()
                         .<Expression>map(p -> new Expression.PortMatches(port, p, span))
                         .toList());

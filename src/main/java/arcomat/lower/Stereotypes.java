@@ -7,6 +7,7 @@ import arcomat.symbols.signatures.Layer;
 import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 
+import java.util.Locale;
 import java.util.Optional;
 
 /** Stereotypes with a meaning. Values are known here: the checks refuse others. */
@@ -19,7 +20,7 @@ final class Stereotypes {
     private Stereotypes() {}
 
     static Automaton.Completion completion(Optional<String> value) {
-        return value.map(v -> Automaton.Completion.valueOf(v.toUpperCase(java.util.Locale.ROOT)))
+        return value.map(v -> Automaton.Completion.valueOf(v.toUpperCase(Locale.ROOT)))
                 .orElse(Automaton.Completion.CHAOS);
     }
 

@@ -1,7 +1,6 @@
 package arcomat.lower;
 
 import arcomat.model.Component;
-import arcomat.model.Expression;
 import arcomat.model.Letter;
 import arcomat.model.Parameter;
 import arcomat.model.StreamTest;
@@ -14,7 +13,6 @@ import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.expressions.PortSymbol;
-import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.names.TypeSubstitution;
 import arcomat.tree.Name;
 import arcomat.tree.TestSuite;
@@ -36,8 +34,8 @@ import java.util.Map;
 final class StreamTestLowering {
     private final ComponentLowering components;
     private final Delays delays;
-    private final ExpressionLowering expressions =
-            new ExpressionLowering(Environment.of(TypeSubstitution.NONE));
+    private final Environment nowhere = Environment.of(TypeSubstitution.NONE);
+    private final ExpressionLowering expressions = new ExpressionLowering(nowhere);
 
     StreamTestLowering(ComponentLowering components, Delays delays) {
         this.components = components;
@@ -45,7 +43,7 @@ final class StreamTestLowering {
     }
 
     List<StreamTest> lower(TestSuiteSymbol suite) {
-        ComponentSymbol symbol = Resolved.get(suite.component(), suite.node().component());
+        ComponentSymbol symbol = Lowering.resolved(suite.component(), suite.node().component());
         Instantiation instantiation = Instantiation.plain(symbol);
         Component component = components.lower(instantiation);
         List<Value> arguments = arguments(suite, instantiation, component.parameters());
@@ -61,13 +59,9 @@ final class StreamTestLowering {
 
     private List<Value> arguments(
             TestSuiteSymbol suite, Instantiation instantiation, List<Parameter> parameters) {
-        List<Expression> given = new ArrayList<>();
-        List<Typed> written = suite.arguments();
-        for (int i = 0; i < written.size(); i++) {
-            given.add(expressions.lower(written.get(i), parameters.get(i).type()));
-        }
-        return Arguments.complete(
-                        given,
+        return ArgumentLowering.lower(
+                        suite.arguments(),
+                        nowhere,
                         instantiation.component().parameters(),
                         parameters,
                         components.environment(instantiation))
@@ -140,7 +134,7 @@ final class StreamTestLowering {
     private int delay(ComponentSymbol component, StreamSymbol stream) {
         List<String> path = stream.node().port().parts().stream().map(Name::text).toList();
         if (path.size() == 1) {
-            PortSymbol port = Resolved.get(stream.port(), stream.node().port());
+            PortSymbol port = Lowering.resolved(stream.port(), stream.node().port());
             return port.isInput() ? 0 : delays.effective(component, port);
         }
         return InstancePath.delayInto(component, path, delays);
@@ -175,7 +169,7 @@ final class StreamTestLowering {
     }
 
     private List<Value> values(StreamSymbol stream) {
-        PortSymbol port = Resolved.get(stream.port(), stream.node().port());
+        PortSymbol port = Lowering.resolved(stream.port(), stream.node().port());
         Type type = TypeLowering.lower(port.type());
         return stream.messages().stream()
                 .map(m -> ConstantEvaluation.value(expressions.lower(m, type)))

@@ -3,6 +3,8 @@ package arcomat.lower;
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Port;
+import arcomat.model.Type;
+import arcomat.model.Value;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
@@ -87,7 +89,7 @@ final class TableLowering {
         return new Automaton.Transition(
                 0,
                 0,
-                guards.isEmpty() ? Optional.empty() : Optional.of(Formulas.conjunction(guards)),
+                guards.isEmpty() ? Optional.empty() : Optional.of(Guards.conjunction(guards)),
                 matches,
                 sends(row),
                 List.of(),
@@ -102,11 +104,9 @@ final class TableLowering {
     private static Expression denial(List<PortCondition> row, TableSymbol.Row place) {
         if (row.isEmpty()) {
             return new Expression.Constant(
-                    new arcomat.model.Value.BooleanValue(false),
-                    new arcomat.model.Type.BooleanType(),
-                    place.node().span());
+                    new Value.BooleanValue(false), new Type.BooleanType(), place.node().span());
         }
-        return Formulas.not(Formulas.conjunction(row.stream().map(PortCondition::guard).toList()));
+        return Guards.not(Guards.conjunction(row.stream().map(PortCondition::guard).toList()));
     }
 
     private List<Automaton.Send> sends(TableSymbol.Row row) {

@@ -58,9 +58,9 @@ final class ValueLowering {
     Expression comparison(Expression variable, ItemValue value) {
         List<Expression> equal = new ArrayList<>();
         for (Typed typed : value.expressions()) {
-            equal.add(Formulas.equal(variable, expressions.lower(typed, variable.type())));
+            equal.add(Guards.equal(variable, expressions.lower(typed, variable.type())));
         }
-        return Formulas.disjunction(equal);
+        return Guards.disjunction(equal);
     }
 
     /** What a value on the output side sends; empty for {@code *}, which leaves the port out. */

@@ -21,6 +21,12 @@ final class WrittenMessages {
         if (type instanceof Type.EnumType enumeration) {
             return new Value.EnumValue(enumeration, (Integer) message);
         }
+        boolean single = type instanceof Type.RealType real && real.single();
+        return single ? Conversion.convert(value(message), type) : value(message);
+    }
+
+    /** A Boolean, Long, Double, Character or String as a value. */
+    static Value value(Object message) {
         if (message instanceof Boolean truth) {
             return new Value.BooleanValue(truth);
         }
@@ -28,8 +34,7 @@ final class WrittenMessages {
             return new Value.IntegerValue(number);
         }
         if (message instanceof Double number) {
-            boolean single = type instanceof Type.RealType real && real.single();
-            return new Value.RealValue(single ? number.floatValue() : number);
+            return new Value.RealValue(number);
         }
         return message instanceof Character character
                 ? new Value.CharacterValue(character)

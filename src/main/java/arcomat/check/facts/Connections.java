@@ -5,10 +5,8 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.bodies.ConnectorSymbol.Status;
-import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.signatures.ComponentReference;
 
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
@@ -20,13 +18,7 @@ public final class Connections {
 
     /** The connectors written in a component itself: findings about inherited ones belong there. */
     public static List<ConnectorSymbol> own(ComponentSymbol component) {
-        List<ConnectorSymbol> own = new ArrayList<>();
-        for (ConnectorSymbol connector : component.connectors()) {
-            if (isOwn(connector, component)) {
-                own.add(connector);
-            }
-        }
-        return own;
+        return component.connectors().stream().filter(c -> isOwn(c, component)).toList();
     }
 
     public static boolean isOwn(ConnectorSymbol connector, ComponentSymbol component) {
@@ -58,12 +50,8 @@ public final class Connections {
         if (lacksAncestor(component) || lacksPart(component)) {
             return true;
         }
-        for (ConnectorSymbol connector : component.connectors()) {
-            if (isWrong(connector.source()) || isWrong(connector.target())) {
-                return true;
-            }
-        }
-        return false;
+        return component.connectors().stream()
+                .anyMatch(connector -> isWrong(connector.source()) || isWrong(connector.target()));
     }
 
     private static boolean isWrong(End end) {
@@ -72,12 +60,7 @@ public final class Connections {
 
     /** Whether the component of some part does not resolve. */
     public static boolean lacksPart(ComponentSymbol component) {
-        for (InstanceSymbol instance : component.instances()) {
-            if (instance.component().isEmpty()) {
-                return true;
-            }
-        }
-        return false;
+        return component.instances().stream().anyMatch(part -> part.component().isEmpty());
     }
 
     /** Whether a component further up does not resolve, so that ports may be missing. */

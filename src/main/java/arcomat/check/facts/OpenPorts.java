@@ -4,10 +4,8 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.function.Predicate;
 
 /** The ports of the parts of one component at which no connector ends. */
 public final class OpenPorts {
@@ -29,22 +27,20 @@ public final class OpenPorts {
         if (unclear) {
             return List.of();
         }
-        List<PortSymbol> open = new ArrayList<>();
-        for (PortSymbol port : part.ports()) {
-            if (!used.contains(part.name() + "." + port.name())) {
-                open.add(port);
-            }
-        }
-        return open;
+        return part.ports().stream()
+                .filter(port -> !used.contains(part.name() + "." + port.name()))
+                .toList();
     }
 
-    public static List<String> names(List<PortSymbol> ports, Predicate<PortSymbol> choice) {
-        List<String> names = new ArrayList<>();
-        for (PortSymbol port : ports) {
-            if (choice.test(port)) {
-                names.add(port.name());
-            }
-        }
-        return names;
+    /** The names of the inputs; total ones are the business of other laws. */
+    public static List<String> inputs(List<PortSymbol> open) {
+        return open.stream()
+                .filter(port -> port.isInput() && !port.isTotal())
+                .map(PortSymbol::name)
+                .toList();
+    }
+
+    public static List<String> outputs(List<PortSymbol> open) {
+        return open.stream().filter(PortSymbol::isOutput).map(PortSymbol::name).toList();
     }
 }

@@ -6,7 +6,6 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.Outline;
 import arcomat.symbols.names.TypeVariable;
-import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
 
 import java.util.ArrayList;
@@ -66,13 +65,10 @@ public final class VisibleNames {
         for (BuiltinType type : BuiltinType.values()) {
             names.add(type.text());
         }
-        for (Outline file : context.workspace().outlines()) {
-            for (String type : file.types()) {
-                if (isReached(type, context)) {
-                    names.add(Outline.simple(type));
-                }
-            }
-        }
+        context.workspace().outlines().stream()
+                .flatMap(file -> file.types().stream())
+                .filter(type -> isReached(type, context))
+                .forEach(type -> names.add(Outline.simple(type)));
         return names;
     }
 
@@ -93,11 +89,7 @@ public final class VisibleNames {
         if (qualifier.equals(context.unit().packageText())) {
             return true;
         }
-        for (Import each : context.unit().imports()) {
-            if (each.name().text().equals(each.wildcard() ? qualifier : qualifiedName)) {
-                return true;
-            }
-        }
-        return false;
+        return context.unit().imports().stream()
+                .anyMatch(i -> i.name().text().equals(i.wildcard() ? qualifier : qualifiedName));
     }
 }

@@ -2,6 +2,7 @@ package arcomat.check.facts;
 
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
+import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Node;
 
@@ -29,13 +30,19 @@ public final class Wording {
         return (port.isInput() ? "in " : "out ") + port.type().text() + " " + port.name();
     }
 
+    /** The name of a type; with its package where another type of the message has the same. */
+    public static String distinct(TypeSymbol type, TypeSymbol other) {
+        boolean same = type.text().equals(other.text());
+        return same && type instanceof DefinedType defined ? defined.qualifiedName() : type.text();
+    }
+
     /** {@code Integer, but '"slow"' is of type String}. */
     public static String mismatch(TypeSymbol wanted, Typed typed) {
         return "%s, but '%s' is of type %s"
                 .formatted(
-                        Types.distinct(wanted, typed.type()),
+                        distinct(wanted, typed.type()),
                         shortened(typed.expression().node()),
-                        Types.distinct(typed.type(), wanted));
+                        distinct(typed.type(), wanted));
     }
 
     /** The text of a node, cut where it would burst the sentence. */

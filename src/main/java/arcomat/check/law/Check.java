@@ -11,11 +11,13 @@ import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
+import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.DiagramSymbol;
+import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.Block;
 import arcomat.tree.ClassDiagram;
@@ -57,6 +59,19 @@ public interface Check {
         void check(InstanceSymbol instance, Context context, Findings findings);
     }
 
+    /**
+     * Called for the parts of a component, each with those of its ports at which no connector ends;
+     * with none where that cannot be told.
+     */
+    interface OnOpenPorts extends Check {
+        void check(InstanceSymbol part, List<PortSymbol> open, Context context, Findings findings);
+    }
+
+    /** Called where a component is named: as a part, or as what is extended. */
+    interface OnComponentUse extends Check {
+        void check(ComponentUse use, Context context, Findings findings);
+    }
+
     /** Called for the connectors that are written in a component, once for each target. */
     interface OnConnector extends Check {
         void check(ConnectorSymbol connector, Context context, Findings findings);
@@ -95,12 +110,22 @@ public interface Check {
         void check(TableSymbol table, Context context, Findings findings);
     }
 
+    /** Called for the cells of tables that have a column; the context knows the side. */
+    interface OnCell extends Check {
+        void check(ItemValue cell, TableSymbol.Column column, Context context, Findings findings);
+    }
+
     /**
      * Called for every expression as a whole, with the problems of its parts: guards, item values,
      * cells, initial values, arguments, messages of tests.
      */
     interface OnExpression extends Check {
         void check(Typed expression, Context context, Findings findings);
+    }
+
+    /** Called for every value that stands where a type is declared, with that type. */
+    interface OnValue extends Check {
+        void check(Typed value, TypeSymbol type, Context context, Findings findings);
     }
 
     /** Called for every message type as written, also as the type argument of a component. */

@@ -9,6 +9,7 @@ import arcomat.symbols.signatures.Layer;
 import arcomat.tree.Stereotype;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /**
  * ARC0504: the logic of a robot neither is a platform component nor contains one. A platform
@@ -25,7 +26,7 @@ public final class LogicWithoutPlatform implements Check.OnComponent {
             findings.report(
                     component.nameSpan(),
                     "platform component '%s' cannot belong to the logic; add <<layer ="
-                        + " \"sensors\">> or <<layer = \"actuators\">>",
+                            + " \"sensors\">> or <<layer = \"actuators\">>",
                     component.name());
             return;
         }
@@ -36,7 +37,7 @@ public final class LogicWithoutPlatform implements Check.OnComponent {
             findings.report(
                             path.get(0).nameSpan(),
                             "'%s' is logic, but contains the platform component '%s'; connect the"
-                                + " device from outside",
+                                    + " device from outside",
                             component.name(),
                             text(path))
                     .related(device.component().orElseThrow().nameSpan(), "the platform component");
@@ -50,10 +51,6 @@ public final class LogicWithoutPlatform implements Check.OnComponent {
     }
 
     private static String text(List<InstanceSymbol> path) {
-        StringBuilder text = new StringBuilder();
-        for (InstanceSymbol instance : path) {
-            text.append(text.isEmpty() ? "" : ".").append(instance.name());
-        }
-        return text.toString();
+        return path.stream().map(InstanceSymbol::name).collect(Collectors.joining("."));
     }
 }

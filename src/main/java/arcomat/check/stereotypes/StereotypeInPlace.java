@@ -6,6 +6,9 @@ import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
 import arcomat.tree.Stereotype;
 
+import java.util.Arrays;
+import java.util.stream.Collectors;
+
 /** ARC0503: a stereotype stands on an element on which it has a meaning. */
 public final class StereotypeInPlace implements Check.OnStereotype {
 
@@ -22,12 +25,9 @@ public final class StereotypeInPlace implements Check.OnStereotype {
     }
 
     private static String places(KnownStereotype known) {
-        StringBuilder places = new StringBuilder();
-        for (Carrier carrier : Carrier.values()) {
-            if (known.carriers().contains(carrier)) {
-                places.append(places.isEmpty() ? "" : " or ").append(carrier.words());
-            }
-        }
-        return places.toString();
+        return Arrays.stream(Carrier.values())
+                .filter(known.carriers()::contains)
+                .map(Carrier::words)
+                .collect(Collectors.joining(" or "));
     }
 }

@@ -5,6 +5,7 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
+import arcomat.check.structure.component.ArgumentCount;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
@@ -25,7 +26,7 @@ public final class TestArguments implements Check.OnTestSuite {
             findings.report(
                             suite.node().component(),
                             "component '%s' needs type arguments, which a suite cannot give; test a"
-                                + " component that uses it with given types",
+                                    + " component that uses it with given types",
                             component.name())
                     .related(component.nameSpan(), "declared with type parameters");
             return;
@@ -50,18 +51,13 @@ public final class TestArguments implements Check.OnTestSuite {
 
     private static void reportMissing(
             TestSuiteSymbol suite, ComponentSymbol component, Findings findings) {
-        List<ParameterSymbol> parameters = component.parameters();
-        int given = Math.min(suite.node().arguments().size(), parameters.size());
         List<String> missing =
-                parameters.subList(given, parameters.size()).stream()
-                        .filter(parameter -> parameter.node().initial().isEmpty())
-                        .map(ParameterSymbol::name)
-                        .toList();
+                ArgumentCount.missing(component.parameters(), suite.node().arguments().size());
         if (!missing.isEmpty()) {
             findings.report(
                             suite.node().component(),
                             "component '%s' needs a value for %s; write it in parentheses behind"
-                                + " the name",
+                                    + " the name",
                             component.name(),
                             Wording.quoted(missing))
                     .related(component.nameSpan(), "declared with parameters");

@@ -11,6 +11,7 @@ import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.AutomatonElement.Declaration;
@@ -80,7 +81,7 @@ final class BehaviourWalk {
     private void transition(TransitionSymbol transition, Context around) {
         Context context = around.in(transition);
         listeners.onTransition.ask((check, found) -> check.check(transition, context, found));
-        expressions.optional(transition.guard(), context);
+        transition.guard().ifPresent(guard -> expressions.one(guard, context));
         if (transition.node().input().isPresent()) {
             block(transition.node().input().get(), transition.input(), context.in(Side.INPUT));
         }
@@ -93,7 +94,12 @@ final class BehaviourWalk {
         listeners.onBlock.ask((check, found) -> check.check(block, context, found));
         for (ItemSymbol item : items) {
             listeners.onItem.ask((check, found) -> check.check(item, context, found));
-            expressions.all(item.value().expressions(), context);
+            List<Typed> values = item.value().expressions();
+            item.target()
+                    .found()
+                    .ifPresentOrElse(
+                            target -> expressions.values(values, target.type(), context),
+                            () -> expressions.all(values, context));
         }
     }
 
@@ -101,14 +107,22 @@ final class BehaviourWalk {
         stereotypes.visit(table.node().stereotypes(), Carrier.TABLE, table.node(), context);
         listeners.onTable.ask((check, found) -> check.check(table, context, found));
         for (TableSymbol.Row row : table.rows()) {
-            cells(row.inputs(), context.in(Side.INPUT));
-            cells(row.outputs(), context.in(Side.OUTPUT));
+            cells(row.inputs(), table.inputs(), context.in(Side.INPUT));
+            cells(row.outputs(), table.outputs(), context.in(Side.OUTPUT));
         }
     }
 
-    private void cells(List<ItemValue> cells, Context context) {
-        for (ItemValue cell : cells) {
-            expressions.all(cell.expressions(), context);
+    /** A row may have more cells than there are columns, or fewer. */
+    private void cells(List<ItemValue> cells, List<TableSymbol.Column> columns, Context context) {
+        for (int i = 0; i < cells.size(); i++) {
+            ItemValue cell = cells.get(i);
+            if (i < columns.size()) {
+                TableSymbol.Column column = columns.get(i);
+                listeners.onCell.ask((check, found) -> check.check(cell, column, context, found));
+                expressions.values(cell.expressions(), column.type(), context);
+            } else {
+                expressions.all(cell.expressions(), context);
+            }
         }
     }
 }

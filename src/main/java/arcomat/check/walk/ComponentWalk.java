@@ -1,7 +1,9 @@
 package arcomat.check.walk;
 
 import arcomat.check.facts.Connections;
+import arcomat.check.facts.OpenPorts;
 import arcomat.check.law.Carrier;
+import arcomat.check.law.ComponentUse;
 import arcomat.check.law.Context;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -12,11 +14,15 @@ import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.signatures.ComponentReference;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
+import arcomat.tree.Node;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.TypeParameter;
 import arcomat.tree.TypeReference;
+
+import java.util.List;
 
 /** The part of the walk that goes through components and their parts. */
 final class ComponentWalk {
@@ -55,13 +61,19 @@ final class ComponentWalk {
             }
         }
         node.superComponent().ifPresent(type -> expressions.componentType(type, context));
+        component
+                .signature()
+                .superComponent()
+                .ifPresent(type -> use(type, node.superComponent().orElseThrow(), context));
         for (QualifiedName refined : node.refines()) {
             expressions.name(refined);
         }
         node.instance().ifPresent(i -> expressions.typeArguments(i.arguments(), context));
         for (ParameterSymbol parameter : component.signature().ownParameters()) {
             expressions.type(parameter.node().type(), context);
-            expressions.optional(parameter.initial(), context);
+            parameter
+                    .initial()
+                    .ifPresent(value -> expressions.value(value, parameter.type(), context));
         }
     }
 
@@ -105,10 +117,7 @@ final class ComponentWalk {
         for (VariableSymbol variable : component.signature().ownVariables()) {
             expressions.variable(variable, context);
         }
-        for (InstanceSymbol instance : component.ownInstances()) {
-            listeners.onInstance.ask((check, found) -> check.check(instance, context, found));
-            expressions.all(instance.arguments(), context);
-        }
+        parts(component, context);
         for (ConnectorSymbol connector : Connections.own(component)) {
             listeners.onConnector.ask((check, found) -> check.check(connector, context, found));
         }
@@ -124,5 +133,46 @@ final class ComponentWalk {
         for (ComponentSymbol inner : component.innerComponents()) {
             component(inner, context);
         }
+    }
+
+    private void parts(ComponentSymbol component, Context context) {
+        if (component.ownInstances().isEmpty()) {
+            return;
+        }
+        OpenPorts open = OpenPorts.in(component);
+        Node last = null;
+        for (InstanceSymbol part : component.ownInstances()) {
+            List<PortSymbol> ports = open.of(part);
+            listeners.onInstance.ask((check, found) -> check.check(part, context, found));
+            listeners.onOpenPorts.ask((check, found) -> check.check(part, ports, context, found));
+            expressions.arguments(
+                    part.arguments(),
+                    part.component().map(ComponentSymbol::parameters).orElse(List.of()),
+                    context);
+            if (part.node() != last) {
+                use(part, context);
+            }
+            last = part.node();
+        }
+    }
+
+    /** A declaration may make several parts of one type. */
+    private void use(InstanceSymbol part, Context context) {
+        if (part.node() instanceof Element.Subcomponent node) {
+            use(part.type(), node.type(), context);
+        } else if (part.node() instanceof Component inner && inner.instance().isPresent()) {
+            Component.NamedInstance instance = inner.instance().get();
+            QualifiedName name =
+                    new QualifiedName(instance.name().span(), List.of(instance.name()));
+            use(new ComponentUse(part.type(), name, instance.arguments()), context);
+        }
+    }
+
+    private void use(ComponentReference reference, TypeReference written, Context context) {
+        use(new ComponentUse(reference, written.name(), written.arguments()), context);
+    }
+
+    private void use(ComponentUse use, Context context) {
+        listeners.onComponentUse.ask((check, found) -> check.check(use, context, found));
     }
 }

@@ -1,8 +1,10 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Context;
+import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Expression;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.TypeArgument;
@@ -10,7 +12,6 @@ import arcomat.tree.TypeReference;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** The part of the walk that goes through expressions and types, and collects their names. */
 final class ExpressionWalk {
@@ -34,19 +35,30 @@ final class ExpressionWalk {
 
     void variable(VariableSymbol variable, Context context) {
         listeners.onVariable.ask((check, found) -> check.check(variable, context, found));
-        optional(variable.initial(), context);
-    }
-
-    void optional(Optional<Typed> expression, Context context) {
-        if (expression.isPresent()) {
-            one(expression.get(), context);
-        }
+        variable.initial().ifPresent(initial -> value(initial, variable.type(), context));
     }
 
     void all(List<Typed> expressions, Context context) {
-        for (Typed expression : expressions) {
-            one(expression, context);
+        expressions.forEach(expression -> one(expression, context));
+    }
+
+    /** A value where something of a type is declared. */
+    void value(Typed value, TypeSymbol type, Context context) {
+        listeners.onValue.ask((check, found) -> check.check(value, type, context, found));
+        one(value, context);
+    }
+
+    void values(List<Typed> values, TypeSymbol type, Context context) {
+        values.forEach(value -> value(value, type, context));
+    }
+
+    /** Arguments for parameters; there may be too many, and none of the parameters known. */
+    void arguments(List<Typed> arguments, List<ParameterSymbol> parameters, Context context) {
+        int known = Math.min(arguments.size(), parameters.size());
+        for (int i = 0; i < known; i++) {
+            value(arguments.get(i), parameters.get(i).type(), context);
         }
+        all(arguments.subList(known, arguments.size()), context);
     }
 
     /** Takes the names of an expression that no law is about. */
@@ -54,7 +66,7 @@ final class ExpressionWalk {
         parts(expression.expression().node(), context);
     }
 
-    private void one(Typed expression, Context context) {
+    void one(Typed expression, Context context) {
         listeners.onExpression.ask((check, found) -> check.check(expression, context, found));
         parts(expression.expression().node(), context);
     }

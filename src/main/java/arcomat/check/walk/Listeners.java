@@ -45,6 +45,8 @@ public final class Listeners {
     final Audience<Check.OnComponent> onComponent = audience(Check.OnComponent.class);
     final Audience<Check.OnPort> onPort = audience(Check.OnPort.class);
     final Audience<Check.OnInstance> onInstance = audience(Check.OnInstance.class);
+    final Audience<Check.OnOpenPorts> onOpenPorts = audience(Check.OnOpenPorts.class);
+    final Audience<Check.OnComponentUse> onComponentUse = audience(Check.OnComponentUse.class);
     final Audience<Check.OnConnector> onConnector = audience(Check.OnConnector.class);
     final Audience<Check.OnAutomaton> onAutomaton = audience(Check.OnAutomaton.class);
     final Audience<Check.OnState> onState = audience(Check.OnState.class);
@@ -53,6 +55,8 @@ public final class Listeners {
     final Audience<Check.OnBlock> onBlock = audience(Check.OnBlock.class);
     final Audience<Check.OnItem> onItem = audience(Check.OnItem.class);
     final Audience<Check.OnTable> onTable = audience(Check.OnTable.class);
+    final Audience<Check.OnCell> onCell = audience(Check.OnCell.class);
+    final Audience<Check.OnValue> onValue = audience(Check.OnValue.class);
     final Audience<Check.OnExpression> onExpression = audience(Check.OnExpression.class);
     final Audience<Check.OnType> onType = audience(Check.OnType.class);
     final Audience<Check.OnVariable> onVariable = audience(Check.OnVariable.class);

@@ -117,7 +117,10 @@ public final class Walk {
     private void testSuite(TestSuiteSymbol suite, Context context) {
         expressions.name(suite.node().component());
         listeners.onTestSuite.ask((check, found) -> check.check(suite, context, found));
-        expressions.all(suite.arguments(), context);
+        expressions.arguments(
+                suite.arguments(),
+                suite.component().found().map(ComponentSymbol::parameters).orElse(List.of()),
+                context);
         for (TestSuite.Member member : suite.node().members()) {
             if (member instanceof TestSuite.Field field) {
                 expressions.type(field.type(), context);
@@ -131,7 +134,7 @@ public final class Walk {
     private void streamTest(StreamTestSymbol test, Context context) {
         listeners.onStreamTest.ask((check, found) -> check.check(test, context, found));
         for (StreamTestSymbol.StreamSymbol stream : test.streams()) {
-            expressions.all(stream.messages(), context);
+            expressions.values(stream.messages(), stream.type(), context);
         }
     }
 }

@@ -4,7 +4,6 @@ import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.StateSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 
@@ -13,6 +12,7 @@ import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
+import java.util.function.Predicate;
 
 /**
  * ARC1003: transitions lead from an initial state to each state, whatever their guards say. What
@@ -25,7 +25,9 @@ public final class StateReached implements Check.OnAutomaton {
         if (!Automata.isExamined(automaton) || !isWhole(automaton)) {
             return;
         }
-        BitSet reached = reached(automaton);
+        List<StateSymbol> starts =
+                automaton.initials().stream().map(each -> each.state().orElseThrow()).toList();
+        BitSet reached = reached(starts, outgoing(automaton), transition -> true);
         for (StateSymbol state : automaton.states()) {
             boolean isFirst = automaton.state(state.name()).orElseThrow().index() == state.index();
             if (isFirst && !reached.get(state.index())) {
@@ -35,33 +37,30 @@ public final class StateReached implements Check.OnAutomaton {
     }
 
     static boolean isWhole(AutomatonSymbol automaton) {
-        for (InitialSymbol each : automaton.initials()) {
-            if (each.state().isEmpty()) {
-                return false;
-            }
-        }
-        for (TransitionSymbol each : automaton.transitions()) {
-            if (each.source().isEmpty() || each.target().isEmpty()) {
-                return false;
-            }
-        }
-        return !automaton.initials().isEmpty();
+        return !automaton.initials().isEmpty()
+                && automaton.initials().stream().allMatch(each -> each.state().isPresent())
+                && automaton.transitions().stream()
+                        .allMatch(each -> each.source().isPresent() && each.target().isPresent());
     }
 
-    private static BitSet reached(AutomatonSymbol automaton) {
-        List<List<TransitionSymbol>> outgoing = outgoing(automaton);
+    /**
+     * The states that some transitions lead to, by their index.
+     *
+     * @param outgoing as {@link #outgoing} has them
+     */
+    static BitSet reached(
+            List<StateSymbol> starts,
+            List<List<TransitionSymbol>> outgoing,
+            Predicate<TransitionSymbol> some) {
         BitSet reached = new BitSet();
-        Deque<StateSymbol> open = new ArrayDeque<>();
-        for (InitialSymbol initial : automaton.initials()) {
-            open.add(initial.state().orElseThrow());
-        }
+        Deque<StateSymbol> open = new ArrayDeque<>(starts);
         while (!open.isEmpty()) {
             int state = open.pop().index();
             if (!reached.get(state)) {
                 reached.set(state);
-                for (TransitionSymbol each : outgoing.get(state)) {
-                    open.add(each.target().orElseThrow());
-                }
+                outgoing.get(state).stream()
+                        .filter(some)
+                        .forEach(each -> open.add(each.target().orElseThrow()));
             }
         }
         return reached;

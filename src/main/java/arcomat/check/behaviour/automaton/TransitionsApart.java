@@ -4,15 +4,12 @@ import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.StateSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.ItemValue;
 
-import java.util.ArrayDeque;
 import java.util.BitSet;
-import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -65,28 +62,19 @@ public final class TransitionsApart implements Check.OnAutomaton {
     /** By transitions that some letter enables, and that cannot go wrong: they write constants. */
     private static BitSet reachedForSure(
             AutomatonSymbol automaton, List<List<TransitionSymbol>> outgoing) {
-        BitSet reached = new BitSet();
-        Deque<StateSymbol> open = new ArrayDeque<>();
         boolean begins =
                 automaton.variables().stream()
                         .flatMap(each -> each.initial().stream())
                         .allMatch(each -> SureTrigger.constant(each.expression()).isPresent());
-        for (InitialSymbol initial : automaton.initials()) {
-            if (begins && areConstant(initial.items())) {
-                open.add(initial.state().orElseThrow());
-            }
-        }
-        while (!open.isEmpty()) {
-            int state = open.pop().index();
-            if (!reached.get(state)) {
-                reached.set(state);
-                outgoing.get(state).stream()
-                        .filter(each -> areConstant(each.output()))
-                        .filter(each -> SureTrigger.of(each).isPresent())
-                        .forEach(each -> open.add(each.target().orElseThrow()));
-            }
-        }
-        return reached;
+        List<StateSymbol> starts =
+                automaton.initials().stream()
+                        .filter(initial -> begins && areConstant(initial.items()))
+                        .map(initial -> initial.state().orElseThrow())
+                        .toList();
+        return StateReached.reached(
+                starts,
+                outgoing,
+                each -> areConstant(each.output()) && SureTrigger.of(each).isPresent());
     }
 
     private static boolean areConstant(List<ItemSymbol> items) {
@@ -101,7 +89,7 @@ public final class TransitionsApart implements Check.OnAutomaton {
         findings.report(
                         first.node(),
                         "two transitions out of %s are enabled together: 'arcomat analyze' shows a"
-                            + " run",
+                                + " run",
                         first.source().orElseThrow().name())
                 .related(second.node(), "this one is enabled as well");
     }

@@ -1,6 +1,5 @@
 package arcomat.check.behaviour.expression;
 
-import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
 import arcomat.symbols.expressions.ConstantFolding;
@@ -10,20 +9,19 @@ import arcomat.symbols.expressions.TypedExpression;
 import arcomat.tree.Expression.BinaryOperator;
 import arcomat.tree.TestSuite;
 
-import java.util.EnumSet;
-import java.util.Set;
-
 /**
  * ARC0323: no whole number is divided by a zero that is written or computed from what is written.
  * Messages and arguments of tests are computed before anything runs: there, every divisor has to be
  * known.
  */
-public final class DivisionByZeroLiteral implements Check.OnExpression {
-    private static final Set<Kind> KINDS = EnumSet.of(Kind.DIVISION_BY_ZERO);
+public final class DivisionByZeroLiteral extends ProblemLaw {
+    DivisionByZeroLiteral() {
+        super(Kind.DIVISION_BY_ZERO);
+    }
 
     @Override
     public void check(Typed typed, Context context, Findings findings) {
-        Expressions.report(typed, KINDS, findings);
+        super.check(typed, context, findings);
         if (context.unit().definition() instanceof TestSuite) {
             typed.expression().walk(part -> checkDivisor(part, findings));
         }

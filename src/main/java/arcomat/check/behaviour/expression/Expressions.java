@@ -1,46 +1,26 @@
 package arcomat.check.behaviour.expression;
 
-import arcomat.check.law.Findings;
-import arcomat.source.Fix;
-import arcomat.symbols.expressions.ExpressionProblem;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.TypedExpression;
+import arcomat.tree.Node;
 
-import java.util.Optional;
-import java.util.Set;
+import java.util.function.BiConsumer;
 
 /** What several laws about expressions share. */
 final class Expressions {
     private Expressions() {}
 
-    /** The port that an expression reads, or whose silence it asks for; its parts not looked at. */
-    static Optional<PortSymbol> portRead(TypedExpression expression) {
-        if (expression instanceof TypedExpression.PortRead read) {
-            return Optional.of(read.port());
-        }
-        if (expression instanceof TypedExpression.Absence absence) {
-            return Optional.of(absence.port());
-        }
-        return Optional.empty();
-    }
-
-    /** Reports the problems of some kinds. */
-    static void report(Typed typed, Set<ExpressionProblem.Kind> kinds, Findings findings) {
-        for (ExpressionProblem problem : typed.problems()) {
-            if (kinds.contains(problem.kind())) {
-                report(problem, findings);
-            }
-        }
-    }
-
-    static void report(ExpressionProblem problem, Findings findings) {
-        findings.report(problem.span(), problem.message());
-        problem.suggestion()
-                .ifPresent(
-                        name ->
-                                findings.fix(
-                                        Fix.replace(
-                                                "Change to '" + name + "'", problem.span(), name)));
+    /** Shows the ports that an expression reads, or whose silence it asks for, and where. */
+    static void portsRead(Typed typed, BiConsumer<Node, PortSymbol> visitor) {
+        typed.expression()
+                .walk(
+                        part -> {
+                            if (part instanceof TypedExpression.PortRead read) {
+                                visitor.accept(read.node(), read.port());
+                            } else if (part instanceof TypedExpression.Absence absence) {
+                                visitor.accept(absence.node(), absence.port());
+                            }
+                        });
     }
 }

@@ -9,7 +9,6 @@ import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ExpressionProblem;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
-import arcomat.symbols.expressions.TypedExpression;
 import arcomat.symbols.expressions.ValueSymbol;
 
 import java.util.Optional;
@@ -20,18 +19,18 @@ public final class InitialReadsNoInput implements Check.OnExpression {
     @Override
     public void check(Typed expression, Context context, Findings findings) {
         if (context.side().filter(ItemSymbol.Side.INITIAL::equals).isPresent()) {
-            expression.expression().walk(part -> checkPart(part, findings));
+            Expressions.portsRead(
+                    expression,
+                    (place, port) -> {
+                        if (port.isInput()) {
+                            report(place.span(), port, findings);
+                        }
+                    });
         }
         for (ExpressionProblem problem : expression.problems()) {
             readTooEarly(problem, context)
                     .ifPresent(value -> report(problem.span(), value, findings));
         }
-    }
-
-    private static void checkPart(TypedExpression part, Findings findings) {
-        Expressions.portRead(part)
-                .filter(PortSymbol::isInput)
-                .ifPresent(port -> report(part.node().span(), port, findings));
     }
 
     /**

@@ -10,30 +10,17 @@ import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.Typed;
 import arcomat.tree.Block;
 
-import java.util.List;
-
 /** ARC0336: a cell of a table has the type of its column and a form that its side allows. */
-public final class TableCellFits implements Check.OnTable {
+public final class TableCellFits implements Check.OnCell {
 
     @Override
-    public void check(TableSymbol table, Context context, Findings findings) {
-        for (TableSymbol.Row row : table.rows()) {
-            check(row.inputs(), table.inputs(), findings);
-            check(row.outputs(), table.outputs(), findings);
-        }
-    }
-
-    /** Cells without a column are the business of {@link TableRowWidth}. */
-    private static void check(
-            List<ItemValue> cells, List<TableSymbol.Column> columns, Findings findings) {
-        for (int i = 0; i < Math.min(cells.size(), columns.size()); i++) {
-            TableSymbol.Column column = columns.get(i);
-            String complaint = complaintAboutForm(cells.get(i), column.input());
-            if (!complaint.isEmpty()) {
-                findings.report(cells.get(i).node(), complaint);
-            } else {
-                checkTypes(cells.get(i), column, findings);
-            }
+    public void check(
+            ItemValue cell, TableSymbol.Column column, Context context, Findings findings) {
+        String complaint = complaintAboutForm(cell, column.input());
+        if (!complaint.isEmpty()) {
+            findings.report(cell.node(), complaint);
+        } else {
+            checkTypes(cell, column, findings);
         }
     }
 

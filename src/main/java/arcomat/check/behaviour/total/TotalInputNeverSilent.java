@@ -13,8 +13,7 @@ import arcomat.symbols.expressions.TypedExpression;
 import arcomat.tree.Node;
 
 /** ARC0338: nobody waits for silence on an input that carries a message in every slice. */
-public final class TotalInputNeverSilent
-        implements Check.OnItem, Check.OnTable, Check.OnExpression {
+public final class TotalInputNeverSilent implements Check.OnItem, Check.OnCell, Check.OnExpression {
 
     @Override
     public void check(ItemSymbol item, Context context, Findings findings) {
@@ -24,13 +23,10 @@ public final class TotalInputNeverSilent
     }
 
     @Override
-    public void check(TableSymbol table, Context context, Findings findings) {
-        for (TableSymbol.Row row : table.rows()) {
-            int width = Math.min(row.inputs().size(), table.inputs().size());
-            for (int i = 0; i < width; i++) {
-                ItemValue cell = row.inputs().get(i);
-                table.inputs().get(i).port().ifPresent(port -> check(cell, port, findings));
-            }
+    public void check(
+            ItemValue cell, TableSymbol.Column column, Context context, Findings findings) {
+        if (column.input()) {
+            column.port().ifPresent(port -> check(cell, port, findings));
         }
     }
 

@@ -10,7 +10,6 @@ import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.tree.Element;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -31,12 +30,7 @@ public final class ArgumentCount implements Check.OnInstance {
             reportSuperfluous(instance, component, findings);
             return;
         }
-        List<String> missing = new ArrayList<>();
-        for (ParameterSymbol parameter : parameters.subList(given, parameters.size())) {
-            if (parameter.node().initial().isEmpty()) {
-                missing.add(parameter.name());
-            }
-        }
+        List<String> missing = missing(parameters, given);
         if (!missing.isEmpty()) {
             findings.report(
                             place(instance),
@@ -48,6 +42,15 @@ public final class ArgumentCount implements Check.OnInstance {
                             component.name())
                     .related(component.nameSpan(), "declared here");
         }
+    }
+
+    /** The parameters without an argument that have no default either. */
+    public static List<String> missing(List<ParameterSymbol> parameters, int given) {
+        return parameters.stream()
+                .skip(given)
+                .filter(parameter -> parameter.node().initial().isEmpty())
+                .map(ParameterSymbol::name)
+                .toList();
     }
 
     private static void reportSuperfluous(

@@ -1,6 +1,6 @@
 package arcomat.check.structure.component;
 
-import arcomat.check.facts.Types;
+import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
@@ -47,8 +47,8 @@ public final class ArgumentType implements Check.OnComponent, Check.OnInstance {
                             value.expression().node(),
                             "parameter '%s' is of type %s, but this value is of type %s",
                             parameter.name(),
-                            Types.distinct(expected, value.type()),
-                            Types.distinct(value.type(), expected))
+                            Wording.distinct(expected, value.type()),
+                            Wording.distinct(value.type(), expected))
                     .related(parameter.nameSpan(), "the parameter");
         }
     }

@@ -8,6 +8,7 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /** ARC0113: no component extends itself, over any number of steps. (Hab16 R11) */
 public final class InheritanceAcyclic implements Check.OnWorkspace {
@@ -26,14 +27,11 @@ public final class InheritanceAcyclic implements Check.OnWorkspace {
 
     private static void report(
             ComponentSymbol component, List<ComponentSymbol> cycle, Findings findings) {
-        StringBuilder text = new StringBuilder();
-        for (ComponentSymbol each : cycle) {
-            text.append(each.name()).append(" -> ");
-        }
+        String text = cycle.stream().map(c -> c.name() + " -> ").collect(Collectors.joining());
         findings.report(
                 component.node().superComponent().orElseThrow(),
                 "component '%s' extends itself: %s%s; let one of them extend another component or"
-                    + " none",
+                        + " none",
                 component.name(),
                 text,
                 component.name());

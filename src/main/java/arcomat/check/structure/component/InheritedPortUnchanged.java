@@ -1,6 +1,6 @@
 package arcomat.check.structure.component;
 
-import arcomat.check.facts.Types;
+import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
@@ -44,7 +44,7 @@ public final class InheritedPortUnchanged implements Check.OnComponent {
         findings.report(
                         port.nameSpan(),
                         "port '%s' is inherited as %s, but declared as %s; give this one another"
-                            + " name",
+                                + " name",
                         port.name(),
                         text(old, port),
                         text(port, old))
@@ -53,7 +53,7 @@ public final class InheritedPortUnchanged implements Check.OnComponent {
 
     private static String text(PortSymbol port, PortSymbol other) {
         return (port.isInput() ? "'in " : "'out ")
-                + Types.distinct(port.type(), other.type())
+                + Wording.distinct(port.type(), other.type())
                 + "'";
     }
 }

@@ -8,6 +8,7 @@ import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** ARC0112: no component is a part of itself, over any number of steps. (Hab16 R13) */
 public final class SubcomponentAcyclic implements Check.OnWorkspace {
@@ -43,10 +44,8 @@ public final class SubcomponentAcyclic implements Check.OnWorkspace {
     }
 
     private static String text(List<ComponentSymbol> cycle) {
-        StringBuilder text = new StringBuilder();
-        for (ComponentSymbol component : cycle) {
-            text.append(component.name()).append(" -> ");
-        }
-        return text.append(cycle.get(0).name()).toString();
+        return cycle.stream()
+                .map(ComponentSymbol::name)
+                .collect(Collectors.joining(" -> ", "", " -> " + cycle.get(0).name()));
     }
 }

@@ -13,7 +13,6 @@ import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
-import java.util.ArrayList;
 import java.util.List;
 
 /** ARC0103: the ends of connectors name ports and instances that exist. (Hab16 CO3, R5 to R7) */
@@ -65,13 +64,10 @@ public final class ConnectorEndExists implements Check.OnConnector {
     }
 
     private static List<String> instancesWithPort(ComponentSymbol component, String port) {
-        List<String> names = new ArrayList<>();
-        for (InstanceSymbol instance : component.instances()) {
-            if (instance.port(port).isPresent()) {
-                names.add(instance.name());
-            }
-        }
-        return names;
+        return component.instances().stream()
+                .filter(instance -> instance.port(port).isPresent())
+                .map(InstanceSymbol::name)
+                .toList();
     }
 
     private static String examplePort(InstanceSymbol instance) {
@@ -83,10 +79,7 @@ public final class ConnectorEndExists implements Check.OnConnector {
 
     private static void reportInstance(ComponentSymbol component, End end, Findings findings) {
         String name = end.text().substring(0, end.text().indexOf('.'));
-        List<String> candidates = new ArrayList<>();
-        for (InstanceSymbol instance : component.instances()) {
-            candidates.add(instance.name());
-        }
+        List<String> candidates = component.instances().stream().map(InstanceSymbol::name).toList();
         Span span =
                 new Span(end.span().file(), end.span().start(), end.span().start() + name.length());
         findings.reportUnknown(
@@ -103,23 +96,14 @@ public final class ConnectorEndExists implements Check.OnConnector {
         Span span = new Span(end.span().file(), end.span().end() - name.length(), end.span().end());
         findings.reportUnknown(
                 span,
-                "'"
-                        + instance.name()
-                        + "' of type '"
-                        + instance.type().name()
-                        + "' has no port '"
-                        + name
-                        + "'",
+                "'%s' of type '%s' has no port '%s'"
+                        .formatted(instance.name(), instance.type().name(), name),
                 name,
                 portNames(instance.ports()),
                 "connect another port");
     }
 
     private static List<String> portNames(List<PortSymbol> ports) {
-        List<String> names = new ArrayList<>();
-        for (PortSymbol port : ports) {
-            names.add(port.name());
-        }
-        return names;
+        return ports.stream().map(PortSymbol::name).toList();
     }
 }

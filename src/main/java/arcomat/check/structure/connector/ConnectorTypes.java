@@ -1,6 +1,6 @@
 package arcomat.check.structure.connector;
 
-import arcomat.check.facts.Types;
+import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
@@ -22,11 +22,11 @@ public final class ConnectorTypes implements Check.OnConnector {
             findings.report(
                             connector.span(),
                             "'%s' sends %s, but '%s' receives %s; make the types equal, or put a"
-                                + " component in between",
+                                    + " component in between",
                             connector.source().text(),
-                            Types.distinct(source.type(), target.type()),
+                            Wording.distinct(source.type(), target.type()),
                             connector.target().text(),
-                            Types.distinct(target.type(), source.type()))
+                            Wording.distinct(target.type(), source.type()))
                     .related(source.nameSpan(), "the sending port")
                     .related(target.nameSpan(), "the receiving port");
         }

@@ -29,18 +29,15 @@ public final class PortUniqueSender implements Check.OnComponent {
     private static void report(
             ConnectorSymbol connector, ConnectorSymbol other, Findings findings) {
         boolean same = connector.source().key().equals(other.source().key());
-        String port = "port '" + connector.target().text() + "'";
         findings.report(
                         connector.span(),
                         same
-                                ? port
-                                        + " is connected with '"
-                                        + other.source().text()
-                                        + "' twice; delete one of the connectors"
-                                : port
-                                        + " has '"
-                                        + other.source().text()
-                                        + "' as its sender already; a port has one sender only")
+                                ? "port '%s' is connected with '%s' twice; delete one of the"
+                                        + " connectors"
+                                : "port '%s' has '%s' as its sender already; a port has one sender"
+                                        + " only",
+                        connector.target().text(),
+                        other.source().text())
                 .related(other.span(), "the first sender is connected here");
     }
 }

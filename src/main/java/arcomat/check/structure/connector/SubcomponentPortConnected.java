@@ -6,7 +6,6 @@ import arcomat.check.law.Check;
 import arcomat.check.law.Context;
 import arcomat.check.law.Findings;
 import arcomat.check.law.Profile;
-import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
@@ -16,24 +15,17 @@ import java.util.List;
  * ARC0109: the ports of a part are connected. Of a total input, and before code is made of every
  * input, other laws take care. (Hab16 CV6)
  */
-public final class SubcomponentPortConnected implements Check.OnComponent {
+public final class SubcomponentPortConnected implements Check.OnOpenPorts {
 
     @Override
-    public void check(ComponentSymbol component, Context context, Findings findings) {
-        OpenPorts open = OpenPorts.in(component);
-        for (InstanceSymbol instance : component.ownInstances()) {
-            check(instance, open.of(instance), context, findings);
-        }
-    }
-
-    private static void check(
-            InstanceSymbol instance, List<PortSymbol> open, Context context, Findings findings) {
-        List<String> outputs = OpenPorts.names(open, PortSymbol::isOutput);
+    public void check(
+            InstanceSymbol part, List<PortSymbol> open, Context context, Findings findings) {
         if (context.profile() == Profile.REQUIREMENTS) {
-            List<String> inputs = OpenPorts.names(open, p -> p.isInput() && !p.isTotal());
-            report("input", inputs, "receives nothing", "receive nothing", instance, findings);
+            List<String> inputs = OpenPorts.inputs(open);
+            report("input", inputs, "receives nothing", "receive nothing", part, findings);
         }
-        report("output", outputs, "is read by nobody", "are read by nobody", instance, findings);
+        List<String> outputs = OpenPorts.outputs(open);
+        report("output", outputs, "is read by nobody", "are read by nobody", part, findings);
     }
 
     private static void report(
@@ -41,21 +33,18 @@ public final class SubcomponentPortConnected implements Check.OnComponent {
             List<String> ports,
             String one,
             String several,
-            InstanceSymbol instance,
+            InstanceSymbol part,
             Findings findings) {
         if (!ports.isEmpty()) {
             boolean single = ports.size() == 1;
             findings.report(
-                    instance.nameSpan(),
-                    kind
-                            + (single ? " " : "s ")
-                            + Wording.quoted(ports)
-                            + " of '"
-                            + instance.name()
-                            + "' "
-                            + (single ? one : several)
-                            + "; connect "
-                            + (single ? "it" : "them"));
+                    part.nameSpan(),
+                    "%s %s of '%s' %s; connect %s",
+                    single ? kind : kind + "s",
+                    Wording.quoted(ports),
+                    part.name(),
+                    single ? one : several,
+                    single ? "it" : "them");
         }
     }
 }

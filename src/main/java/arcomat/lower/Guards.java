@@ -6,10 +6,10 @@ import arcomat.model.Type;
 import java.util.List;
 
 /** Builds guards out of guards. */
-final class Formulas {
+final class Guards {
     private static final Type BOOLEAN = new Type.BooleanType();
 
-    private Formulas() {}
+    private Guards() {}
 
     /** At least one operand is given. */
     static Expression conjunction(List<Expression> operands) {

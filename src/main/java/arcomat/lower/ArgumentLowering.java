@@ -1,0 +1,42 @@
+package arcomat.lower;
+
+import arcomat.model.Expression;
+import arcomat.model.Parameter;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.Typed;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** Arguments for the parameters of a component. */
+final class ArgumentLowering {
+    private ArgumentLowering() {}
+
+    /**
+     * The arguments as written, and the defaults of the parameters without one; where a default
+     * reads an earlier parameter, its argument takes the place.
+     *
+     * @param user what names mean where the arguments are written
+     * @param declaring what they mean in the component that declares the parameters
+     */
+    static List<Expression> lower(
+            List<Typed> written,
+            Environment user,
+            List<ParameterSymbol> symbols,
+            List<Parameter> parameters,
+            Environment declaring) {
+        List<Expression> all = new ArrayList<>();
+        Map<String, Expression> byName = new HashMap<>();
+        for (int i = 0; i < parameters.size(); i++) {
+            Parameter parameter = parameters.get(i);
+            boolean isWritten = i < written.size();
+            Typed value = isWritten ? written.get(i) : symbols.get(i).initial().orElseThrow();
+            Environment names = isWritten ? user : declaring.withArguments(byName);
+            all.add(new ExpressionLowering(names).lower(value, parameter.type()));
+            byName.put(parameter.name(), all.get(i));
+        }
+        return all;
+    }
+}
