@@ -7,9 +7,9 @@ import arcomat.model.Automaton;
 import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;
 
-import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /** All analyses of one automaton. */
@@ -52,28 +52,20 @@ public final class Analyses {
             return new Examination(promise, findings, "", 0);
         }
         List<Analysis> analyses = ALL.stream().map(each -> each.apply(subject)).toList();
-        Seen seen = new Seen();
-        List<Watcher> watching = new ArrayList<>(analyses);
-        watching.add(seen);
+        Consumer<Situation> watching = seen -> analyses.forEach(each -> each.see(seen));
         Exploration exploration = new Exploration(subject, watching, firstBudget(subject, budget));
         return Budget.within(
                 () -> {
                     exploration.run();
-                    Knowledge known =
-                            new Solving(subject, watching, seen, budget).after(exploration);
-                    return examination(promise, subject, analyses, known);
+                    Knowledge known = new Solving(subject, watching, budget).after(exploration);
+                    List<Finding> findings =
+                            analyses.stream()
+                                    .flatMap(each -> each.findings(known).stream())
+                                    .sorted(ORDER)
+                                    .toList();
+                    return new Examination(promise, findings, known.obstacle(), exploration.size());
                 },
                 reason -> new Examination(promise, List.of(), reason, exploration.size()));
-    }
-
-    private static Examination examination(
-            Promise promise, Subject subject, List<Analysis> analyses, Knowledge knowledge) {
-        List<Finding> findings = new ArrayList<>();
-        analyses.forEach(each -> findings.addAll(each.findings(knowledge)));
-        findings.sort(ORDER);
-        Remainder remainder = new Remainder(subject, knowledge);
-        return new Examination(
-                promise, findings, remainder.obstacle(), knowledge.explored().size());
     }
 
     /** Where there is no end to the values, the solver is asked soon. */

@@ -8,9 +8,12 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.value.Attention;
 import arcomat.source.Diagnostic;
+import arcomat.source.Severity;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -18,33 +21,31 @@ import java.util.Optional;
  * {@code ignore} an automaton is complete by declaration (the paper, section 3). What chaos makes
  * of silence is a question of its own, {@link VacuousOnSilence}.
  */
-final class Completeness implements Analysis {
+final class Completeness extends Analysis {
     static final String CODE = "ARC1002";
 
-    private final Subject subject;
-    private final Story story;
     private final Completion completion;
-    private final Witnesses<Integer> messages = new Witnesses<>();
-    private final Witnesses<Integer> silence = new Witnesses<>();
+    private final Map<Integer, Situation> messages = new HashMap<>();
+    private final Map<Integer, Situation> silence = new HashMap<>();
 
     Completeness(Subject subject) {
-        this.subject = subject;
-        this.story = new Story(subject);
+        super(subject);
         this.completion = subject.automaton().completion();
     }
 
     @Override
-    public void see(Situation situation) {
+    void see(Situation situation) {
         if (completion == Completion.IGNORE || !situation.isUnhandled()) {
             return;
         }
         if (!situation.isSilent()) {
-            messages.add(situation.state(), situation);
+            messages.merge(situation.state(), situation, Situation::simpler);
             return;
         }
-        withMessage(situation).ifPresent(each -> messages.add(each.state(), each));
+        withMessage(situation)
+                .ifPresent(each -> messages.merge(each.state(), each, Situation::simpler));
         if (!VacuousOnSilence.concerns(subject)) {
-            silence.add(situation.state(), situation);
+            silence.merge(situation.state(), situation, Situation::simpler);
         }
     }
 
@@ -65,11 +66,13 @@ final class Completeness implements Analysis {
     }
 
     @Override
-    public List<Finding> findings(Knowledge knowledge) {
+    List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int state = 0; state < subject.automaton().states().size(); state++) {
-            Optional<Situation> quiet = silence.of(state);
-            messages.of(state).or(() -> quiet).map(this::finding).ifPresent(findings::add);
+            Situation found = messages.getOrDefault(state, silence.get(state));
+            if (found != null) {
+                findings.add(finding(found));
+            }
         }
         return findings;
     }
@@ -78,17 +81,15 @@ final class Completeness implements Analysis {
         String message =
                 "in %s no transition handles %s: %s"
                         .formatted(
-                                story.words(situation.visit().configuration()),
-                                story.words(situation.letter()),
+                                words(situation.visit().configuration()),
+                                words(situation.letter()),
                                 consequence());
         Diagnostic warning =
                 Diagnostic.warning(
                         CODE, subject.automaton().places().get(situation.state()), message);
         Diagnostic diagnostic =
-                completion == Completion.ERROR
-                        ? warning.withSeverity(arcomat.source.Severity.ERROR)
-                        : warning;
-        return story.finding(diagnostic, situation);
+                completion == Completion.ERROR ? warning.withSeverity(Severity.ERROR) : warning;
+        return finding(diagnostic, situation);
     }
 
     private String consequence() {

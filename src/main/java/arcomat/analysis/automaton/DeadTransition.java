@@ -8,17 +8,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A transition that no run takes: nothing enables it, or its source is never reached. */
-final class DeadTransition implements Analysis {
+final class DeadTransition extends Analysis {
     static final String CODE = "ARC1004";
 
-    private final Subject subject;
-
     DeadTransition(Subject subject) {
-        this.subject = subject;
+        super(subject);
     }
 
     @Override
-    public List<Finding> findings(Knowledge knowledge) {
+    List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int i = 0; i < subject.automaton().transitions().size(); i++) {
             if (knowledge.neverHappens(new RunProperty.Enabled(i))) {

@@ -40,4 +40,11 @@ public record Examination(Promise promise, List<Finding> findings, String obstac
     public Examination with(List<Finding> some) {
         return new Examination(promise, some, obstacle, explored);
     }
+
+    /**
+     * A component whose automata cannot be examined as they stand.
+     *
+     * @param reason what is missing, and what to do
+     */
+    public record Unexamined(String component, String reason) {}
 }

@@ -3,7 +3,9 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.automaton.Visit.Place;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Letters;
+import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;
+import arcomat.graph.Digraph;
 import arcomat.model.Automaton;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Start;
@@ -12,16 +14,16 @@ import arcomat.semantics.value.Attention;
 import arcomat.semantics.value.Attention.Unseen;
 import arcomat.semantics.value.GivenUp;
 
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.Deque;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Consumer;
 
 /**
  * All configurations that an automaton can reach, breadth first, with one letter of each kind that
@@ -31,24 +33,23 @@ import java.util.Set;
 final class Exploration {
     private final Subject subject;
     private final Stepper stepper;
-    private final List<? extends Watcher> watching;
+    private final Consumer<Situation> watching;
     private final Budget budget;
 
     private final Map<Place, Visit> visits = new HashMap<>();
     private final List<Visit> byNumber = new ArrayList<>();
     private final Map<Attention, List<Value[]>> alphabets = new HashMap<>();
     private final BitSet connected;
-    private final boolean[] reached;
+    private final Set<RunProperty> shown = new HashSet<>();
     private Map<Place, Visit> next = new LinkedHashMap<>();
     private String obstacle = "";
 
-    Exploration(Subject subject, List<? extends Watcher> watching, Budget budget) {
+    Exploration(Subject subject, Consumer<Situation> watching, Budget budget) {
         this.subject = subject;
         this.stepper = Stepper.of(subject);
         this.watching = watching;
         this.budget = budget;
         this.connected = connected(subject.automaton());
-        this.reached = new boolean[subject.automaton().states().size()];
     }
 
     /** Shows all that can happen to those who watch. */
@@ -86,7 +87,8 @@ final class Exploration {
                 budget.insist();
                 if (isPossible(letter, visit)) {
                     Situation situation = situation(visit, letter);
-                    watching.forEach(each -> each.see(situation));
+                    shown.addAll(situation.shows());
+                    watching.accept(situation);
                 }
             }
         } catch (GivenUp stopped) {
@@ -153,7 +155,7 @@ final class Exploration {
         next.put(place, visit);
         if (other == null) {
             byNumber.add(visit);
-            reached[place.configuration().state()] = true;
+            shown.add(new RunProperty.Reached(place.configuration().state()));
         } else {
             byNumber.set(number, visit);
         }
@@ -176,28 +178,16 @@ final class Exploration {
     }
 
     private static BitSet connected(Automaton automaton) {
-        BitSet connected = new BitSet();
-        Map<Integer, List<Integer>> targets = new HashMap<>();
-        automaton
-                .transitions()
-                .forEach(
-                        each ->
-                                targets.computeIfAbsent(each.source(), s -> new ArrayList<>())
-                                        .add(each.target()));
-        Deque<Integer> open = new ArrayDeque<>();
-        automaton.initials().forEach(initial -> open.add(initial.state()));
-        while (!open.isEmpty()) {
-            int state = open.pop();
-            if (!connected.get(state)) {
-                connected.set(state);
-                open.addAll(targets.getOrDefault(state, List.of()));
-            }
-        }
-        return connected;
+        Digraph states = new Digraph(automaton.states().size());
+        automaton.transitions().forEach(each -> states.addEdge(each.source(), each.target()));
+        int before = states.addNode();
+        automaton.initials().forEach(initial -> states.addEdge(before, initial.state()));
+        return states.reachableFrom(before);
     }
 
-    boolean hasReached(int state) {
-        return reached[state];
+    /** What some run shows, as far as it was looked at. */
+    Set<RunProperty> shown() {
+        return shown;
     }
 
     Visit visit(int number) {

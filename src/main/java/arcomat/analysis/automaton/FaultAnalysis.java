@@ -4,69 +4,43 @@ import arcomat.analysis.smt.Subject;
 import arcomat.semantics.expression.Fault;
 import arcomat.source.Diagnostic;
 
-import java.util.ArrayList;
-import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 
 /** Run errors of one kind, one finding for each transition that can go wrong. */
-abstract class FaultAnalysis implements Analysis {
+abstract class FaultAnalysis extends WitnessedAnalysis<Integer> {
     private final String code;
     private final Fault.Kind kind;
-    private final Subject subject;
-    private final Story story;
-    private final Witnesses<Integer> faults = new Witnesses<>();
 
     FaultAnalysis(String code, Fault.Kind kind, Subject subject) {
+        super(subject);
         this.code = code;
         this.kind = kind;
-        this.subject = subject;
-        this.story = new Story(subject);
     }
 
     @Override
-    public final void see(Situation situation) {
-        situation.faults().forEach(fault -> note(fault, situation));
-        for (Situation.Alternative each : situation.alternatives()) {
-            each.fault().ifPresent(fault -> note(fault, situation));
-        }
+    final void see(Situation situation) {
+        faults(situation)
+                .filter(fault -> fault.kind() == kind)
+                .forEach(fault -> witness(fault.taken().orElseThrow().index(), situation));
     }
 
-    private void note(Fault fault, Situation situation) {
-        if (fault.kind() == kind) {
-            faults.add(fault.taken().orElseThrow().index(), situation);
-        }
-    }
-
-    @Override
-    public final List<Finding> findings(Knowledge knowledge) {
-        List<Finding> findings = new ArrayList<>();
-        for (Map.Entry<Integer, Situation> entry : faults.all().entrySet()) {
-            findings.add(finding(entry.getKey(), entry.getValue()));
-        }
-        return findings;
-    }
-
-    private Finding finding(int transition, Situation situation) {
-        String message =
-                "run error in %s on %s: %s"
-                        .formatted(
-                                story.words(situation.visit().configuration()),
-                                story.words(situation.letter()),
-                                problem(transition, situation));
-        Diagnostic diagnostic =
-                Diagnostic.error(code, subject.transition(transition).span(), message);
-        return story.finding(diagnostic, situation);
-    }
-
-    /** Of the guard, or of what is done where it is true. */
-    private static String problem(int transition, Situation situation) {
+    /** Of the guards, and of what is done where they are true. */
+    private static Stream<Fault> faults(Situation situation) {
         return Stream.concat(
-                        situation.faults().stream(),
-                        situation.alternatives().stream().flatMap(each -> each.fault().stream()))
-                .filter(fault -> fault.taken().orElseThrow().index() == transition)
-                .map(Fault::problem)
-                .findFirst()
-                .orElseThrow();
+                situation.faults().stream(),
+                situation.alternatives().stream().flatMap(each -> each.fault().stream()));
+    }
+
+    @Override
+    final Finding finding(Integer transition, Situation situation) {
+        String problem =
+                faults(situation)
+                        .filter(fault -> fault.taken().orElseThrow().index() == transition)
+                        .map(Fault::problem)
+                        .findFirst()
+                        .orElseThrow();
+        String message = "run error in %s: %s".formatted(words(situation), problem);
+        return finding(
+                Diagnostic.error(code, subject.transition(transition).span(), message), situation);
     }
 }

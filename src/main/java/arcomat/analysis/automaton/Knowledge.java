@@ -3,7 +3,9 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.smt.Reachability;
 import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.RunProperty.Difference;
+import arcomat.analysis.smt.Subject;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -11,11 +13,14 @@ import java.util.Set;
  * What is known about an automaton after looking at it: by trying, and by the solver where that did
  * not see everything.
  *
- * @param seen what some run shows
- * @param outcomes of the questions that were put to the solver
+ * @param shown by some run
+ * @param answers to the questions that were put to the solver
  */
 record Knowledge(
-        Exploration explored, Set<RunProperty> seen, Map<RunProperty, Reachability> outcomes) {
+        Subject subject,
+        Exploration explored,
+        Set<RunProperty> shown,
+        Map<RunProperty, Reachability> answers) {
 
     /** Whether all configurations have been looked at, one by one. */
     boolean isExhaustive() {
@@ -23,13 +28,13 @@ record Knowledge(
     }
 
     /** Whether it stays open, and matters: how two transitions differ only where they meet. */
-    boolean isOpen(RunProperty question) {
-        if (isCutOff(question)
-                || !(outcomes.get(question) instanceof Reachability.Unknown)
-                || happens(question)) {
+    private boolean isOpen(RunProperty property) {
+        if (isCutOff(property)
+                || !(answers.get(property) instanceof Reachability.Unknown)
+                || happens(property)) {
             return false;
         }
-        if (question instanceof RunProperty.Together together) {
+        if (property instanceof RunProperty.Together together) {
             return switch (together.difference()) {
                 case ANY -> true;
                 case OUTPUT -> happens(together.with(Difference.ANY));
@@ -42,23 +47,48 @@ record Knowledge(
     }
 
     /** Whether it asks for a state that no transitions lead to, whatever their guards say. */
-    private boolean isCutOff(RunProperty question) {
-        return question instanceof RunProperty.Reached reached
+    private boolean isCutOff(RunProperty property) {
+        return property instanceof RunProperty.Reached reached
                 && !explored.isConnected(reached.state());
     }
 
     /** Whether some run shows it. */
-    boolean happens(RunProperty question) {
-        return seen.contains(question);
+    boolean happens(RunProperty property) {
+        return shown.contains(property);
     }
 
     /** Whether certainly no run shows it. */
-    boolean neverHappens(RunProperty question) {
-        if (happens(question)) {
+    boolean neverHappens(RunProperty property) {
+        if (happens(property)) {
             return false;
         }
         return isExhaustive()
-                || isCutOff(question)
-                || outcomes.get(question) instanceof Reachability.Unreachable;
+                || isCutOff(property)
+                || answers.get(property) instanceof Reachability.Unreachable;
+    }
+
+    /** Why not everything is known: what stays open; empty where nothing does. */
+    String obstacle() {
+        if (isExhaustive()) {
+            return "";
+        }
+        if (answers.isEmpty()) {
+            return explored.obstacle();
+        }
+        List<RunProperty> open = answers.keySet().stream().filter(this::isOpen).toList();
+        if (!open.isEmpty()) {
+            return words(open);
+        }
+        return new SureSending(this).isOpen()
+                ? "it is open whether there is a trap, where nothing is sent any more (%s)"
+                        .formatted(explored.obstacle())
+                : "";
+    }
+
+    private String words(List<RunProperty> open) {
+        Reachability.Unknown first = (Reachability.Unknown) answers.get(open.get(0));
+        String more = open.size() == 1 ? "" : ", and " + (open.size() - 1) + " more";
+        return "it is open whether %s (%s)%s"
+                .formatted(new RunProperties(subject).words(open.get(0)), first.reason(), more);
     }
 }

@@ -9,12 +9,14 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * Two transitions that are enabled together. The worst that a pair can do counts: different outputs
  * are seen from outside, a different target with equal outputs is hidden.
  */
-final class Overlap implements Analysis {
+final class Overlap extends Analysis {
     static final String CODE = "ARC1001";
 
     /** The worst first. */
@@ -36,24 +38,21 @@ final class Overlap implements Analysis {
         }
     }
 
-    private final Subject subject;
-    private final Story story;
-    private final Witnesses<Pair> overlaps = new Witnesses<>();
+    private final SortedMap<Pair, Situation> overlaps = new TreeMap<>();
 
     Overlap(Subject subject) {
-        this.subject = subject;
-        this.story = new Story(subject);
+        super(subject);
     }
 
     @Override
-    public void see(Situation situation) {
+    void see(Situation situation) {
         List<Alternative> all = situation.alternatives();
         for (int i = 0; i < all.size(); i++) {
             for (int j = i + 1; j < all.size(); j++) {
                 Alternative one = all.get(i);
                 Alternative two = all.get(j);
                 Pair pair = new Pair(one.taken().index(), two.taken().index(), kind(one, two));
-                overlaps.add(pair, situation);
+                overlaps.merge(pair, situation, Situation::simpler);
             }
         }
     }
@@ -71,10 +70,10 @@ final class Overlap implements Analysis {
     }
 
     @Override
-    public List<Finding> findings(Knowledge knowledge) {
+    List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         Pair last = null;
-        for (Map.Entry<Pair, Situation> entry : overlaps.all().entrySet()) {
+        for (Map.Entry<Pair, Situation> entry : overlaps.entrySet()) {
             Pair pair = entry.getKey();
             boolean lesser = last != null && last.first == pair.first && last.second == pair.second;
             if (!lesser) {
@@ -90,15 +89,12 @@ final class Overlap implements Analysis {
                 Diagnostic.warning(
                                 CODE,
                                 subject.transition(pair.first).span(),
-                                "in %s on %s two transitions are enabled, %s"
-                                        .formatted(
-                                                story.words(situation.visit().configuration()),
-                                                story.words(situation.letter()),
-                                                difference(pair, situation)))
+                                "in %s two transitions are enabled, %s"
+                                        .formatted(words(situation), difference(pair, situation)))
                         .withRelated(
                                 subject.transition(pair.second).span(),
                                 "this one is enabled as well");
-        return story.finding(diagnostic, situation);
+        return finding(diagnostic, situation);
     }
 
     private String difference(Pair pair, Situation situation) {
@@ -123,11 +119,11 @@ final class Overlap implements Analysis {
     private String sent(Alternative alternative) {
         return alternative
                 .reaction()
-                .map(reaction -> story.words(reaction.output()))
+                .map(reaction -> words(reaction.output()))
                 .orElse("a run error");
     }
 
     private String target(Alternative alternative) {
-        return story.words(alternative.reaction().orElseThrow().next());
+        return words(alternative.reaction().orElseThrow().next());
     }
 }

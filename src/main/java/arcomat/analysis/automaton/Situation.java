@@ -1,14 +1,18 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.search.letter.Letters;
+import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.RunProperty.Difference;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.expression.Fault;
 
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * What may happen in a reachable configuration on one kind of letter.
@@ -51,12 +55,52 @@ record Situation(
         return Letters.messages(letter) == 0;
     }
 
-    /** Whether this is the better witness: the way to it is shorter, or has fewer messages. */
-    boolean isSimplerThan(Situation other) {
-        return SIMPLE_FIRST.compare(this, other) < 0;
+    /** The better witness: the way to it is shorter, or has fewer messages; else the first. */
+    static Situation simpler(Situation first, Situation second) {
+        return SIMPLE_FIRST.compare(second, first) < 0 ? second : first;
     }
 
     private int messages() {
         return visit.messages() + Letters.messages(letter);
+    }
+
+    /** All that is shown. */
+    Set<RunProperty> shows() {
+        Set<RunProperty> shown = new HashSet<>();
+        shown.add(new RunProperty.Reached(state()));
+        faults.forEach(fault -> shown.add(wrong(fault)));
+        wrapping.forEach(each -> shown.add(new RunProperty.Overflow(each)));
+        if (isUnhandled()) {
+            shown.add(new RunProperty.Unhandled(state(), isSilent()));
+        }
+        for (int i = 0; i < alternatives.size(); i++) {
+            shown.add(new RunProperty.Enabled(alternatives.get(i).taken().index()));
+            alternatives.get(i).fault().ifPresent(fault -> shown.add(wrong(fault)));
+            for (int j = i + 1; j < alternatives.size(); j++) {
+                together(alternatives.get(i), alternatives.get(j), shown);
+            }
+        }
+        return shown;
+    }
+
+    private static RunProperty wrong(Fault fault) {
+        return new RunProperty.Wrong(fault.taken().orElseThrow().index(), fault.kind());
+    }
+
+    private static void together(Alternative one, Alternative two, Set<RunProperty> shown) {
+        int first = one.taken().index();
+        int second = two.taken().index();
+        shown.add(new RunProperty.Together(first, second, Difference.ANY));
+        if (one.reaction().isEmpty() || two.reaction().isEmpty()) {
+            return;
+        }
+        Reaction here = one.reaction().get();
+        Reaction there = two.reaction().get();
+        if (!here.output().equals(there.output())) {
+            shown.add(new RunProperty.Together(first, second, Difference.OUTPUT));
+        }
+        if (!here.next().equals(there.next())) {
+            shown.add(new RunProperty.Together(first, second, Difference.TARGET));
+        }
     }
 }

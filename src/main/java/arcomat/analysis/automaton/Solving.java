@@ -6,12 +6,15 @@ import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;
 import arcomat.analysis.smt.SymbolicSearch;
 
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
 
-/** Puts to the solver what trying has left open, and shows what it found to those who watch. */
+/** Puts to the solver what trying has left open, and shows what it found to who watches. */
 final class Solving {
     /** More questions are not put: two for each pair of transitions, say. */
     private static final int MOST_QUESTIONS = 1500;
@@ -20,54 +23,44 @@ final class Solving {
     private static final long PATIENCE = 30_000;
 
     private final Subject subject;
-    private final List<? extends Watcher> watching;
-    private final Seen seen;
+    private final Consumer<Situation> watching;
     private final Budget budget;
-    private final Walk walk;
+    private final Confirmation confirmation;
     private final Map<RunProperty, Situation> found = new LinkedHashMap<>();
 
-    Solving(Subject subject, List<? extends Watcher> watching, Seen seen, Budget budget) {
+    Solving(Subject subject, Consumer<Situation> watching, Budget budget) {
         this.subject = subject;
         this.watching = watching;
-        this.seen = seen;
         this.budget = budget;
-        this.walk = new Walk(subject, Stepper.of(subject));
+        this.confirmation = new Confirmation(subject, Stepper.of(subject));
     }
 
     Knowledge after(Exploration explored) {
-        for (int state = 0; state < subject.automaton().states().size(); state++) {
-            if (explored.hasReached(state)) {
-                seen.questions().add(new RunProperty.Reached(state));
-            }
-        }
-        List<RunProperty> questions = open(explored);
-        Map<RunProperty, Reachability> outcomes = Map.of();
-        if (!questions.isEmpty() && questions.size() <= MOST_QUESTIONS) {
-            outcomes =
+        List<RunProperty> open = open(explored);
+        Map<RunProperty, Reachability> answers = Map.of();
+        if (!open.isEmpty() && open.size() <= MOST_QUESTIONS) {
+            answers =
                     SymbolicSearch.answer(
-                            subject, questions, this::confirm, budget.patient(PATIENCE)::isSpent);
+                            subject, open, this::confirm, budget.patient(PATIENCE)::isSpent);
         }
-        found.values().forEach(this::show);
-        return new Knowledge(explored, seen.questions(), outcomes);
+        Set<RunProperty> shown = new HashSet<>(explored.shown());
+        found.values().forEach(situation -> shown.addAll(situation.shows()));
+        found.values().forEach(watching);
+        return new Knowledge(subject, explored, shown, answers);
     }
 
     private List<RunProperty> open(Exploration explored) {
         if (explored.isComplete()) {
             return List.of();
         }
-        List<RunProperty> open = new Questions(subject).all();
-        open.removeAll(seen.questions());
+        List<RunProperty> open = new RunProperties(subject).all();
+        open.removeAll(explored.shown());
         return open;
     }
 
-    private boolean confirm(RunProperty question, Reachability.Run run) {
-        Optional<Situation> situation = walk.to(question, run);
-        situation.ifPresent(there -> found.put(question, there));
+    private boolean confirm(RunProperty property, Reachability.Run run) {
+        Optional<Situation> situation = confirmation.of(property, run);
+        situation.ifPresent(there -> found.put(property, there));
         return situation.isPresent();
-    }
-
-    private void show(Situation situation) {
-        watching.forEach(each -> each.see(situation));
-        seen.questions().addAll(Seen.shownBy(situation));
     }
 }

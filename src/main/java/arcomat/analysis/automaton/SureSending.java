@@ -1,7 +1,6 @@
 package arcomat.analysis.automaton;
 
 import arcomat.analysis.smt.RunProperty;
-import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Expression;
 import arcomat.semantics.expression.Fault;
@@ -15,11 +14,11 @@ import java.util.List;
  * each state that may be reached, transitions that depend on nothing but the letter lead to one
  * that sends.
  */
-record SureSending(Subject subject, Knowledge knowledge) {
+record SureSending(Knowledge knowledge) {
 
     /** Whether a trap may have been missed. */
     boolean isOpen() {
-        if (!Trap.isToSend(subject)) {
+        if (!Trap.isToSend(knowledge.subject())) {
             return false;
         }
         BitSet fine = new BitSet();
@@ -28,13 +27,15 @@ record SureSending(Subject subject, Knowledge knowledge) {
             before = fine.cardinality();
             for (int i = 0; i < transitions().size(); i++) {
                 Transition transition = transitions().get(i);
-                boolean good = Trap.sends(subject, transition) || fine.get(transition.target());
+                boolean good =
+                        Trap.sends(knowledge.subject(), transition)
+                                || fine.get(transition.target());
                 if (good && isSure(i)) {
                     fine.set(transition.source());
                 }
             }
         }
-        for (int state = 0; state < subject.automaton().states().size(); state++) {
+        for (int state = 0; state < knowledge.subject().automaton().states().size(); state++) {
             if (!fine.get(state) && !knowledge.neverHappens(new RunProperty.Reached(state))) {
                 return true;
             }
@@ -43,7 +44,7 @@ record SureSending(Subject subject, Knowledge knowledge) {
     }
 
     private List<Transition> transitions() {
-        return subject.automaton().transitions();
+        return knowledge.subject().automaton().transitions();
     }
 
     /** It was enabled once, so it is whenever the same letter comes; and it goes well. */
@@ -66,7 +67,7 @@ record SureSending(Subject subject, Knowledge knowledge) {
     /** Reads a variable, or a latched port, which never again is as silent as it was. */
     private boolean dependsOnThePast(int transition) {
         Expression condition =
-                new Guards(subject.component().profile())
+                new Guards(knowledge.subject().component().profile())
                         .enabledWhen(transitions().get(transition));
         return condition.contains(
                 e ->

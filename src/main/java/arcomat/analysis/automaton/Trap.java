@@ -7,33 +7,34 @@ import arcomat.model.Component;
 import arcomat.source.Diagnostic;
 
 import com.carrotsearch.hppc.IntArrayList;
+import com.carrotsearch.hppc.cursors.IntCursor;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.stream.Collectors;
 
 /**
  * States from which no transition that sends can be reached; completions are left aside. With
  * variables it is a matter of configurations: a counter that has run out may be a trap.
  */
-final class Trap implements Analysis {
+final class Trap extends Analysis {
     static final String CODE = "ARC1005";
 
-    private final Subject subject;
-    private final Story story;
     private final List<IntArrayList> before = new ArrayList<>();
     private final BitSet sending = new BitSet();
 
     Trap(Subject subject) {
-        this.subject = subject;
-        this.story = new Story(subject);
+        super(subject);
     }
 
     @Override
-    public void see(Situation situation) {
+    void see(Situation situation) {
         int number = situation.visit().number();
         if (number < 0) {
             return; // found by the solver: not all is seen, and nothing is claimed
@@ -62,7 +63,7 @@ final class Trap implements Analysis {
     }
 
     @Override
-    public List<Finding> findings(Knowledge knowledge) {
+    List<Finding> findings(Knowledge knowledge) {
         Exploration explored = knowledge.explored();
         if (!knowledge.isExhaustive() || !isToSend(subject)) {
             return List.of();
@@ -70,7 +71,7 @@ final class Trap implements Analysis {
         BitSet trapped = new BitSet();
         trapped.set(0, explored.size());
         trapped.andNot(thoseThatMaySend());
-        return TrapGroup.of(trapped, before, explored).stream().map(this::finding).toList();
+        return groups(trapped, explored).stream().map(this::finding).toList();
     }
 
     /** Not one of several requirements that says nothing about outputs. */
@@ -90,19 +91,74 @@ final class Trap implements Analysis {
         Deque<Integer> open = new ArrayDeque<>();
         sending.stream().forEach(open::add);
         while (!open.isEmpty()) {
-            int number = open.remove();
-            IntArrayList earlier = number < before.size() ? before.get(number) : new IntArrayList();
-            for (int i = 0; i < earlier.size(); i++) {
-                if (!may.get(earlier.get(i))) {
-                    may.set(earlier.get(i));
-                    open.add(earlier.get(i));
+            for (IntCursor earlier : leadingTo(open.remove())) {
+                if (!may.get(earlier.value)) {
+                    may.set(earlier.value);
+                    open.add(earlier.value);
                 }
             }
         }
         return may;
     }
 
-    private Finding finding(TrapGroup group) {
+    /**
+     * One trap: states that are connected within what is trapped.
+     *
+     * @param entry the simplest way into it
+     * @param states those with a trapped configuration, by index
+     */
+    private record Group(Visit entry, TreeSet<Integer> states) {}
+
+    /**
+     * @param trapped numbers of visits
+     */
+    private List<Group> groups(BitSet trapped, Exploration explored) {
+        Map<Integer, TreeSet<Integer>> groups = new TreeMap<>();
+        trapped.stream()
+                .map(number -> state(number, explored))
+                .forEach(state -> groups.put(state, new TreeSet<>(List.of(state))));
+        trapped.stream()
+                .forEach(
+                        number -> {
+                            for (IntCursor earlier : leadingTo(number)) {
+                                if (trapped.get(earlier.value)) {
+                                    int state = state(earlier.value, explored);
+                                    join(state, state(number, explored), groups);
+                                }
+                            }
+                        });
+        return groups.values().stream()
+                .distinct()
+                .map(states -> new Group(entry(trapped, states, explored), states))
+                .toList();
+    }
+
+    private IntArrayList leadingTo(int number) {
+        return number < before.size() ? before.get(number) : new IntArrayList();
+    }
+
+    private static int state(int visit, Exploration explored) {
+        return explored.visit(visit).configuration().state();
+    }
+
+    private static void join(int one, int two, Map<Integer, TreeSet<Integer>> groups) {
+        TreeSet<Integer> first = groups.get(one);
+        TreeSet<Integer> second = groups.get(two);
+        if (first != second) {
+            first.addAll(second);
+            second.forEach(state -> groups.put(state, first));
+        }
+    }
+
+    private static Visit entry(BitSet trapped, TreeSet<Integer> states, Exploration explored) {
+        return trapped.stream()
+                .mapToObj(explored::visit)
+                .filter(visit -> states.contains(visit.configuration().state()))
+                .reduce(Visit::simpler)
+                .orElseThrow();
+    }
+
+    private Finding finding(Group group) {
         Visit entry = group.entry();
         String states =
                 group.states().stream().map(subject::state).collect(Collectors.joining(", "));
@@ -112,7 +168,7 @@ final class Trap implements Analysis {
                         CODE,
                         subject.automaton().places().get(entry.configuration().state()),
                         "from %s on nothing is sent any more: no transition that sends can be taken%s"
-                                .formatted(story.words(entry.configuration()), among));
-        return story.finding(diagnostic, entry);
+                                .formatted(words(entry.configuration()), among));
+        return finding(diagnostic, entry);
     }
 }

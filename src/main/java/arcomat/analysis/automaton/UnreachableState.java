@@ -9,17 +9,15 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A state that no run reaches. */
-final class UnreachableState implements Analysis {
+final class UnreachableState extends Analysis {
     static final String CODE = "ARC1003";
 
-    private final Subject subject;
-
     UnreachableState(Subject subject) {
-        this.subject = subject;
+        super(subject);
     }
 
     @Override
-    public List<Finding> findings(Knowledge knowledge) {
+    List<Finding> findings(Knowledge knowledge) {
         List<Finding> findings = new ArrayList<>();
         for (int state = 0; state < subject.automaton().states().size(); state++) {
             if (knowledge.neverHappens(new RunProperty.Reached(state))) {

@@ -6,6 +6,7 @@ import arcomat.model.Component;
 import arcomat.source.Diagnostic;
 
 import java.util.List;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 
@@ -13,16 +14,13 @@ import java.util.stream.Collectors;
  * A slice in which no port carries a message is an input like any other. Under chaos, an automaton
  * that says nothing about it promises nothing after the first silent slice.
  */
-final class VacuousOnSilence implements Analysis {
+final class VacuousOnSilence extends Analysis {
     static final String CODE = "ARC1006";
 
-    private final Subject subject;
-    private final Story story;
-    private final Witnesses<Integer> silence = new Witnesses<>();
+    private final SortedMap<Integer, Situation> silence = new TreeMap<>();
 
     VacuousOnSilence(Subject subject) {
-        this.subject = subject;
-        this.story = new Story(subject);
+        super(subject);
     }
 
     /** Whether an unhandled silence ends all promises. */
@@ -32,24 +30,20 @@ final class VacuousOnSilence implements Analysis {
     }
 
     @Override
-    public void see(Situation situation) {
+    void see(Situation situation) {
         if (concerns(subject) && situation.isUnhandled() && situation.isSilent()) {
-            silence.add(situation.state(), situation);
+            silence.merge(situation.state(), situation, Situation::simpler);
         }
     }
 
     @Override
-    public List<Finding> findings(Knowledge knowledge) {
-        TreeMap<Integer, Situation> states = silence.all();
-        if (states.isEmpty()) {
+    List<Finding> findings(Knowledge knowledge) {
+        if (silence.isEmpty()) {
             return List.of();
         }
-        Situation simplest =
-                states.values().stream()
-                        .reduce((one, two) -> two.isSimplerThan(one) ? two : one)
-                        .orElseThrow();
+        Situation simplest = silence.values().stream().reduce(Situation::simpler).orElseThrow();
         String names =
-                states.keySet().stream().map(subject::state).collect(Collectors.joining(", "));
+                silence.keySet().stream().map(subject::state).collect(Collectors.joining(", "));
         Diagnostic diagnostic =
                 Diagnostic.warning(
                         CODE,
@@ -57,6 +51,6 @@ final class VacuousOnSilence implements Analysis {
                         ("one slice without a message, and nothing is promised any more: silence is"
                                         + " not handled in %s (completion chaos)")
                                 .formatted(names));
-        return List.of(story.finding(diagnostic, simplest));
+        return List.of(finding(diagnostic, simplest));
     }
 }

@@ -58,8 +58,8 @@ record Visit(
         return new Place(configuration, latched);
     }
 
-    /** Whether the way is shorter, or as long with fewer messages. */
-    boolean isSimplerThan(Visit other) {
-        return SIMPLE_FIRST.compare(this, other) < 0;
+    /** That with the shorter way, or with fewer messages on one as long; else the first. */
+    static Visit simpler(Visit first, Visit second) {
+        return SIMPLE_FIRST.compare(second, first) < 0 ? second : first;
     }
 }

@@ -1,7 +1,7 @@
 package arcomat.pipeline.analysis;
 
 import arcomat.analysis.automaton.Examination;
-import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.automaton.Examination.Unexamined;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.pipeline.check.CheckResult;
 

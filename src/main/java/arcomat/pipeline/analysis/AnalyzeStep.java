@@ -2,8 +2,8 @@ package arcomat.pipeline.analysis;
 
 import arcomat.analysis.automaton.Analyses;
 import arcomat.analysis.automaton.Examination;
+import arcomat.analysis.automaton.Examination.Unexamined;
 import arcomat.analysis.automaton.Finding;
-import arcomat.analysis.automaton.Unexamined;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
 import arcomat.check.Checks;

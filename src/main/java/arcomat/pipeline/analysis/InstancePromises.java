@@ -1,6 +1,6 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.automaton.Unexamined;
+import arcomat.analysis.automaton.Examination.Unexamined;
 import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Model;

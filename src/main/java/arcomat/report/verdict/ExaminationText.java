@@ -1,8 +1,8 @@
 package arcomat.report.verdict;
 
 import arcomat.analysis.automaton.Examination;
+import arcomat.analysis.automaton.Examination.Unexamined;
 import arcomat.analysis.automaton.Finding;
-import arcomat.analysis.automaton.Unexamined;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;

@@ -97,10 +97,9 @@ class DeadTransitionsTest {
     }
 
     private static Knowledge known(Subject subject) {
-        Seen seen = new Seen();
-        Exploration explored = new Exploration(subject, List.of(seen), BUDGET);
+        Exploration explored = new Exploration(subject, situation -> {}, BUDGET);
         explored.run();
-        return new Solving(subject, List.of(seen), seen, BUDGET).after(explored);
+        return new Solving(subject, situation -> {}, BUDGET).after(explored);
     }
 
     private static Kind kind(RunProperty question, Knowledge known) {

@@ -159,28 +159,27 @@ class NaiveAgreementTest {
                 ReadModels.model(List.of(new SourceFile("Random.arc", text))).components().get(0);
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         Subject subject = Subject.of(component, automaton, List.of());
-        Seen seen = new Seen();
-        Exploration explored = new Exploration(subject, List.of(seen), Budget.ofMemory());
+        Exploration explored = new Exploration(subject, situation -> {}, Budget.ofMemory());
         explored.run();
         assertThat(explored.isComplete()).isTrue();
-        Walk walk = new Walk(subject, Stepper.of(subject));
+        Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
         NaiveExploration naive = NaiveExploration.of(component);
 
         Map<RunProperty, Reachability> outcomes =
                 SymbolicSearch.answer(
                         subject,
-                        new Questions(subject).all(),
-                        (question, run) -> walk.to(question, run).isPresent(),
+                        new RunProperties(subject).all(),
+                        (question, run) -> confirmation.of(question, run).isPresent(),
                         () -> false);
 
         outcomes.forEach(
                 (question, outcome) -> {
                     if (outcome instanceof Reachability.Reachable found) {
-                        assertThat(shown(seen, explored)).contains(question);
+                        assertThat(shown(explored)).contains(question);
                         assertThat(fewestLetters(question, automaton, naive))
                                 .isIn(Optional.empty(), Optional.of(found.run().letters().size()));
                     } else if (outcome instanceof Reachability.Unreachable) {
-                        assertThat(shown(seen, explored)).doesNotContain(question);
+                        assertThat(shown(explored)).doesNotContain(question);
                     }
                 });
         return outcomes.values();
@@ -204,9 +203,9 @@ class NaiveAgreementTest {
     }
 
     /** A silent letter may stand for letters with a message that nobody looks at. */
-    private static Set<RunProperty> shown(Seen seen, Exploration explored) {
-        Set<RunProperty> shown = new HashSet<>(seen.questions());
-        for (RunProperty question : seen.questions()) {
+    private static Set<RunProperty> shown(Exploration explored) {
+        Set<RunProperty> shown = new HashSet<>(explored.shown());
+        for (RunProperty question : explored.shown()) {
             if (question instanceof RunProperty.Unhandled unhandled) {
                 shown.add(new RunProperty.Unhandled(unhandled.state(), false));
             }

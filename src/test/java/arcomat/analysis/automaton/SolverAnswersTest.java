@@ -53,8 +53,8 @@ class SolverAnswersTest {
         Automaton automaton = ((Component.Atomic) component.body()).automata().get(0);
         Subject subject = Subject.of(component, automaton, Models.arguments(component));
         Map<String, RunProperty> asked = new LinkedHashMap<>();
-        for (RunProperty question : new Questions(subject).all()) {
-            String words = new Questions(subject).words(question);
+        for (RunProperty question : new RunProperties(subject).all()) {
+            String words = new RunProperties(subject).words(question);
             if (expected.stream().anyMatch(line -> line.endsWith(": " + words))) {
                 asked.put(words, question);
             }
@@ -69,9 +69,12 @@ class SolverAnswersTest {
 
     private static Map<RunProperty, Reachability> outcomes(
             Subject subject, Collection<RunProperty> asked) {
-        Walk walk = new Walk(subject, Stepper.of(subject));
+        Confirmation confirmation = new Confirmation(subject, Stepper.of(subject));
         return SymbolicSearch.answer(
-                subject, asked, (question, run) -> walk.to(question, run).isPresent(), () -> false);
+                subject,
+                asked,
+                (question, run) -> confirmation.of(question, run).isPresent(),
+                () -> false);
     }
 
     private static String answer(Reachability outcome) {
@@ -83,16 +86,15 @@ class SolverAnswersTest {
 
     private static void compareWithTrying(
             Subject subject, Map<RunProperty, Reachability> outcomes) {
-        Seen seen = new Seen();
         Budget few = Budget.ofMemory().atMost(500);
-        Exploration explored = new Exploration(subject, List.of(seen), few);
+        Exploration explored = new Exploration(subject, situation -> {}, few);
         explored.run();
         outcomes.forEach(
                 (question, outcome) -> {
                     if (outcome instanceof Reachability.Unreachable) {
-                        assertThat(seen.questions()).doesNotContain(question);
+                        assertThat(explored.shown()).doesNotContain(question);
                     } else if (outcome instanceof Reachability.Reachable && explored.isComplete()) {
-                        assertThat(seen.questions()).contains(question);
+                        assertThat(explored.shown()).contains(question);
                     }
                 });
     }

@@ -17,23 +17,22 @@ import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
- * Goes the way of a run that the solver found, with the automaton's own steps: only what is seen
- * there counts. On the way messages that make no difference are left out.
+ * Makes a run that the solver found concrete: goes its way with the automaton's own steps, and only
+ * what is seen there counts. On the way messages that make no difference are left out.
  */
-record Walk(Subject subject, Stepper stepper) {
+record Confirmation(Subject subject, Stepper stepper) {
 
     /** The situation at the end, if the way is there and the end shows what was asked. */
-    Optional<Situation> to(RunProperty question, Run run) {
+    Optional<Situation> of(RunProperty property, Run run) {
         Optional<Visit> visit = beginning(run.places().get(0));
         for (int i = 0; i < run.letters().size() && visit.isPresent(); i++) {
             visit = step(visit.get(), run.letters().get(i), run.places().get(i + 1));
         }
-        return visit.flatMap(end -> end(end, run, question));
+        return visit.flatMap(end -> end(end, run, property));
     }
 
-    private Optional<Situation> end(Visit end, Run run, RunProperty question) {
-        Predicate<Value[]> shows =
-                letter -> Seen.shownBy(situation(end, letter)).contains(question);
+    private Optional<Situation> end(Visit end, Run run, RunProperty property) {
+        Predicate<Value[]> shows = letter -> situation(end, letter).shows().contains(property);
         return shows.test(run.last())
                 ? Optional.of(situation(end, withoutNeedless(end, run.last(), shows)))
                 : Optional.empty();

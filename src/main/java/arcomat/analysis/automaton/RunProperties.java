@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /** All that may be asked about an automaton, and how to say it. */
-record Questions(Subject subject) {
+record RunProperties(Subject subject) implements RunProperty.Cases<String> {
 
     /** Whatever an analysis wants to know, what others depend on first. */
     List<RunProperty> all() {
@@ -64,35 +64,49 @@ record Questions(Subject subject) {
     }
 
     /** What is asked, to follow "whether". */
-    String words(RunProperty question) {
-        if (question instanceof RunProperty.Reached reached) {
-            return "state " + subject.state(reached.state()) + " is reached";
-        }
-        if (question instanceof RunProperty.Enabled enabled) {
-            return "transition " + subject.place(enabled.transition()) + " can be taken";
-        }
-        if (question instanceof RunProperty.Together together) {
-            return "transitions "
-                    + subject.place(together.first())
-                    + " and "
-                    + subject.place(together.second())
-                    + " can be enabled together"
-                    + difference(together.difference());
-        }
-        if (question instanceof RunProperty.Unhandled unhandled) {
-            return (unhandled.silent() ? "silence" : "every message")
-                    + " is handled in "
-                    + subject.state(unhandled.state());
-        }
-        if (question instanceof RunProperty.Wrong wrong) {
-            return "transition "
-                    + subject.place(wrong.transition())
-                    + (wrong.kind() == Fault.Kind.DIVISION_BY_ZERO
-                            ? " can divide by zero"
-                            : " can leave a range");
-        }
-        int transition = ((RunProperty.Overflow) question).transition();
-        return "an integer of transition " + subject.place(transition) + " can overflow";
+    String words(RunProperty property) {
+        return property.match(this);
+    }
+
+    @Override
+    public String reached(RunProperty.Reached reached) {
+        return "state " + subject.state(reached.state()) + " is reached";
+    }
+
+    @Override
+    public String enabled(RunProperty.Enabled enabled) {
+        return "transition " + subject.place(enabled.transition()) + " can be taken";
+    }
+
+    @Override
+    public String together(RunProperty.Together together) {
+        return "transitions %s and %s can be enabled together%s"
+                .formatted(
+                        subject.place(together.first()),
+                        subject.place(together.second()),
+                        difference(together.difference()));
+    }
+
+    @Override
+    public String unhandled(RunProperty.Unhandled unhandled) {
+        return (unhandled.silent() ? "silence" : "every message")
+                + " is handled in "
+                + subject.state(unhandled.state());
+    }
+
+    @Override
+    public String wrong(RunProperty.Wrong wrong) {
+        String problem =
+                switch (wrong.kind()) {
+                    case DIVISION_BY_ZERO -> "divide by zero";
+                    case OUTSIDE_RANGE -> "leave a range";
+                };
+        return "transition " + subject.place(wrong.transition()) + " can " + problem;
+    }
+
+    @Override
+    public String overflow(RunProperty.Overflow overflow) {
+        return "an integer of transition " + subject.place(overflow.transition()) + " can overflow";
     }
 
     private static String difference(Difference difference) {
