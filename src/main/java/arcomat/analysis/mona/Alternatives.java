@@ -1,6 +1,6 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.mona.Machine.Step;
+import arcomat.analysis.mona.ExplicitSystem.Step;
 
 import java.util.ArrayList;
 import java.util.Collections;

@@ -13,10 +13,6 @@ import java.util.stream.IntStream;
  * @param names of the bits, the lowest first
  */
 record Bits(List<String> names) {
-    Bits {
-        names = List.copyOf(names);
-    }
-
     /** Enough bits for so many numbers, at least one. */
     static Bits named(String prefix, int numbers) {
         int count = Math.max(1, 32 - Integer.numberOfLeadingZeros(numbers - 1));
@@ -97,11 +93,7 @@ record Bits(List<String> names) {
     public record Literal(String variable, String position, boolean member) {}
 
     /** All of these. */
-    public record Cube(List<Literal> literals) {
-        public Cube {
-            literals = List.copyOf(literals);
-        }
-    }
+    public record Cube(List<Literal> literals) {}
 
     /**
      * One of these; or, negated, none of them.
@@ -109,10 +101,6 @@ record Bits(List<String> names) {
      * @param cubes without one, the condition is false, and negated true
      */
     public record Condition(boolean negated, List<Cube> cubes) {
-        public Condition {
-            cubes = List.copyOf(cubes);
-        }
-
         static Condition of(Cube cube) {
             return new Condition(false, List.of(cube));
         }

@@ -1,6 +1,6 @@
 package arcomat.analysis.mona;
 
-import arcomat.analysis.mona.Machine.Step;
+import arcomat.analysis.mona.ExplicitSystem.Step;
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.product.Comparison.Allowed;
 import arcomat.analysis.search.product.Comparison.Forbidden;
@@ -29,7 +29,7 @@ public final class Replay {
      */
     public record Shown(int right, List<Moment> moments, Forbidden forbidden) {}
 
-    private final Question question;
+    private final InclusionProblem question;
     private final Map<String, String> rows;
     private final int length;
     private final Bits leftBits;
@@ -37,10 +37,10 @@ public final class Replay {
     /**
      * @param rows per bit one character for each position: 0, 1, or X where it does not matter
      */
-    public Replay(Question question, Map<String, String> rows) {
+    public Replay(InclusionProblem question, Map<String, String> rows) {
         this.question = question;
         this.rows = rows;
-        this.leftBits = Question.stateBits("left", question.left());
+        this.leftBits = question.left().stateBits("left");
         this.length = rows.values().stream().mapToInt(String::length).min().orElse(0);
     }
 
@@ -59,7 +59,7 @@ public final class Replay {
     }
 
     private Optional<Shown> run(int right) {
-        Machine theirs = question.rights().get(right);
+        ExplicitSystem theirs = question.rights().get(right);
         List<Moment> moments = new ArrayList<>();
         Set<Integer> after = Set.of();
         for (int slice = 0; slice < length; slice++) {
@@ -98,7 +98,7 @@ public final class Replay {
     }
 
     private boolean isError(int slice) {
-        String row = rows.get(MachineWriter.FAILS);
+        String row = rows.get(SystemWriter.FAILS);
         return row != null && row.charAt(slice) == '1';
     }
 
@@ -112,9 +112,9 @@ public final class Replay {
     }
 
     /** Whether a step belongs to the input before a slice. */
-    private boolean reads(Step step, Machine machine, int slice) {
+    private boolean reads(Step step, ExplicitSystem system, int slice) {
         for (int i = 0; i < step.inputs().size(); i++) {
-            int code = number(machine.inputs().get(i).bits(), slice - 1);
+            int code = number(system.inputs().get(i).bits(), slice - 1);
             if (!step.inputs().get(i).contains(code)) {
                 return false;
             }
@@ -147,14 +147,15 @@ public final class Replay {
 
     /** What is seen of the reaction: with delay 0 in the slice before. */
     private Sent.Messages seen(int port, int slice) {
-        Track track = question.observed().get(port);
+        PortTrack track = question.observed().get(port);
         int position = slice - 1 + question.delays().get(port);
         Optional<Value> message =
                 position < 0 ? Optional.empty() : track.message(number(track.bits(), position));
         return new Sent.Messages(message.map(List::of).orElse(List.of()));
     }
 
-    private Set<Integer> after(Machine theirs, Set<Integer> before, int slice, boolean error) {
+    private Set<Integer> after(
+            ExplicitSystem theirs, Set<Integer> before, int slice, boolean error) {
         Set<Integer> after = new LinkedHashSet<>();
         if (slice == 0) {
             theirs.openings().stream()
@@ -179,7 +180,7 @@ public final class Replay {
         return after;
     }
 
-    private Moment moment(Step mine, Machine theirs, Set<Integer> after, int slice) {
+    private Moment moment(Step mine, ExplicitSystem theirs, Set<Integer> after, int slice) {
         return new Moment(
                 letter(slice),
                 sent(mine, slice),
@@ -192,7 +193,7 @@ public final class Replay {
     private Letter letter(int slice) {
         Map<String, Value> messages = new LinkedHashMap<>();
         if (slice > 0) {
-            for (Track track : question.inputs()) {
+            for (PortTrack track : question.inputs()) {
                 track.message(number(track.bits(), slice - 1))
                         .ifPresent(message -> messages.put(track.port().name(), message));
             }
@@ -222,7 +223,7 @@ public final class Replay {
         return question.observed().get(port).port().name();
     }
 
-    private Forbidden forbidden(Step mine, Machine theirs, Set<Integer> before, int slice) {
+    private Forbidden forbidden(Step mine, ExplicitSystem theirs, Set<Integer> before, int slice) {
         List<Allowed> allowed = new ArrayList<>();
         if (slice == 0) {
             theirs.openings().forEach(opening -> allowed.add(allowed("", opening)));

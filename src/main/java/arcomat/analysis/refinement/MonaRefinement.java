@@ -1,8 +1,8 @@
 package arcomat.analysis.refinement;
 
-import arcomat.analysis.mona.Formula;
-import arcomat.analysis.mona.NotForMona;
-import arcomat.analysis.mona.Question;
+import arcomat.analysis.mona.InclusionProblem;
+import arcomat.analysis.mona.InclusionProblem.NotForMona;
+import arcomat.analysis.mona.MonaFormula;
 import arcomat.analysis.mona.Replay;
 import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.search.Budget;
@@ -20,7 +20,10 @@ import java.util.Optional;
  * @param question present where it can
  */
 public record MonaRefinement(
-        Promise left, Promise right, Optional<Verdict> settled, Optional<Question> question) {
+        Promise left,
+        Promise right,
+        Optional<Verdict> settled,
+        Optional<InclusionProblem> question) {
 
     /**
      * Spells the question out.
@@ -45,12 +48,15 @@ public record MonaRefinement(
         try {
             refuse(left);
             refuse(right);
-            Question question =
-                    Question.of(
-                            new Question.Named(left.title(), left.behaviour()),
+            InclusionProblem question =
+                    InclusionProblem.of(
+                            new InclusionProblem.Named(left.title(), left.behaviour()),
                             right.title(),
                             right.each().stream()
-                                    .map(each -> new Question.Named(each.title(), each.behaviour()))
+                                    .map(
+                                            each ->
+                                                    new InclusionProblem.Named(
+                                                            each.title(), each.behaviour()))
                                     .toList(),
                             budget);
             return new MonaRefinement(left, right, Optional.empty(), Optional.of(question));
@@ -71,7 +77,7 @@ public record MonaRefinement(
     }
 
     /** What the text of the formula is made from. */
-    public Formula formula() {
+    public MonaFormula formula() {
         return question.orElseThrow().formula();
     }
 
@@ -108,7 +114,7 @@ public record MonaRefinement(
     }
 
     private Explored explored() {
-        Question asked = question.orElseThrow();
+        InclusionProblem asked = question.orElseThrow();
         return new Explored(0, asked.leftStates(), asked.rightStates());
     }
 }

@@ -1,6 +1,6 @@
 package arcomat.pipeline.analysis;
 
-import arcomat.analysis.mona.Question;
+import arcomat.analysis.mona.InclusionProblem;
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.MonaRefinement;
 import arcomat.analysis.refinement.Promise;
@@ -64,7 +64,7 @@ public final class MonaStep {
         }
         String text = MonaText.render(refinement.formula());
         write(text, out, names);
-        Question question = refinement.question().orElseThrow();
+        InclusionProblem question = refinement.question().orElseThrow();
         return new MonaResult(
                 checked.result(),
                 Optional.empty(),

@@ -13,26 +13,16 @@ import java.util.List;
  * @param fails whether a run may end with an error; those positions have a set of their own
  * @param rights one per automaton of the right side
  */
-public record Formula(
+public record MonaFormula(
         String left,
         String right,
         List<TrackText> tracks,
         List<Condition> valid,
         boolean fails,
-        MachineText machine,
-        List<MachineText> rights) {
-    public Formula {
-        tracks = List.copyOf(tracks);
-        valid = List.copyOf(valid);
-        rights = List.copyOf(rights);
-    }
-
+        SystemText machine,
+        List<SystemText> rights) {
     /** A port: the meaning of its codes and the names of its bits, the lowest first. */
-    public record TrackText(String legend, List<String> bits) {
-        public TrackText {
-            bits = List.copyOf(bits);
-        }
-    }
+    public record TrackText(String legend, List<String> bits) {}
 
     /**
      * A side, or an automaton of it.
@@ -41,27 +31,16 @@ public record Formula(
      * @param bits names of those of its state, the lowest first
      * @param picks names of those that say which of several steps is taken, if there are several
      */
-    public record MachineText(
+    public record SystemText(
             String name,
             String title,
             List<String> bits,
             List<String> picks,
             List<StepText> openings,
-            List<StateText> states) {
-        public MachineText {
-            bits = List.copyOf(bits);
-            picks = List.copyOf(picks);
-            openings = List.copyOf(openings);
-            states = List.copyOf(states);
-        }
-    }
+            List<StateText> states) {}
 
     /** A state, and all that may happen in it; nothing where the run has ended. */
-    public record StateText(String title, Cube code, List<StepText> steps) {
-        public StateText {
-            steps = List.copyOf(steps);
-        }
-    }
+    public record StateText(String title, Cube code, List<StepText> steps) {}
 
     /**
      * What is read, sent and reached.
@@ -69,9 +48,5 @@ public record Formula(
      * @param origin the transition as it is written, or the completion; one line
      * @param conditions all of them hold; none where anything may happen
      */
-    public record StepText(String origin, List<Condition> conditions) {
-        public StepText {
-            conditions = List.copyOf(conditions);
-        }
-    }
+    public record StepText(String origin, List<Condition> conditions) {}
 }

@@ -3,11 +3,11 @@ package arcomat.analysis.mona;
 import arcomat.analysis.mona.Bits.Condition;
 import arcomat.analysis.mona.Bits.Cube;
 import arcomat.analysis.mona.Bits.Literal;
-import arcomat.analysis.mona.Formula.MachineText;
-import arcomat.analysis.mona.Formula.StateText;
-import arcomat.analysis.mona.Formula.StepText;
-import arcomat.analysis.mona.Machine.State;
-import arcomat.analysis.mona.Machine.Step;
+import arcomat.analysis.mona.ExplicitSystem.State;
+import arcomat.analysis.mona.ExplicitSystem.Step;
+import arcomat.analysis.mona.MonaFormula.StateText;
+import arcomat.analysis.mona.MonaFormula.StepText;
+import arcomat.analysis.mona.MonaFormula.SystemText;
 import arcomat.model.Trace;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 
-/** Says with bits at positions what one machine does. */
-final class MachineWriter {
+/** Says with bits at positions what one system does. */
+final class SystemWriter {
     /**
      * The positions at which a run ends with an error; no port's bit has a name without a digit.
      */
@@ -31,8 +31,8 @@ final class MachineWriter {
     private static final String NEXT = "t+1";
     private static final String START = "0";
 
-    private final Question question;
-    private final Machine machine;
+    private final InclusionProblem question;
+    private final ExplicitSystem system;
     private final String name;
     private final boolean right;
     private final boolean fails;
@@ -45,15 +45,15 @@ final class MachineWriter {
      * @param name of the predicate
      * @param right whether it is on the right side, where states are hidden
      */
-    MachineWriter(Question question, Machine machine, String name, boolean right) {
+    SystemWriter(InclusionProblem question, ExplicitSystem system, String name, boolean right) {
         this.question = question;
-        this.machine = machine;
+        this.system = system;
         this.name = name;
         this.right = right;
         this.fails = question.fails();
-        this.states = Question.stateBits(name, machine);
-        this.openings = different(machine.openings());
-        machine.states().forEach(state -> steps.add(different(inOrder(state.steps()))));
+        this.states = system.stateBits(name);
+        this.openings = different(system.openings());
+        system.states().forEach(state -> steps.add(different(inOrder(state.steps()))));
         this.picks =
                 Stream.concat(Stream.of(openings), steps.stream())
                         .flatMap(each -> Alternatives.number(each).stream())
@@ -65,7 +65,7 @@ final class MachineWriter {
     /** In text order, completions last. */
     private static List<Step> inOrder(List<Step> steps) {
         return steps.stream()
-                .sorted(Comparator.comparing(MachineWriter::places, Arrays::compare))
+                .sorted(Comparator.comparing(SystemWriter::places, Arrays::compare))
                 .toList();
     }
 
@@ -85,7 +85,7 @@ final class MachineWriter {
         return List.copyOf(different.values());
     }
 
-    MachineText machine(String title) {
+    SystemText text() {
         List<Integer> numbers = Alternatives.number(openings);
         List<StepText> begin = new ArrayList<>();
         for (int i = 0; i < openings.size(); i++) {
@@ -96,7 +96,7 @@ final class MachineWriter {
             all.add(state(number));
         }
         List<String> hidden = isPicked() ? picked().names() : List.of();
-        return new MachineText(name, title, states.names(), hidden, begin, all);
+        return new SystemText(name, system.title(), states.names(), hidden, begin, all);
     }
 
     private boolean isPicked() {
@@ -115,7 +115,7 @@ final class MachineWriter {
     }
 
     private StateText state(int number) {
-        State state = machine.states().get(number);
+        State state = system.states().get(number);
         List<Integer> numbers = Alternatives.number(steps.get(number));
         List<StepText> texts = new ArrayList<>();
         for (int i = 0; i < numbers.size(); i++) {
@@ -127,7 +127,7 @@ final class MachineWriter {
     private StepText step(Step step, int number) {
         List<Condition> conditions = new ArrayList<>();
         for (int i = 0; i < step.inputs().size(); i++) {
-            Track track = machine.inputs().get(i);
+            PortTrack track = system.inputs().get(i);
             conditions.add(track.bits().isIn(step.inputs().get(i), track.codes(), NOW));
         }
         conditions.addAll(step.error() ? stillSeen(step.sent()) : sent(step.sent(), NEXT, NOW));
@@ -164,7 +164,7 @@ final class MachineWriter {
         if (sent instanceof Sent.Anything) {
             return List.of();
         }
-        Track track = question.observed().get(port);
+        PortTrack track = question.observed().get(port);
         Cube code = track.bits().is(track.codeOf(sent), position);
         return List.of(sent instanceof Sent.AnyMessage ? Condition.not(code) : Condition.of(code));
     }
@@ -195,7 +195,7 @@ final class MachineWriter {
     }
 
     private static String origin(Step step) {
-        List<String> causes = step.causes().stream().flatMap(MachineWriter::cause).toList();
+        List<String> causes = step.causes().stream().flatMap(SystemWriter::cause).toList();
         return causes.isEmpty() && step.error() ? "a model error" : String.join("; ", causes);
     }
 

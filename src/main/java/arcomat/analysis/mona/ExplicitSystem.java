@@ -1,5 +1,6 @@
 package arcomat.analysis.mona;
 
+import arcomat.analysis.mona.InclusionProblem.NotForMona;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.step.OutputCubes;
@@ -22,9 +23,11 @@ import java.util.stream.IntStream;
  * One side spelled out: all its configurations with all steps out of them. The step relation is
  * asked once for each kind of letter that a configuration tells apart.
  *
+ * @param title as messages name it
  * @param inputs what it reads, in the order of {@link TransitionSystem#inputs}
  */
-record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
+record ExplicitSystem(
+        String title, List<PortTrack> inputs, List<Step> openings, List<State> states) {
     private static final int MOST_STATES = 4096;
     private static final int MOST_LETTERS = 1 << 16;
 
@@ -54,10 +57,14 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     /**
      * @throws NotForMona where there are too many configurations or letters
      */
-    static Machine explore(
-            TransitionSystem side, List<Track> inputs, OutputCubes outputs, Budget budget) {
-        Exploration exploration = new Exploration(side, inputs, outputs, budget);
-        List<Step> openings = exploration.openings();
+    static ExplicitSystem explore(
+            String title,
+            TransitionSystem side,
+            List<PortTrack> inputs,
+            OutputCubes outputs,
+            Budget budget) {
+        Enumeration enumeration = new Enumeration(side, inputs, outputs, budget);
+        List<Step> openings = enumeration.openings();
         List<State> states = new ArrayList<>();
         for (int number = 0; number < side.size(); number++) {
             String exhausted = budget.exhausted(number);
@@ -71,9 +78,18 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
                     new State(
                             side.describe(number),
                             side.isChaos(number),
-                            exploration.steps(number)));
+                            enumeration.steps(number)));
         }
-        return new Machine(inputs, openings, states);
+        return new ExplicitSystem(title, inputs, openings, states);
+    }
+
+    /**
+     * The number of a state, in binary.
+     *
+     * @param name of the predicate for this system
+     */
+    Bits stateBits(String name) {
+        return Bits.named(name + "State", states.size());
     }
 
     /** Whether some run ends with an error. */
@@ -84,8 +100,8 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
     /** What makes steps equal but for their letters. */
     private record Key(int output, int next, List<Trace.Cause> causes, Output whole) {}
 
-    private record Exploration(
-            TransitionSystem side, List<Track> inputs, OutputCubes outputs, Budget budget) {
+    private record Enumeration(
+            TransitionSystem side, List<PortTrack> inputs, OutputCubes outputs, Budget budget) {
 
         List<Step> steps(int number) {
             LetterClasses focus = side.focus(number);
@@ -158,7 +174,7 @@ record Machine(List<Track> inputs, List<Step> openings, List<State> states) {
         }
 
         private List<Set<Integer>> kinds(LetterClasses focus, int port) {
-            Track track = inputs.get(port);
+            PortTrack track = inputs.get(port);
             Kinds kinds =
                     Kinds.of(track.port(), track.total(), focus.attention().looks().get(port));
             Map<Integer, Set<Integer>> codes = new LinkedHashMap<>();

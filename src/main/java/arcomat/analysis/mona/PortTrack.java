@@ -1,5 +1,7 @@
 package arcomat.analysis.mona;
 
+import arcomat.analysis.mona.Bits.Condition;
+import arcomat.analysis.mona.InclusionProblem.NotForMona;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Sent;
@@ -18,12 +20,12 @@ import java.util.Set;
  * @param total whether code 0 cannot occur
  * @param messages in their natural order
  */
-record Track(Port port, boolean total, List<Value> messages) {
+record PortTrack(Port port, boolean total, List<Value> messages) {
 
     /**
      * @throws NotForMona where the type has too many messages
      */
-    static Track of(Port port) {
+    static PortTrack of(Port port) {
         List<Value> messages =
                 SmallType.values(port.type())
                         .orElseThrow(
@@ -34,7 +36,16 @@ record Track(Port port, boolean total, List<Value> messages) {
                                                                 port.name(),
                                                                 port.type().name(),
                                                                 SmallType.MOST)));
-        return new Track(port, port.total() && port.isInput(), messages);
+        return new PortTrack(port, port.total() && port.isInput(), messages);
+    }
+
+    /** What is true of the codes at every position. */
+    List<Condition> valid(String position) {
+        List<Condition> valid = new ArrayList<>(bits().isAtMost(messages.size(), position));
+        if (total) {
+            valid.add(Condition.not(bits().is(0, position)));
+        }
+        return valid;
     }
 
     /** Names of the bits, the lowest first. None of them can be a word of MONA's. */
