@@ -74,6 +74,7 @@ class ArchitectureTest {
                                     "syntax tree symbols check lower model semantics analysis"
                                         + " simulate generate diagram report brick rt sim world",
                                     "org.eclipse.jdt",
+                                    "com.fasterxml.jackson",
                                     "com.github.weisj",
                                     "javax.imageio")),
                     Map.entry("cli", row("pipeline", "picocli")));

@@ -52,12 +52,9 @@ public final class MonaCommand extends ComparisonCommand {
             return refuse(result.check());
         }
         MonaResult.Written written = result.written().get();
-        print(
-                isJson()
-                        ? MonaReport.json(
-                                written.file(), written.leftStates(), written.rightStates())
-                        : MonaReport.text(
-                                written.file(), written.leftStates(), written.rightStates()));
+        MonaReport report =
+                new MonaReport(written.file(), written.leftStates(), written.rightStates());
+        print(isJson() ? report.json() : report.text());
         return ExitStatus.FINE;
     }
 }

@@ -1,7 +1,7 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.finding.CheckState.File;
-import arcomat.report.finding.CheckState.Names;
+import arcomat.pipeline.recheck.CheckState.File;
+import arcomat.symbols.names.Outline;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -37,7 +37,7 @@ final class Changes {
      */
     Set<String> affected(Dependencies dependencies) {
         Set<String> changed = changed();
-        Set<String> affected = new HashSet<>(dependencies.affectedBy(footprints(changed)));
+        Set<String> affected = new HashSet<>(dependencies.affectedBy(references(changed)));
         changed.stream().filter(after::containsKey).forEach(affected::add);
         boolean otherNames = !names(before, changed).equals(names(after, changed));
         boolean otherwiseComplete = isComplete(before) != isComplete(after);
@@ -65,17 +65,20 @@ final class Changes {
         return Optional.ofNullable(files.get(path)).map(File::hash);
     }
 
-    private List<Footprint> footprints(Set<String> changed) {
-        List<Footprint> footprints = new ArrayList<>();
+    private List<FileReferences> references(Set<String> changed) {
+        List<FileReferences> references = new ArrayList<>();
         for (String path : changed) {
             for (Map<String, File> files : List.of(before, after)) {
-                Optional.ofNullable(files.get(path)).map(Footprint::of).ifPresent(footprints::add);
+                Optional.ofNullable(files.get(path))
+                        .map(FileReferences::of)
+                        .ifPresent(references::add);
             }
         }
         for (String name : packagesThatCameOrWent()) {
-            footprints.add(new Footprint(List.of(Footprint.words(name)), Set.of(), Set.of()));
+            references.add(
+                    new FileReferences(List.of(FileReferences.words(name)), Set.of(), Set.of()));
         }
-        return footprints;
+        return references;
     }
 
     private Set<String> packagesThatCameOrWent() {
@@ -92,7 +95,7 @@ final class Changes {
     private static Set<String> packages(Map<String, File> files) {
         Set<String> packages = new HashSet<>();
         for (File file : files.values()) {
-            String name = file.names().map(Names::packageName).orElse("");
+            String name = file.names().map(Outline::packageName).orElse("");
             while (!name.isEmpty() && packages.add(name)) {
                 name = name.substring(0, Math.max(0, name.lastIndexOf('.')));
             }
@@ -101,8 +104,8 @@ final class Changes {
     }
 
     /** How often some files define each name. */
-    private static Map<Names, Long> names(Map<String, File> files, Set<String> paths) {
-        Map<Names, Long> names = new HashMap<>();
+    private static Map<Outline, Long> names(Map<String, File> files, Set<String> paths) {
+        Map<Outline, Long> names = new HashMap<>();
         paths.stream()
                 .map(files::get)
                 .filter(Objects::nonNull)

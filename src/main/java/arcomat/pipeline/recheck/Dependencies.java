@@ -1,7 +1,5 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.finding.CheckState;
-
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -20,11 +18,11 @@ import java.util.Set;
  * just as well.
  */
 final class Dependencies {
-    private final Map<String, Footprint> files = new LinkedHashMap<>();
+    private final Map<String, FileReferences> files = new LinkedHashMap<>();
     private final Map<String, List<String>> claimants;
 
     Dependencies(Collection<CheckState.File> files) {
-        files.forEach(file -> this.files.put(file.path(), Footprint.of(file)));
+        files.forEach(file -> this.files.put(file.path(), FileReferences.of(file)));
         this.claimants = claimants();
     }
 
@@ -56,13 +54,13 @@ final class Dependencies {
      * The files whose findings may be others than before, over any number of steps: those that
      * changed, those that refer to one of these, and those that claim what one of these claims.
      *
-     * @param changed footprints of what changed, before and now
+     * @param changed references of what changed, before and now
      */
-    Set<String> affectedBy(Collection<Footprint> changed) {
+    Set<String> affectedBy(Collection<FileReferences> changed) {
         Set<String> affected = new HashSet<>();
-        Deque<Footprint> open = new ArrayDeque<>(changed);
+        Deque<FileReferences> open = new ArrayDeque<>(changed);
         while (!open.isEmpty()) {
-            Footprint current = open.remove();
+            FileReferences current = open.remove();
             List<String> fresh = new ArrayList<>();
             for (String claim : current.claims()) {
                 claimants.getOrDefault(claim, List.of()).stream()
@@ -81,7 +79,7 @@ final class Dependencies {
         return affected;
     }
 
-    private static boolean refers(Footprint from, Footprint to) {
+    private static boolean refers(FileReferences from, FileReferences to) {
         return to.offers().stream().anyMatch(from.mentions()::containsAll);
     }
 

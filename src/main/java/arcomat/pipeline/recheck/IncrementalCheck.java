@@ -8,10 +8,10 @@ import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
-import arcomat.report.finding.CheckState;
-import arcomat.report.finding.CheckState.File;
+import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
@@ -52,14 +52,14 @@ public record IncrementalCheck(
         NamedFiles named = NamedFiles.read(paths, names, progress);
         String key = key(searched, named);
         Optional<CheckState> before = file.read(key, path -> source(path, named));
-        Surroundings around = new Surroundings(names, searched, named.paths());
+        FilesAround around = new FilesAround(names, searched, named.paths());
         return before.flatMap(state -> update(state, named, around))
                 .orElseGet(() -> full(key, searched));
     }
 
     /** Where something cannot be read, less is found than where everything can. */
     private String key(Set<Path> searched, NamedFiles named) {
-        return Digest.of(
+        return Sha256.hex(
                 String.join(
                         "\n",
                         tool,
@@ -82,13 +82,13 @@ public record IncrementalCheck(
 
     private Outcome full(String key, Set<Path> searched) {
         CheckedModels models = CheckedModels.check(paths, profile, names, progress);
-        Surroundings around = new Surroundings(names, searched, models.loaded().named());
+        FilesAround around = new FilesAround(names, searched, models.loaded().named());
         List<File> files = new StateOfFiles(around).of(models);
         CheckState state = new CheckState(key, around.folders(), files);
         return new Outcome(models.result(), state, models.loaded().named());
     }
 
-    private Optional<Outcome> update(CheckState before, NamedFiles named, Surroundings around) {
+    private Optional<Outcome> update(CheckState before, NamedFiles named, FilesAround around) {
         if (!around.areAsBefore(before.folders())) {
             return Optional.empty();
         }

@@ -1,40 +1,146 @@
 package arcomat.pipeline.recheck;
 
 import arcomat.pipeline.step.PathNames;
-import arcomat.report.finding.CheckState;
-import arcomat.report.finding.CheckStateJson;
-import arcomat.report.finding.CheckStateReader;
+import arcomat.report.text.Json;
+import arcomat.report.text.Sha256;
 import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
+import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
+import com.fasterxml.jackson.annotation.PropertyAccessor;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import com.fasterxml.jackson.databind.BeanProperty;
+import com.fasterxml.jackson.databind.DeserializationContext;
+import com.fasterxml.jackson.databind.JavaType;
+import com.fasterxml.jackson.databind.JsonDeserializer;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.SerializerProvider;
+import com.fasterxml.jackson.databind.deser.ContextualDeserializer;
+import com.fasterxml.jackson.databind.deser.std.StdDeserializer;
+import com.fasterxml.jackson.databind.module.SimpleModule;
+import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.Optional;
-import java.util.function.Function;
 
 /**
- * The file that a check leaves behind: a digest of the rest in its first line, then the state. One
- * that is missing, damaged or written by another tool is as good as none.
+ * The file that a check leaves behind: a digest of the rest in its first line, then the state as
+ * JSON, for nobody but the tool that wrote it. One that is missing, damaged or written by another
+ * tool is as good as none.
  *
  * @param file as the user wrote it
  */
 public record StateFile(String file, PathNames names) {
+    private static final ObjectMapper MAPPER =
+            Json.mapper()
+                    .visibility(PropertyAccessor.CREATOR, Visibility.ANY)
+                    .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
+                    .addModule(
+                            new SimpleModule()
+                                    .addSerializer(new SpanSerializer())
+                                    .addDeserializer(Span.class, new SpanDeserializer())
+                                    .addDeserializer(
+                                            Optional.class, new OptionalDeserializer(null)))
+                    .build();
 
-    Optional<CheckState> read(String key, Function<String, SourceFile> sources) {
+    /** Finds files by their paths, for the places of findings. */
+    interface Sources {
+        SourceFile at(String path);
+    }
+
+    Optional<CheckState> read(String key, Sources sources) {
         try {
             String text = Files.readString(names.resolve(file));
             int line = text.indexOf('\n');
             String state = text.substring(line + 1);
-            return line >= 0 && Digest.of(state).equals(text.substring(0, line))
-                    ? CheckStateReader.read(state, key, sources)
+            return line >= 0 && Sha256.hex(state).equals(text.substring(0, line))
+                    ? Optional.of(parse(state, sources)).filter(read -> read.key().equals(key))
                     : Optional.empty();
         } catch (IOException missing) {
             return Optional.empty();
         }
     }
 
+    private static CheckState parse(String state, Sources sources) throws IOException {
+        return MAPPER.readerFor(CheckState.class)
+                .withAttribute(Sources.class, sources)
+                .readValue(state);
+    }
+
     /** What is to be written into the file. */
     public static String text(CheckState state) {
-        String text = CheckStateJson.render(state);
-        return Digest.of(text) + "\n" + text;
+        try {
+            String text = MAPPER.writeValueAsString(state);
+            return Sha256.hex(text) + "\n" + text;
+        } catch (JsonProcessingException e) {
+            throw new AssertionError("texts and numbers can be written", e);
+        }
+    }
+
+    /** A span as it is written: the file by its path. */
+    private record Place(String path, int start, int end) {}
+
+    private static final class SpanSerializer extends StdSerializer<Span> {
+        private static final long serialVersionUID = 1L;
+
+        SpanSerializer() {
+            super(Span.class);
+        }
+
+        @Override
+        public void serialize(Span span, JsonGenerator json, SerializerProvider provider)
+                throws IOException {
+            json.writePOJO(new Place(span.file().path(), span.start(), span.end()));
+        }
+    }
+
+    private static final class SpanDeserializer extends StdDeserializer<Span> {
+        private static final long serialVersionUID = 1L;
+
+        SpanDeserializer() {
+            super(Span.class);
+        }
+
+        @Override
+        public Span deserialize(JsonParser json, DeserializationContext context)
+                throws IOException {
+            Place place = context.readValue(json, Place.class);
+            Sources sources = (Sources) context.getAttribute(Sources.class);
+            return new Span(sources.at(place.path()), place.start(), place.end());
+        }
+    }
+
+    /** What is there, or nothing where there is no field. */
+    private static final class OptionalDeserializer extends StdDeserializer<Optional<?>>
+            implements ContextualDeserializer {
+        private static final long serialVersionUID = 1L;
+
+        private final JavaType content;
+
+        OptionalDeserializer(JavaType content) {
+            super(Optional.class);
+            this.content = content;
+        }
+
+        @Override
+        public JsonDeserializer<?> createContextual(
+                DeserializationContext context, BeanProperty property) {
+            return new OptionalDeserializer(context.getContextualType().containedType(0));
+        }
+
+        @Override
+        public Optional<?> deserialize(JsonParser json, DeserializationContext context)
+                throws IOException {
+            return Optional.of(context.readValue(json, content));
+        }
+
+        @Override
+        public Optional<?> getNullValue(DeserializationContext context) {
+            return Optional.empty();
+        }
     }
 }

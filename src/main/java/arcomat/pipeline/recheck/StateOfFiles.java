@@ -3,8 +3,8 @@ package arcomat.pipeline.recheck;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.Mentions;
-import arcomat.report.finding.CheckState;
-import arcomat.report.finding.CheckState.File;
+import arcomat.pipeline.recheck.CheckState.File;
+import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
@@ -23,7 +23,7 @@ import java.util.Optional;
 import java.util.Set;
 
 /** What is to be remembered of files. */
-record StateOfFiles(Surroundings around) {
+record StateOfFiles(FilesAround around) {
 
     /** Of all files of a check. */
     List<File> of(CheckedModels models) {
@@ -60,10 +60,10 @@ record StateOfFiles(Surroundings around) {
         Optional<Unit> readable = parsed.readable();
         return new File(
                 source.path(),
-                Digest.of(source.text()),
+                Sha256.hex(source.text()),
                 named,
                 readable.map(around::neededBy).orElse(List.of()),
-                parsed.unit().map(Outline::of).map(StateOfFiles::names),
+                parsed.unit().map(Outline::of),
                 readable.map(StateOfFiles::mentions).orElse(Set.of()),
                 List.of(),
                 List.of());
@@ -75,20 +75,11 @@ record StateOfFiles(Surroundings around) {
                 path, "", named, List.of(), Optional.empty(), Set.of(), List.of(), List.of());
     }
 
-    private static CheckState.Names names(Outline outline) {
-        return new CheckState.Names(
-                outline.packageName(), outline.components(), outline.diagram(), outline.types());
-    }
-
-    static Outline outline(CheckState.Names names) {
-        return new Outline(names.packageName(), names.components(), names.diagram(), names.types());
-    }
-
     private static Set<String> mentions(Unit unit) {
         Set<String> mentions = Mentions.in(unit.file().text());
         unit.imports().stream()
                 .filter(Import::wildcard)
-                .forEach(each -> mentions.add(Footprint.allOf(each.name().text())));
+                .forEach(each -> mentions.add(FileReferences.allOf(each.name().text())));
         return mentions;
     }
 

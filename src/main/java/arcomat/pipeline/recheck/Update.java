@@ -7,10 +7,10 @@ import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
-import arcomat.report.finding.CheckState;
-import arcomat.report.finding.CheckState.File;
+import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
@@ -101,7 +101,7 @@ final class Update {
         File known = old.get(source.path());
         if (known != null
                 && known.named() == isNamed
-                && known.hash().equals(Digest.of(source.text()))) {
+                && known.hash().equals(Sha256.hex(source.text()))) {
             return known;
         }
         Parsed result = Parser.parse(source);
@@ -166,7 +166,7 @@ final class Update {
             } else if (needed.contains(file.path())) {
                 units.add(parsed.get(file.path()).unit().orElseThrow());
             } else {
-                outlines.add(StateOfFiles.outline(file.names().get()));
+                outlines.add(file.names().get());
             }
         }
         progress.step("checking", affected.size(), "model");

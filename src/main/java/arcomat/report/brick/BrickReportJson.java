@@ -6,71 +6,58 @@ import arcomat.brick.need.Need;
 import arcomat.brick.need.Needs;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
-import java.util.Locale;
-import java.util.OptionalLong;
+import java.util.List;
+import java.util.Optional;
 
 /** For programs: whether a robot's jar fits, and how full the brick will be. */
-public final class BrickReportJson {
+public record BrickReportJson(
+        boolean fits,
+        List<FindingsJson.Finding> findings,
+        List<Share> jar,
+        Classes classes,
+        Memory memory,
+        Slice slice) {
     private static final long MILLISECOND = 1000;
 
-    private BrickReportJson() {}
+    record Share(String origin, int classes, int methods, int bytes) {
+        static Share of(BrickReport.Share share) {
+            return new Share(
+                    Printable.word(share.origin()),
+                    share.classes(),
+                    share.methods(),
+                    share.bytes());
+        }
+    }
+
+    record Classes(int number, boolean exact, int limit) {}
+
+    record Memory(Optional<Long> bytes, Optional<String> unknown, long limit) {}
+
+    /** The limit is that of the longest slice, where slices take part in time at all. */
+    record Slice(Optional<Long> microseconds, Optional<String> unknown, Optional<Long> limit) {}
 
     public static String render(BrickReport report) {
+        Needs needs = report.needs();
+        Need memory = needs.memory();
+        Need slice = needs.slice();
         return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeBooleanField("fits", report.fits());
-                    FindingsJson.write(json, "findings", report.findings());
-                    writeShares(json, report);
-                    writeNeeds(json, report.needs());
-                    json.writeEndObject();
-                });
+                new BrickReportJson(
+                        report.fits(),
+                        FindingsJson.Finding.all(report.findings()),
+                        report.shares().stream().map(Share::of).toList(),
+                        new Classes(needs.classes(), needs.isExact(), BrickReport.CLASSES),
+                        new Memory(amount(memory), memory.unknown(), BrickCost.HEAP_BYTES),
+                        new Slice(
+                                amount(slice),
+                                slice.unknown(),
+                                needs.cycle().stream()
+                                        .mapToObj(cycle -> cycle * MILLISECOND)
+                                        .findFirst())));
     }
 
-    private static void writeShares(JsonGenerator json, BrickReport report) throws IOException {
-        json.writeArrayFieldStart("jar");
-        for (BrickReport.Share share : report.shares()) {
-            json.writeStartObject();
-            String origin = share.origin().name().toLowerCase(Locale.ROOT).replace('_', ' ');
-            json.writeStringField("origin", origin);
-            json.writeNumberField("classes", share.classes());
-            json.writeNumberField("methods", share.methods());
-            json.writeNumberField("bytes", share.bytes());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-    }
-
-    private static void writeNeeds(JsonGenerator json, Needs needs) throws IOException {
-        json.writeObjectFieldStart("classes");
-        json.writeNumberField("number", needs.classes());
-        json.writeBooleanField("exact", needs.isExact());
-        json.writeNumberField("limit", BrickReport.CLASSES);
-        json.writeEndObject();
-        write(json, "memory", "bytes", needs.memory(), OptionalLong.of(BrickCost.HEAP_BYTES));
-        OptionalLong cycle =
-                needs.cycle().isPresent()
-                        ? OptionalLong.of(needs.cycle().getAsInt() * MILLISECOND)
-                        : OptionalLong.empty();
-        write(json, "slice", "microseconds", needs.slice(), cycle);
-    }
-
-    private static void write(
-            JsonGenerator json, String field, String unit, Need need, OptionalLong limit)
-            throws IOException {
-        json.writeObjectFieldStart(field);
-        if (need.amount().isPresent()) {
-            json.writeNumberField(unit, need.amount().getAsLong());
-        } else {
-            json.writeStringField("unknown", need.unknown().orElseThrow());
-        }
-        if (limit.isPresent()) {
-            json.writeNumberField("limit", limit.getAsLong());
-        }
-        json.writeEndObject();
+    private static Optional<Long> amount(Need need) {
+        return need.amount().stream().boxed().findFirst();
     }
 }

@@ -6,54 +6,34 @@ import arcomat.sim.device.SensorName;
 import arcomat.sim.trace.Event;
 import arcomat.sim.trace.Trace;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
 
 /** A program's run for programs: a list of cycles. */
-public final class BrickTraceJson {
-    private BrickTraceJson() {}
+public record BrickTraceJson(List<Cycle> cycles) {
+    record Cycle(
+            long time,
+            Map<SensorName, Integer> sensors,
+            Map<MotorName, Order> motors,
+            List<String> other) {
+        static Cycle of(BrickRows.Row row) {
+            Map<SensorName, Integer> sensors = new EnumMap<>(SensorName.class);
+            sensors.putAll(row.read());
+            Map<MotorName, Order> motors = new EnumMap<>(MotorName.class);
+            row.told().forEach((motor, order) -> motors.put(motor, Order.of(order)));
+            return new Cycle(row.time(), sensors, motors, row.other());
+        }
+    }
+
+    record Order(String order, int value) {
+        static Order of(Event.MotorOrdered told) {
+            return new Order(told.order().name(), told.value());
+        }
+    }
 
     public static String render(Trace trace) {
         return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeArrayFieldStart("cycles");
-                    for (BrickRows.Row row : BrickRows.of(trace).rows()) {
-                        write(json, row);
-                    }
-                    json.writeEndArray();
-                    json.writeEndObject();
-                });
-    }
-
-    private static void write(JsonGenerator json, BrickRows.Row row) throws IOException {
-        json.writeStartObject();
-        json.writeNumberField("time", row.time());
-        json.writeObjectFieldStart("sensors");
-        for (SensorName sensor : SensorName.values()) {
-            Integer value = row.read().get(sensor);
-            if (value != null) {
-                json.writeNumberField(sensor.name(), value);
-            }
-        }
-        json.writeEndObject();
-        json.writeObjectFieldStart("motors");
-        for (MotorName motor : MotorName.values()) {
-            Event.MotorOrdered order = row.told().get(motor);
-            if (order != null) {
-                write(json, order);
-            }
-        }
-        json.writeEndObject();
-        Json.strings(json, "other", row.other());
-        json.writeEndObject();
-    }
-
-    private static void write(JsonGenerator json, Event.MotorOrdered order) throws IOException {
-        json.writeObjectFieldStart(order.motor().name());
-        json.writeStringField("order", order.order().name());
-        json.writeNumberField("value", order.value());
-        json.writeEndObject();
+                new BrickTraceJson(BrickRows.of(trace).rows().stream().map(Cycle::of).toList()));
     }
 }

@@ -6,7 +6,6 @@ import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.Comparator;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
@@ -18,7 +17,7 @@ import java.util.function.UnaryOperator;
  * place, not the line, so that it stays when lines above come and go.
  */
 public record Baseline(SortedMap<Entry, Integer> entries) {
-    private static final int FINGERPRINT_BYTES = 8;
+    private static final int FINGERPRINT = 16;
 
     public Baseline {
         entries = java.util.Collections.unmodifiableSortedMap(new TreeMap<>(entries));
@@ -93,7 +92,7 @@ public record Baseline(SortedMap<Entry, Integer> entries) {
         String own = normal(place.firstLine().text());
         String line = place.file().line(place.startPosition().line());
         String text = own.isEmpty() ? normal(line) : own;
-        return HexFormat.of().formatHex(Sha256.of(text), 0, FINGERPRINT_BYTES);
+        return Sha256.hex(text).substring(0, FINGERPRINT);
     }
 
     private static String normal(String text) {

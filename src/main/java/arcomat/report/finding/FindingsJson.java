@@ -1,131 +1,121 @@
 package arcomat.report.finding;
 
-import arcomat.report.finding.Baseline.Entry;
+import arcomat.report.finding.Baseline.Comparison;
 import arcomat.report.text.Json;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Position;
-import arcomat.source.Related;
 import arcomat.source.Span;
-import arcomat.source.Suppressed;
-import arcomat.source.TextEdit;
 
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
 
-import java.io.IOException;
 import java.util.List;
-import java.util.Map;
-import java.util.SortedMap;
+import java.util.Optional;
 
 /**
- * Findings for programs. Lines and columns count from 1 as in the text output; {@code offset}
- * counts UTF-16 units from 0; ends are exclusive.
+ * Findings for programs.
+ *
+ * @param known where there is a baseline, what it knows
+ * @param gone where there is a baseline, its entries that nothing was found for
  */
-public final class FindingsJson {
-    private FindingsJson() {}
+public record FindingsJson(
+        int files,
+        long errors,
+        long warnings,
+        List<Finding> findings,
+        List<Meant> suppressed,
+        Optional<List<Finding>> known,
+        Optional<List<Gone>> gone) {
+
+    /** A finding. */
+    public record Finding(
+            String code,
+            String severity,
+            String message,
+            @JsonUnwrapped Place place,
+            List<Note> related,
+            Optional<Repair> fix) {
+        public static Finding of(Diagnostic finding) {
+            return new Finding(
+                    finding.code(),
+                    FindingsText.word(finding.severity()),
+                    finding.message(),
+                    Place.of(finding.span()),
+                    finding.related().stream()
+                            .map(each -> new Note(each.note(), Place.of(each.span())))
+                            .toList(),
+                    finding.fix().map(Repair::of));
+        }
+
+        public static List<Finding> all(List<Diagnostic> findings) {
+            return findings.stream().map(Finding::of).toList();
+        }
+    }
+
+    /** The end is exclusive. */
+    record Place(String file, Offset start, Offset end) {
+        static Place of(Span span) {
+            return new Place(
+                    span.file().path(),
+                    Offset.of(span.startPosition(), span.start()),
+                    Offset.of(span.endPosition(), span.end()));
+        }
+    }
+
+    /**
+     * Lines and columns count from 1 as in the text output.
+     *
+     * @param offset in UTF-16 units from 0
+     */
+    record Offset(int line, int column, int offset) {
+        static Offset of(Position position, int offset) {
+            return new Offset(position.line(), position.column(), offset);
+        }
+    }
+
+    record Note(String note, @JsonUnwrapped Place place) {}
+
+    record Repair(String title, List<Edit> edits) {
+        static Repair of(Fix fix) {
+            return new Repair(
+                    fix.title(),
+                    fix.edits().stream()
+                            .map(each -> new Edit(Place.of(each.span()), each.text()))
+                            .toList());
+        }
+    }
+
+    record Edit(@JsonUnwrapped Place place, String text) {}
+
+    /** What is suppressed, and why. */
+    record Meant(@JsonUnwrapped Finding finding, String reason) {}
+
+    /** An entry of a baseline that is of no use any more. */
+    record Gone(String code, String file, String fingerprint, int times) {
+        static List<Gone> all(Comparison comparison) {
+            return comparison.gone().entrySet().stream()
+                    .map(each -> of(each.getKey(), each.getValue()))
+                    .toList();
+        }
+
+        private static Gone of(Baseline.Entry entry, int times) {
+            return new Gone(entry.code(), entry.path(), entry.fingerprint(), times);
+        }
+    }
 
     public static String render(CheckReport report) {
         List<Diagnostic> findings = report.findings();
+        long errors = findings.stream().filter(Diagnostic::isError).count();
         return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeNumberField("files", report.paths().size());
-                    json.writeNumberField(
-                            "errors", findings.stream().filter(Diagnostic::isError).count());
-                    json.writeNumberField(
-                            "warnings", findings.stream().filter(d -> !d.isError()).count());
-                    write(json, "findings", findings);
-                    write(json, report.suppressed());
-                    if (report.comparison().isPresent()) {
-                        write(json, "known", report.known());
-                        write(json, report.comparison().get().gone());
-                    }
-                    json.writeEndObject();
-                });
-    }
-
-    /** A field with a list of findings. */
-    public static void write(JsonGenerator json, String field, List<Diagnostic> findings)
-            throws IOException {
-        json.writeArrayFieldStart(field);
-        for (Diagnostic finding : findings) {
-            json.writeStartObject();
-            writeFields(json, finding);
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-    }
-
-    private static void write(JsonGenerator json, List<Suppressed> suppressed) throws IOException {
-        json.writeArrayFieldStart("suppressed");
-        for (Suppressed each : suppressed) {
-            json.writeStartObject();
-            writeFields(json, each.finding());
-            json.writeStringField("reason", each.reason());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-    }
-
-    private static void write(JsonGenerator json, SortedMap<Entry, Integer> gone)
-            throws IOException {
-        json.writeArrayFieldStart("gone");
-        for (Map.Entry<Entry, Integer> each : gone.entrySet()) {
-            json.writeStartObject();
-            json.writeStringField("code", each.getKey().code());
-            json.writeStringField("file", each.getKey().path());
-            json.writeStringField("fingerprint", each.getKey().fingerprint());
-            json.writeNumberField("times", each.getValue());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-    }
-
-    /** Into an object that has been started. */
-    public static void writeFields(JsonGenerator json, Diagnostic finding) throws IOException {
-        json.writeStringField("code", finding.code());
-        json.writeStringField("severity", FindingsText.word(finding.severity()));
-        json.writeStringField("message", finding.message());
-        writePlace(json, finding.span());
-        json.writeArrayFieldStart("related");
-        for (Related related : finding.related()) {
-            json.writeStartObject();
-            json.writeStringField("note", related.note());
-            writePlace(json, related.span());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        if (finding.fix().isPresent()) {
-            write(json, finding.fix().get());
-        }
-    }
-
-    private static void write(JsonGenerator json, Fix fix) throws IOException {
-        json.writeObjectFieldStart("fix");
-        json.writeStringField("title", fix.title());
-        json.writeArrayFieldStart("edits");
-        for (TextEdit edit : fix.edits()) {
-            json.writeStartObject();
-            writePlace(json, edit.span());
-            json.writeStringField("text", edit.text());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void writePlace(JsonGenerator json, Span span) throws IOException {
-        json.writeStringField("file", span.file().path());
-        writePosition(json, "start", span.startPosition(), span.start());
-        writePosition(json, "end", span.endPosition(), span.end());
-    }
-
-    private static void writePosition(
-            JsonGenerator json, String field, Position position, int offset) throws IOException {
-        json.writeObjectFieldStart(field);
-        json.writeNumberField("line", position.line());
-        json.writeNumberField("column", position.column());
-        json.writeNumberField("offset", offset);
-        json.writeEndObject();
+                new FindingsJson(
+                        report.paths().size(),
+                        errors,
+                        findings.size() - errors,
+                        Finding.all(findings),
+                        report.suppressed().stream()
+                                .map(each -> new Meant(Finding.of(each.finding()), each.reason()))
+                                .toList(),
+                        report.comparison().map(any -> Finding.all(report.known())),
+                        report.comparison().map(Gone::all)));
     }
 }

@@ -3,10 +3,8 @@ package arcomat.report.finding;
 import arcomat.report.text.Style;
 import arcomat.source.Diagnostic;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.regex.Matcher;
@@ -22,6 +20,19 @@ record SarifRules(List<String> codes, Function<String, Optional<String>> pages) 
     private static final Pattern PAGE =
             Pattern.compile("# ARC[0-9]{4} (?<title>.*)\n+(?<first>(?:.+\n)*)");
 
+    record Rule(
+            String id,
+            Optional<Map<String, String>> shortDescription,
+            Optional<Map<String, String>> fullDescription,
+            Optional<Help> help,
+            Map<String, String> defaultConfiguration) {}
+
+    record Help(String text, String markdown) {
+        static Help of(String page) {
+            return new Help(ExplanationText.render(page, Style.PLAIN), page);
+        }
+    }
+
     static SarifRules of(List<Reported> results, Function<String, Optional<String>> pages) {
         return new SarifRules(
                 results.stream().map(each -> each.finding().code()).sorted().distinct().toList(),
@@ -32,22 +43,23 @@ record SarifRules(List<String> codes, Function<String, Optional<String>> pages) 
         return codes.indexOf(code);
     }
 
-    /** The field {@code rules}. */
-    void write(JsonGenerator json, List<Reported> results) throws IOException {
-        json.writeArrayFieldStart("rules");
-        for (String code : codes) {
-            json.writeStartObject();
-            json.writeStringField("id", code);
-            Optional<String> page = pages.apply(code);
-            if (page.isPresent()) {
-                writePage(json, page.get());
-            }
-            json.writeObjectFieldStart("defaultConfiguration");
-            json.writeStringField("level", level(code, results));
-            json.writeEndObject();
-            json.writeEndObject();
-        }
-        json.writeEndArray();
+    List<Rule> all(List<Reported> results) {
+        return codes.stream().map(code -> rule(code, level(code, results))).toList();
+    }
+
+    private Rule rule(String code, String level) {
+        Optional<String> page = pages.apply(code);
+        Optional<Matcher> parts = page.map(PAGE::matcher).filter(Matcher::lookingAt);
+        return new Rule(
+                code,
+                parts.map(each -> text(each.group("title"))),
+                parts.map(each -> text(each.group("first").strip().replace('\n', ' '))),
+                page.map(Help::of),
+                Map.of("level", level));
+    }
+
+    private static Map<String, String> text(String text) {
+        return Map.of("text", text);
     }
 
     /** Of the worst finding: a law that is an error for code may be a warning before. */
@@ -61,24 +73,5 @@ record SarifRules(List<String> codes, Function<String, Optional<String>> pages) 
 
     static String level(Diagnostic finding) {
         return FindingsText.word(finding.severity());
-    }
-
-    private static void writePage(JsonGenerator json, String page) throws IOException {
-        Matcher parts = PAGE.matcher(page);
-        if (parts.lookingAt()) {
-            writeText(json, "shortDescription", parts.group("title"));
-            writeText(json, "fullDescription", parts.group("first").strip().replace('\n', ' '));
-        }
-        json.writeObjectFieldStart("help");
-        json.writeStringField("text", ExplanationText.render(page, Style.PLAIN));
-        json.writeStringField("markdown", page);
-        json.writeEndObject();
-    }
-
-    private static void writeText(JsonGenerator json, String field, String text)
-            throws IOException {
-        json.writeObjectFieldStart(field);
-        json.writeStringField("text", text);
-        json.writeEndObject();
     }
 }

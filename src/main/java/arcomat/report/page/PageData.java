@@ -1,52 +1,136 @@
 package arcomat.report.page;
 
+import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
-import arcomat.source.Span;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.SerializableString;
 import com.fasterxml.jackson.core.io.CharacterEscapes;
-import com.fasterxml.jackson.core.io.SerializedString;
 import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import com.fasterxml.jackson.databind.ObjectWriter;
+import com.fasterxml.jackson.databind.SerializerProvider;
+import com.fasterxml.jackson.databind.module.SimpleModule;
+import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 
 import java.io.IOException;
-import java.io.StringWriter;
-import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * What a page tells, as JSON that may stand inside an HTML page: nothing in it begins a tag. Its
  * reader is {@code resources/report}; other programs have the formats of {@code arcomat.report}.
  */
-final class PageData {
-    private final JsonGenerator json;
+record PageData(List<Run> stories) {
+    private static final ObjectWriter WRITER =
+            Json.mapper()
+                    .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
+                    .addModule(new SimpleModule().addSerializer(new TextSerializer()))
+                    .build()
+                    .writer(new HtmlEscapes());
 
-    /** Pictures by their SVG, numbered from 0: tests of one component share its picture. */
-    private final Map<String, Integer> pictures;
+    /** A story with its timeline. */
+    record Run(
+            String title,
+            String tone,
+            String headline,
+            List<Note> remarks,
+            String unit,
+            int length,
+            List<Long> times,
+            List<Row> tracks,
+            List<Timeline.Flaw> flaws,
+            List<Picture> drawings) {
+        static Run of(Story story, Map<String, Integer> pictures) {
+            Timeline timeline = story.timeline();
+            return new Run(
+                    story.title(),
+                    Printable.word(story.tone()),
+                    story.headline(),
+                    story.remarks().stream().map(Note::of).toList(),
+                    timeline.unit(),
+                    timeline.length(),
+                    timeline.times(),
+                    timeline.tracks().stream().map(Row::of).toList(),
+                    timeline.flaws(),
+                    story.drawings().stream().map(each -> Picture.of(each, pictures)).toList());
+        }
+    }
 
-    private PageData(JsonGenerator json, Map<String, Integer> pictures) {
-        this.json = json;
-        this.pictures = pictures;
+    /** A remark; its place with the lines that it covers. */
+    record Note(
+            String tone,
+            String text,
+            Optional<Integer> at,
+            Optional<String> place,
+            Optional<List<Excerpt.Line>> lines) {
+        static Note of(Remark remark) {
+            Optional<Excerpt> excerpt = remark.place().map(Excerpt::of);
+            return new Note(
+                    Printable.word(remark.tone()),
+                    remark.text(),
+                    remark.at().stream().boxed().findFirst(),
+                    excerpt.map(Excerpt::place),
+                    excerpt.map(Excerpt::lines));
+        }
+    }
+
+    /**
+     * A track.
+     *
+     * @param elements of drawings, for each value, where there are any
+     * @param runs value and length of each, one after the other
+     */
+    record Row(
+            String group,
+            String name,
+            String kind,
+            String before,
+            List<String> values,
+            Optional<List<List<String>>> elements,
+            List<Integer> runs) {
+        static Row of(Track track) {
+            List<List<String>> elements =
+                    track.values().stream().map(Track.Entry::elements).toList();
+            return new Row(
+                    track.group(),
+                    track.name(),
+                    Printable.word(track.kind()),
+                    track.before(),
+                    track.values().stream().map(Track.Entry::text).toList(),
+                    Optional.of(elements).filter(all -> !all.stream().allMatch(List::isEmpty)),
+                    track.runs().stream()
+                            .flatMap(run -> Stream.of(run.value(), run.length()))
+                            .toList());
+        }
+    }
+
+    /**
+     * A drawing.
+     *
+     * @param picture its number among {@link PageData#pictures}
+     */
+    record Picture(String title, int picture, List<String> tracks) {
+        static Picture of(Drawing drawing, Map<String, Integer> pictures) {
+            return new Picture(drawing.title(), pictures.get(drawing.svg()), drawing.tracks());
+        }
     }
 
     static String render(Page page) {
-        StringWriter out = new StringWriter();
-        try (JsonGenerator json =
-                JsonFactory.builder()
-                        .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
-                        .build()
-                        .createGenerator(out)) {
-            json.setCharacterEscapes(new HtmlEscapes());
-            new PageData(json, pictures(page)).write(page);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+        Map<String, Integer> pictures = pictures(page);
+        try {
+            return WRITER.writeValueAsString(
+                    new PageData(
+                            page.stories().stream().map(each -> Run.of(each, pictures)).toList()));
+        } catch (JsonProcessingException e) {
+            throw new AssertionError("texts and numbers can be written", e);
         }
-        return out.toString();
     }
 
+    /** Pictures by their SVG, numbered from 0: tests of one component share its picture. */
     static Map<String, Integer> pictures(Page page) {
         Map<String, Integer> pictures = new LinkedHashMap<>();
         for (Story story : page.stories()) {
@@ -57,134 +141,19 @@ final class PageData {
         return pictures;
     }
 
-    private void write(Page page) throws IOException {
-        json.writeStartObject();
-        json.writeArrayFieldStart("stories");
-        for (Story story : page.stories()) {
-            write(story);
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
+    /** What models say is made safe to show. */
+    private static final class TextSerializer extends StdSerializer<String> {
+        private static final long serialVersionUID = 1L;
 
-    private void write(Story story) throws IOException {
-        Timeline timeline = story.timeline();
-        json.writeStartObject();
-        text("title", story.title());
-        tone(story.tone());
-        text("headline", story.headline());
-        json.writeArrayFieldStart("remarks");
-        for (Remark remark : story.remarks()) {
-            write(remark);
+        TextSerializer() {
+            super(String.class);
         }
-        json.writeEndArray();
-        text("unit", timeline.unit());
-        json.writeNumberField("length", timeline.length());
-        json.writeArrayFieldStart("times");
-        for (long time : timeline.times()) {
-            json.writeNumber(time);
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("tracks");
-        for (Track track : timeline.tracks()) {
-            write(track);
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("flaws");
-        for (Timeline.Flaw flaw : timeline.flaws()) {
-            json.writeStartObject();
-            json.writeNumberField("at", flaw.at());
-            text("track", flaw.track());
-            text("text", flaw.text());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("drawings");
-        for (Drawing drawing : story.drawings()) {
-            json.writeStartObject();
-            text("title", drawing.title());
-            json.writeNumberField("picture", pictures.get(drawing.svg()));
-            texts("tracks", drawing.tracks());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
 
-    private void write(Track track) throws IOException {
-        json.writeStartObject();
-        text("group", track.group());
-        text("name", track.name());
-        json.writeStringField("kind", track.kind().name().toLowerCase(java.util.Locale.ROOT));
-        text("before", track.before());
-        json.writeArrayFieldStart("values");
-        for (Track.Entry value : track.values()) {
-            json.writeString(Printable.escape(value.text()));
-        }
-        json.writeEndArray();
-        if (track.values().stream().anyMatch(value -> !value.elements().isEmpty())) {
-            json.writeArrayFieldStart("elements");
-            for (Track.Entry value : track.values()) {
-                json.writeStartArray();
-                for (String element : value.elements()) {
-                    json.writeString(element);
-                }
-                json.writeEndArray();
-            }
-            json.writeEndArray();
-        }
-        json.writeArrayFieldStart("runs");
-        for (Track.Run run : track.runs()) {
-            json.writeNumber(run.value());
-            json.writeNumber(run.length());
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private void write(Remark remark) throws IOException {
-        json.writeStartObject();
-        tone(remark.tone());
-        text("text", remark.text());
-        if (remark.at().isPresent()) {
-            json.writeNumberField("at", remark.at().getAsInt());
-        }
-        if (remark.place().isPresent()) {
-            write(remark.place().get());
-        }
-        json.writeEndObject();
-    }
-
-    /** The place with the lines that it covers. */
-    private void write(Span place) throws IOException {
-        Excerpt excerpt = Excerpt.of(place);
-        json.writeStringField("place", Printable.escape(excerpt.place()));
-        json.writeArrayFieldStart("lines");
-        for (Excerpt.Line line : excerpt.lines()) {
-            json.writeStartObject();
-            json.writeNumberField("number", line.number());
-            text("before", line.before());
-            text("marked", line.marked());
-            text("after", line.after());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-    }
-
-    private void tone(Tone tone) throws IOException {
-        json.writeStringField("tone", tone.name().toLowerCase(java.util.Locale.ROOT));
-    }
-
-    private void text(String field, String text) throws IOException {
-        json.writeStringField(field, Printable.escape(text));
-    }
-
-    private void texts(String field, List<String> texts) throws IOException {
-        json.writeArrayFieldStart(field);
-        for (String text : texts) {
+        @Override
+        public void serialize(String text, JsonGenerator json, SerializerProvider provider)
+                throws IOException {
             json.writeString(Printable.escape(text));
         }
-        json.writeEndArray();
     }
 
     /** Neither {@code </script>} nor {@code <!--} can occur where no text has {@code <}. */
@@ -202,7 +171,7 @@ final class PageData {
 
         @Override
         public SerializableString getEscapeSequence(int c) {
-            return new SerializedString(String.format("\\u%04x", c));
+            throw new AssertionError("standard escapes have no sequence of their own");
         }
     }
 }

@@ -1,9 +1,9 @@
 package arcomat.report.page;
 
 import arcomat.diagram.Theme;
+import arcomat.report.text.Printable;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 
@@ -35,7 +35,7 @@ public final class PageText {
                 Map.of(
                         "title", SelfContained.escaped(page.title()),
                         "command", SelfContained.escaped(page.command()),
-                        "tone", page.tone().name().toLowerCase(Locale.ROOT),
+                        "tone", Printable.word(page.tone()),
                         "headline", SelfContained.escaped(page.headline()),
                         "pictures", pictures(page),
                         "data", PageData.render(page));

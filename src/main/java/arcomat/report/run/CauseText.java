@@ -1,6 +1,5 @@
 package arcomat.report.run;
 
-import arcomat.model.Automaton;
 import arcomat.model.Trace;
 import arcomat.report.text.Printable;
 import arcomat.source.Span;
@@ -34,13 +33,9 @@ final class CauseText {
             return "transition " + taken.index();
         }
         if (cause instanceof Trace.Completed completed) {
-            return name(completed.completion());
+            return Printable.word(completed.completion());
         }
         throw new AssertionError(cause);
-    }
-
-    static String name(Automaton.Completion completion) {
-        return completion.name().toLowerCase(java.util.Locale.ROOT);
     }
 
     /** States have a column of their own. */

@@ -2,24 +2,19 @@ package arcomat.report.run;
 
 import arcomat.report.text.Json;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
+
 import java.util.List;
 
-/** A monitor that was written, for programs. */
-public final class MonitorJson {
-    private MonitorJson() {}
-
-    /**
-     * @param className of the class to use
-     * @param files paths in the output folder
-     */
+/**
+ * A monitor that was written, for programs.
+ *
+ * @param className of the class to use
+ * @param files paths in the output folder
+ */
+public record MonitorJson(
+        @JsonProperty("class") String className, List<String> requirements, List<String> files) {
     public static String render(String className, List<String> requirements, List<String> files) {
-        return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeStringField("class", className);
-                    Json.strings(json, "requirements", requirements);
-                    Json.strings(json, "files", files);
-                    json.writeEndObject();
-                });
+        return Json.text(new MonitorJson(className, requirements, files));
     }
 }

@@ -1,68 +1,58 @@
 package arcomat.report.run;
 
-import arcomat.model.Value;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 import arcomat.simulate.test.StreamTestResult;
-import arcomat.simulate.test.StreamTestResult.Cell;
-import arcomat.simulate.test.StreamTestResult.Verdict;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
 import java.util.List;
-import java.util.Locale;
+import java.util.Optional;
 
 /** Results of stream tests for programs, with the streams of every test slice by slice. */
-public final class StreamTestJson {
-    private StreamTestJson() {}
+public record StreamTestJson(List<Result> tests) {
+    /**
+     * A test.
+     *
+     * @param reason why nobody knows
+     * @param failure why the run ended early
+     */
+    record Result(
+            String file,
+            int line,
+            String suite,
+            String name,
+            String verdict,
+            Optional<String> reason,
+            Optional<String> failure,
+            Optional<Integer> firstDifference,
+            List<Cell> streams) {
+        static Result of(StreamTestResult result) {
+            boolean unknown = result.verdict() == StreamTestResult.Verdict.UNKNOWN;
+            return new Result(
+                    result.test().span().file().path(),
+                    result.test().span().startPosition().line(),
+                    result.test().suite(),
+                    result.test().name(),
+                    Printable.word(result.verdict()),
+                    result.failure().filter(any -> unknown),
+                    result.failure().filter(any -> !unknown),
+                    result.firstDifference().stream().boxed().findFirst(),
+                    result.cells().stream().map(Cell::of).toList());
+        }
+    }
+
+    record Cell(
+            int slice, String port, List<Object> expected, List<Object> actual, boolean differs) {
+        static Cell of(StreamTestResult.Cell cell) {
+            return new Cell(
+                    cell.slice(),
+                    cell.port(),
+                    MessageJson.all(cell.expected()),
+                    MessageJson.all(cell.actual()),
+                    cell.differs());
+        }
+    }
 
     public static String render(List<StreamTestResult> results) {
-        return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeArrayFieldStart("tests");
-                    for (StreamTestResult result : results) {
-                        write(json, result);
-                    }
-                    json.writeEndArray();
-                    json.writeEndObject();
-                });
-    }
-
-    private static void write(JsonGenerator json, StreamTestResult result) throws IOException {
-        json.writeStartObject();
-        json.writeStringField("file", result.test().span().file().path());
-        json.writeNumberField("line", result.test().span().startPosition().line());
-        json.writeStringField("suite", result.test().suite());
-        json.writeStringField("name", result.test().name());
-        json.writeStringField("verdict", result.verdict().name().toLowerCase(Locale.ROOT));
-        if (result.failure().isPresent()) {
-            boolean unknown = result.verdict() == Verdict.UNKNOWN;
-            json.writeStringField(unknown ? "reason" : "failure", result.failure().get());
-        }
-        if (result.firstDifference().isPresent()) {
-            json.writeNumberField("firstDifference", result.firstDifference().getAsInt());
-        }
-        json.writeArrayFieldStart("streams");
-        for (Cell cell : result.cells()) {
-            json.writeStartObject();
-            json.writeNumberField("slice", cell.slice());
-            json.writeStringField("port", cell.port());
-            write(json, "expected", cell.expected());
-            write(json, "actual", cell.actual());
-            json.writeBooleanField("differs", cell.differs());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void write(JsonGenerator json, String field, List<Value> values)
-            throws IOException {
-        json.writeArrayFieldStart(field);
-        for (Value value : values) {
-            TraceJson.write(json, value);
-        }
-        json.writeEndArray();
+        return Json.text(new StreamTestJson(results.stream().map(Result::of).toList()));
     }
 }

@@ -1,23 +1,18 @@
 package arcomat.report.run;
 
 import arcomat.model.Component;
-import arcomat.model.Letter;
 import arcomat.model.Trace;
-import arcomat.model.Value;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 import arcomat.source.Span;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 
-/**
- * A trace for programs. Messages are lists, for an event may send several; values are written as in
- * models, but for numbers and truth values.
- */
+/** A trace for programs. Messages are lists, for an event may send several. */
 public final class TraceJson implements RunText {
     private final Consumer<String> out;
     private final Json.Growing text = new Json.Growing();
@@ -27,6 +22,65 @@ public final class TraceJson implements RunText {
      */
     public TraceJson(Consumer<String> out) {
         this.out = out;
+    }
+
+    private record Step(
+            int number,
+            Map<String, List<Object>> inputs,
+            Map<String, List<Object>> outputs,
+            List<Activity> activities) {
+        static Step of(Trace.Step step) {
+            return new Step(
+                    step.number(),
+                    MessageJson.all(step.inputs()),
+                    MessageJson.all(step.outputs()),
+                    step.activities().stream().map(Activity::of).toList());
+        }
+    }
+
+    /** What an automaton did, by the transition at a place or by a completion. */
+    private record Activity(
+            String instance,
+            String automaton,
+            String before,
+            String after,
+            Optional<Integer> transition,
+            Optional<String> file,
+            Optional<Integer> line,
+            Optional<String> completion,
+            Map<String, Object> variables) {
+        static Activity of(Trace.Activity activity) {
+            Optional<Trace.Taken> taken = as(Trace.Taken.class, activity.cause());
+            Optional<Span> place = taken.map(each -> each.transition().span());
+            Map<String, Object> variables = new LinkedHashMap<>();
+            activity.variables().forEach((name, v) -> variables.put(name, MessageJson.of(v)));
+            return new Activity(
+                    activity.instance(),
+                    activity.automaton(),
+                    activity.before(),
+                    activity.after(),
+                    taken.map(Trace.Taken::index),
+                    place.map(span -> span.file().path()),
+                    place.map(span -> span.startPosition().line()),
+                    as(Trace.Completed.class, activity.cause())
+                            .map(each -> Printable.word(each.completion())),
+                    variables);
+        }
+
+        private static <T> Optional<T> as(Class<T> form, Trace.Cause cause) {
+            return Optional.of(cause).filter(form::isInstance).map(form::cast);
+        }
+    }
+
+    /** The step that goes wrong, with what was sent before it. */
+    private record End(
+            int number, Map<String, List<Object>> inputs, Map<String, List<Object>> outputs) {
+        static End of(int number, Trace rest) {
+            return new End(
+                    number,
+                    MessageJson.all(RunText.lastInputs(rest)),
+                    MessageJson.all(RunText.lastOutputs(rest)));
+        }
     }
 
     @Override
@@ -43,7 +97,7 @@ public final class TraceJson implements RunText {
 
     @Override
     public void step(Trace.Step step) {
-        out.accept(text.add(json -> write(json, step)));
+        out.accept(text.add(json -> json.writePOJO(Step.of(step))));
     }
 
     @Override
@@ -53,7 +107,7 @@ public final class TraceJson implements RunText {
                         json -> {
                             json.writeEndArray();
                             if (RunText.endsInError(rest)) {
-                                writeEnd(json, steps, rest);
+                                json.writePOJOField("end", End.of(steps, rest));
                             }
                             if (rest.failure().isPresent()) {
                                 json.writeStringField("failure", rest.failure().get());
@@ -61,77 +115,5 @@ public final class TraceJson implements RunText {
                             json.writeEndObject();
                         }));
         out.accept("\n");
-    }
-
-    /** The step that goes wrong, with what was sent before it. */
-    private static void writeEnd(JsonGenerator json, int number, Trace rest) throws IOException {
-        json.writeObjectFieldStart("end");
-        json.writeNumberField("number", number);
-        writeLetter(json, "inputs", RunText.lastInputs(rest));
-        writeLetter(json, "outputs", RunText.lastOutputs(rest));
-        json.writeEndObject();
-    }
-
-    private static void write(JsonGenerator json, Trace.Step step) throws IOException {
-        json.writeStartObject();
-        json.writeNumberField("number", step.number());
-        writeLetter(json, "inputs", step.inputs());
-        writeLetter(json, "outputs", step.outputs());
-        json.writeArrayFieldStart("activities");
-        for (Trace.Activity activity : step.activities()) {
-            write(json, activity);
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void write(JsonGenerator json, Trace.Activity activity) throws IOException {
-        json.writeStartObject();
-        json.writeStringField("instance", activity.instance());
-        json.writeStringField("automaton", activity.automaton());
-        json.writeStringField("before", activity.before());
-        json.writeStringField("after", activity.after());
-        if (activity.cause() instanceof Trace.Taken taken) {
-            Span span = taken.transition().span();
-            json.writeNumberField("transition", taken.index());
-            json.writeStringField("file", span.file().path());
-            json.writeNumberField("line", span.startPosition().line());
-        } else if (activity.cause() instanceof Trace.Completed completed) {
-            json.writeStringField("completion", CauseText.name(completed.completion()));
-        }
-        json.writeObjectFieldStart("variables");
-        for (Map.Entry<String, Value> variable : activity.variables().entrySet()) {
-            json.writeFieldName(variable.getKey());
-            write(json, variable.getValue());
-        }
-        json.writeEndObject();
-        json.writeEndObject();
-    }
-
-    private static void writeLetter(JsonGenerator json, String field, Letter letter)
-            throws IOException {
-        json.writeObjectFieldStart(field);
-        for (Map.Entry<String, List<Value>> port : letter.messages().entrySet()) {
-            json.writeArrayFieldStart(port.getKey());
-            for (Value value : port.getValue()) {
-                write(json, value);
-            }
-            json.writeEndArray();
-        }
-        json.writeEndObject();
-    }
-
-    public static void write(JsonGenerator json, Value value) throws IOException {
-        if (value instanceof Value.BooleanValue truth) {
-            json.writeBoolean(truth.value());
-        } else if (value instanceof Value.IntegerValue number) {
-            json.writeNumber(number.value());
-        } else if (value instanceof Value.RealValue number && Double.isFinite(number.value())) {
-            json.writeNumber(number.value());
-        } else if (value instanceof Value.StringValue string) {
-            json.writeString(string.value());
-        } else {
-            json.writeString(value.toString());
-        }
     }
 }

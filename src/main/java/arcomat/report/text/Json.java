@@ -1,36 +1,74 @@
 package arcomat.report.text;
 
-import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
+import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonInclude.Include;
+import com.fasterxml.jackson.annotation.PropertyAccessor;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.ObjectWriter;
+import com.fasterxml.jackson.databind.SerializerProvider;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.module.SimpleModule;
+import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 
 import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
-import java.util.List;
+import java.util.Optional;
 
-/** JSON text with a line break at its end. */
+/**
+ * JSON text with a line break at its end. A record is an object: its components are the fields, in
+ * their order, but for an optional one that is empty.
+ */
 public final class Json {
+    private static final ObjectMapper MAPPER = mapper().build();
+
     private Json() {}
 
-    /** Writes one value. */
-    public interface Body {
-        void write(JsonGenerator json) throws IOException;
+    /** Writes records as all JSON is written; for who has more to say about it. */
+    public static JsonMapper.Builder mapper() {
+        JsonInclude.Value present = JsonInclude.Value.construct(Include.NON_EMPTY, null);
+        return JsonMapper.builder()
+                .visibility(PropertyAccessor.ALL, Visibility.NONE)
+                .visibility(PropertyAccessor.FIELD, Visibility.ANY)
+                .withConfigOverride(Optional.class, each -> each.setInclude(present))
+                .addModule(new SimpleModule().addSerializer(new OptionalSerializer()));
     }
 
     /** With two blanks of indentation. */
-    public static String text(Body body) {
-        return compact(
-                json -> {
-                    json.setPrettyPrinter(printer());
-                    body.write(json);
-                });
+    public static String text(Object value) {
+        return text(indented(), value);
     }
 
-    private static DefaultPrettyPrinter printer() {
+    /** On one line. */
+    public static String compact(Object value) {
+        return text(MAPPER.writer(), value);
+    }
+
+    private static String text(ObjectWriter writer, Object value) {
+        StringWriter out = new StringWriter();
+        try {
+            writer.writeValue(out, value);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return escapeHalfPairs(out.append('\n').toString());
+    }
+
+    private static ObjectWriter indented() {
         DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
-        return new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
+        return MAPPER.writer(
+                new DefaultPrettyPrinter()
+                        .withObjectIndenter(indenter)
+                        .withArrayIndenter(indenter));
+    }
+
+    /** A part of a value, piece by piece. */
+    public interface Part {
+        void write(JsonGenerator json) throws IOException;
     }
 
     /** A text that is taken away while it grows; with two blanks of indentation. */
@@ -40,15 +78,14 @@ public final class Json {
 
         public Growing() {
             try {
-                json = new JsonFactory().createGenerator(out);
-                json.setPrettyPrinter(printer());
+                json = indented().createGenerator(out);
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
         }
 
         /** What has come to the text, half a value perhaps, but a whole text. */
-        public String add(Body part) {
+        public String add(Part part) {
             try {
                 part.write(json);
                 json.flush();
@@ -59,27 +96,6 @@ public final class Json {
             out.getBuffer().setLength(0);
             return added;
         }
-    }
-
-    /** With no more blanks and line breaks than the body writes. */
-    public static String compact(Body body) {
-        StringWriter out = new StringWriter();
-        try (JsonGenerator json = new JsonFactory().createGenerator(out)) {
-            body.write(json);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
-        return escapeHalfPairs(out.append('\n').toString());
-    }
-
-    /** A field with a list of texts. */
-    public static void strings(JsonGenerator json, String field, List<String> all)
-            throws IOException {
-        json.writeArrayFieldStart(field);
-        for (String each : all) {
-            json.writeString(each);
-        }
-        json.writeEndArray();
     }
 
     /** Half of a surrogate pair, which models may send, has no encoding but an escape. */
@@ -102,5 +118,25 @@ public final class Json {
 
     private static boolean isHalfPair(int codePoint) {
         return Character.getType(codePoint) == Character.SURROGATE;
+    }
+
+    /** What is there, or nothing. */
+    private static final class OptionalSerializer extends StdSerializer<Optional<?>> {
+        private static final long serialVersionUID = 1L;
+
+        OptionalSerializer() {
+            super(Optional.class, false);
+        }
+
+        @Override
+        public boolean isEmpty(SerializerProvider provider, Optional<?> value) {
+            return value.isEmpty();
+        }
+
+        @Override
+        public void serialize(Optional<?> value, JsonGenerator json, SerializerProvider provider)
+                throws IOException {
+            provider.defaultSerializeValue(value.orElse(null), json);
+        }
     }
 }

@@ -1,11 +1,18 @@
 package arcomat.report.text;
 
+import java.util.Locale;
+
 /**
  * Text of models made safe to show: characters that would move the cursor, ring, colour or reorder
  * what a terminal shows become escapes as Java writes them.
  */
 public final class Printable {
     private Printable() {}
+
+    /** The name of a constant as a word: {@code is refined by}. */
+    public static String word(Enum<?> constant) {
+        return constant.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
 
     public static String escape(String text) {
         if (text.codePoints().allMatch(Printable::isSafe)) {

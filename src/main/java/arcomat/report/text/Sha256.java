@@ -3,10 +3,16 @@ package arcomat.report.text;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
 
 /** The hash of that name, of texts in UTF-8. */
 public final class Sha256 {
     private Sha256() {}
+
+    /** In hexadecimal: a short text that differs where long ones do. */
+    public static String hex(String text) {
+        return HexFormat.of().formatHex(of(text));
+    }
 
     public static byte[] of(String text) {
         try {

@@ -3,19 +3,62 @@ package arcomat.report.verdict;
 import arcomat.analysis.contradiction.Consistency;
 import arcomat.analysis.contradiction.Contradiction;
 import arcomat.analysis.game.Turn;
-import arcomat.analysis.refinement.Verdict.Answer;
-import arcomat.analysis.refinement.Verdict.Sentence;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.model.Letter;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Contradictions, or the controller that shows that there are none, for programs. */
-public final class ConsistencyJson {
-    private ConsistencyJson() {}
+public record ConsistencyJson(
+        String verdict,
+        String reason,
+        List<Conflict> contradictions,
+        Optional<String> controller,
+        Optional<String> file,
+        List<String> notes,
+        Explored explored) {
+
+    /** Requirements that contradict each other, by name. */
+    record Conflict(
+            List<String> requirements,
+            boolean minimal,
+            Optional<List<Input>> word,
+            List<Step> steps) {
+        static Conflict of(Contradiction contradiction) {
+            return new Conflict(
+                    ConsistencyText.names(contradiction),
+                    contradiction.minimal(),
+                    contradiction.word().map(word -> word.stream().map(Input::of).toList()),
+                    contradiction.steps().stream().map(Step::of).toList());
+        }
+    }
+
+    record Input(Map<String, Object> in) {
+        static Input of(Letter letter) {
+            return new Input(VerdictJson.inputs(letter));
+        }
+    }
+
+    record Step(Map<String, Object> in, List<Answer> answers, List<VerdictJson.Reason> demands) {
+        static Step of(Contradiction.Step step) {
+            return new Step(
+                    VerdictJson.inputs(step.input()),
+                    step.answers().stream().map(Answer::of).toList(),
+                    VerdictJson.Reason.all(step.demands()));
+        }
+    }
+
+    record Answer(Map<String, Object> out, int then) {
+        static Answer of(Turn.Answer answer) {
+            return new Answer(VerdictJson.outputs(answer.outputs()), answer.next());
+        }
+    }
+
+    record Explored(long positions) {}
 
     /**
      * @param controller its text
@@ -23,68 +66,15 @@ public final class ConsistencyJson {
      */
     public static String render(
             Consistency found, Optional<String> controller, Optional<String> file) {
+        boolean fails = found.answer() == Verdict.Answer.FAILS;
         return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeStringField("verdict", VerdictText.word(found.answer()));
-                    boolean fails = found.answer() == Answer.FAILS;
-                    json.writeStringField("reason", fails ? "contradiction" : found.reason());
-                    json.writeArrayFieldStart("contradictions");
-                    for (Contradiction contradiction : found.contradictions()) {
-                        write(json, contradiction);
-                    }
-                    json.writeEndArray();
-                    if (controller.isPresent()) {
-                        json.writeStringField("controller", controller.get());
-                    }
-                    if (file.isPresent()) {
-                        json.writeStringField("file", file.get());
-                    }
-                    Json.strings(json, "notes", found.notes());
-                    json.writeObjectFieldStart("explored");
-                    json.writeNumberField("positions", found.explored());
-                    json.writeEndObject();
-                    json.writeEndObject();
-                });
-    }
-
-    private static void write(JsonGenerator json, Contradiction contradiction) throws IOException {
-        json.writeStartObject();
-        Json.strings(json, "requirements", ConsistencyText.names(contradiction));
-        json.writeBooleanField("minimal", contradiction.minimal());
-        if (contradiction.word().isPresent()) {
-            json.writeArrayFieldStart("word");
-            for (Letter letter : contradiction.word().get()) {
-                json.writeStartObject();
-                VerdictJson.input(json, letter);
-                json.writeEndObject();
-            }
-            json.writeEndArray();
-        }
-        json.writeArrayFieldStart("steps");
-        for (Contradiction.Step step : contradiction.steps()) {
-            write(json, step);
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void write(JsonGenerator json, Contradiction.Step step) throws IOException {
-        json.writeStartObject();
-        VerdictJson.input(json, step.input());
-        json.writeArrayFieldStart("answers");
-        for (Turn.Answer answer : step.answers()) {
-            json.writeStartObject();
-            VerdictJson.outputs(json, answer.outputs());
-            json.writeNumberField("then", answer.next());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("demands");
-        for (Sentence sentence : step.demands()) {
-            VerdictJson.write(json, sentence);
-        }
-        json.writeEndArray();
-        json.writeEndObject();
+                new ConsistencyJson(
+                        Printable.word(found.answer()),
+                        fails ? "contradiction" : found.reason(),
+                        found.contradictions().stream().map(Conflict::of).toList(),
+                        controller,
+                        file,
+                        found.notes(),
+                        new Explored(found.explored())));
     }
 }

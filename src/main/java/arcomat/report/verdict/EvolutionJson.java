@@ -1,76 +1,58 @@
 package arcomat.report.verdict;
 
 import arcomat.analysis.evolution.Evolution;
-import arcomat.analysis.evolution.Evolution.Break;
-import arcomat.analysis.evolution.Evolution.Culprit;
-import arcomat.analysis.refinement.Verdict;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 import arcomat.source.Span;
 
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
 
-import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 
 /** The matrix of verdicts along versions, for programs; versions are counted from 1. */
-public final class EvolutionJson {
-    private EvolutionJson() {}
+public record EvolutionJson(List<Version> versions, List<Break> breaks) {
+    record Version(String name, List<String> refines) {
+        static Version of(Evolution evolution, int index) {
+            return new Version(
+                    evolution.titles().get(index),
+                    evolution.verdicts().get(index).stream()
+                            .map(verdict -> Printable.word(verdict.answer()))
+                            .toList());
+        }
+    }
+
+    record Break(int version, int promise, @JsonUnwrapped VerdictJson verdict, List<Edit> edits) {
+        static Break of(Evolution.Break each) {
+            return new Break(
+                    each.version() + 1,
+                    each.promise() + 1,
+                    VerdictJson.of(each.verdict()),
+                    each.culprits().stream()
+                            .map(
+                                    edit ->
+                                            new Edit(
+                                                    edit.old().map(Text::of),
+                                                    edit.fresh().map(Text::of)))
+                            .toList());
+        }
+    }
+
+    record Edit(Optional<Text> was, Optional<Text> is) {}
+
+    record Text(String text, String file, int line) {
+        static Text of(Span span) {
+            return new Text(span.text(), span.file().path(), span.startPosition().line());
+        }
+    }
 
     public static String render(Evolution evolution) {
         return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeArrayFieldStart("versions");
-                    for (int i = 0; i < evolution.titles().size(); i++) {
-                        version(json, evolution.titles().get(i), evolution.verdicts().get(i));
-                    }
-                    json.writeEndArray();
-                    json.writeArrayFieldStart("breaks");
-                    for (Break each : evolution.breaks()) {
-                        write(json, each);
-                    }
-                    json.writeEndArray();
-                    json.writeEndObject();
-                });
-    }
-
-    private static void version(JsonGenerator json, String title, List<Verdict> verdicts)
-            throws IOException {
-        json.writeStartObject();
-        json.writeStringField("name", title);
-        json.writeArrayFieldStart("refines");
-        for (Verdict verdict : verdicts) {
-            json.writeString(VerdictText.word(verdict.answer()));
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void write(JsonGenerator json, Break each) throws IOException {
-        json.writeStartObject();
-        json.writeNumberField("version", each.version() + 1);
-        json.writeNumberField("promise", each.promise() + 1);
-        VerdictJson.write(json, each.verdict());
-        json.writeArrayFieldStart("edits");
-        for (Culprit culprit : each.culprits()) {
-            json.writeStartObject();
-            if (culprit.old().isPresent()) {
-                place(json, "was", culprit.old().get());
-            }
-            if (culprit.fresh().isPresent()) {
-                place(json, "is", culprit.fresh().get());
-            }
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void place(JsonGenerator json, String field, Span span) throws IOException {
-        json.writeObjectFieldStart(field);
-        json.writeStringField("text", span.text());
-        json.writeStringField("file", span.file().path());
-        json.writeNumberField("line", span.startPosition().line());
-        json.writeEndObject();
+                new EvolutionJson(
+                        IntStream.range(0, evolution.titles().size())
+                                .mapToObj(index -> Version.of(evolution, index))
+                                .toList(),
+                        evolution.breaks().stream().map(Break::of).toList()));
     }
 }

@@ -40,7 +40,7 @@ public final class EvolutionText {
             cells.add(String.valueOf(version + 1));
             cells.add(Printable.escape(evolution.titles().get(version)));
             for (Verdict verdict : evolution.verdicts().get(version)) {
-                cells.add(VerdictText.word(verdict.answer()));
+                cells.add(Printable.word(verdict.answer()));
             }
             table.add(cells);
         }

@@ -4,6 +4,7 @@ import arcomat.analysis.evolution.Change;
 import arcomat.analysis.evolution.Gate;
 import arcomat.report.finding.Case;
 import arcomat.report.finding.Case.Outcome;
+import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 
 import java.util.List;
@@ -36,7 +37,7 @@ public final class GateCases {
 
     private static String message(Gate.Entry entry) {
         String reason = entry.change().reason();
-        return GateText.word(entry.change().relation()) + (reason.isEmpty() ? "" : ": " + reason);
+        return Printable.word(entry.change().relation()) + (reason.isEmpty() ? "" : ": " + reason);
     }
 
     private static String details(Gate.Entry entry) {

@@ -5,19 +5,58 @@ import arcomat.analysis.evolution.Gate;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.annotation.JsonProperty;
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
 
-import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** What became of every component, unchanged ones included, for programs. */
-public final class GateJson {
-    private GateJson() {}
+public record GateJson(
+        String verdict,
+        List<Entry> components,
+        List<FindingsJson.Finding> findings,
+        Optional<List<String>> leftOut) {
+
+    record Entry(
+            String name,
+            String relation,
+            String reason,
+            Optional<String> excuse,
+            Optional<String> cause,
+            Optional<Place> old,
+            @JsonProperty("new") Optional<Place> fresh,
+            List<Witness> witnesses) {
+        static Entry of(Gate.Entry entry) {
+            return new Entry(
+                    entry.name(),
+                    Printable.word(entry.change().relation()),
+                    entry.change().reason(),
+                    entry.excuse(),
+                    entry.cause(),
+                    entry.old().map(Place::of),
+                    entry.fresh().map(Place::of),
+                    entry.change().witnesses().stream().map(Witness::of).toList());
+        }
+    }
+
+    record Place(String file, int line, int column) {
+        static Place of(Span span) {
+            return new Place(
+                    span.file().path(), span.startPosition().line(), span.startPosition().column());
+        }
+    }
+
+    record Witness(String left, String right, @JsonUnwrapped VerdictJson verdict) {
+        static Witness of(Change.Witness each) {
+            return new Witness(each.left(), each.right(), VerdictJson.of(each.verdict()));
+        }
+    }
 
     /**
      * The same as text.
@@ -28,62 +67,13 @@ public final class GateJson {
     public static String render(
             Gate gate, List<Diagnostic> findings, List<Diagnostic> unread, List<String> leftOut) {
         Answer answer = leftOut.isEmpty() ? gate.answer() : gate.answer().and(Answer.UNKNOWN);
-        List<Diagnostic> all = new ArrayList<>(unread);
-        all.addAll(findings);
         return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    json.writeStringField("verdict", VerdictText.word(answer));
-                    json.writeArrayFieldStart("components");
-                    for (Gate.Entry entry : gate.entries()) {
-                        write(json, entry);
-                    }
-                    json.writeEndArray();
-                    FindingsJson.write(json, "findings", all);
-                    if (!leftOut.isEmpty()) {
-                        json.writeArrayFieldStart("leftOut");
-                        for (String path : leftOut) {
-                            json.writeString(path);
-                        }
-                        json.writeEndArray();
-                    }
-                    json.writeEndObject();
-                });
-    }
-
-    private static void write(JsonGenerator json, Gate.Entry entry) throws IOException {
-        json.writeStartObject();
-        json.writeStringField("name", entry.name());
-        json.writeStringField("relation", GateText.word(entry.change().relation()));
-        json.writeStringField("reason", entry.change().reason());
-        if (entry.excuse().isPresent()) {
-            json.writeStringField("excuse", entry.excuse().get());
-        }
-        if (entry.cause().isPresent()) {
-            json.writeStringField("cause", entry.cause().get());
-        }
-        place(json, "old", entry.old());
-        place(json, "new", entry.fresh());
-        json.writeArrayFieldStart("witnesses");
-        for (Change.Witness each : entry.change().witnesses()) {
-            json.writeStartObject();
-            json.writeStringField("left", each.left());
-            json.writeStringField("right", each.right());
-            VerdictJson.write(json, each.verdict());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private static void place(JsonGenerator json, String field, Optional<Span> place)
-            throws IOException {
-        if (place.isPresent()) {
-            json.writeObjectFieldStart(field);
-            json.writeStringField("file", place.get().file().path());
-            json.writeNumberField("line", place.get().startPosition().line());
-            json.writeNumberField("column", place.get().startPosition().column());
-            json.writeEndObject();
-        }
+                new GateJson(
+                        Printable.word(answer),
+                        gate.entries().stream().map(Entry::of).toList(),
+                        Stream.concat(unread.stream(), findings.stream())
+                                .map(FindingsJson.Finding::of)
+                                .toList(),
+                        Optional.of(leftOut).filter(paths -> !paths.isEmpty())));
     }
 }

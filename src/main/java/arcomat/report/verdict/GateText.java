@@ -12,7 +12,6 @@ import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -46,7 +45,7 @@ public final class GateText {
 
     /** {@code refines p.Lift}, with what it has more. */
     static String line(Gate.Entry entry, Style style) {
-        String word = word(entry.change().relation());
+        String word = Printable.word(entry.change().relation());
         String reason =
                 entry.cause().map(part -> "; by its part " + part).orElse("")
                         + entry.excuse().map(why -> "; it is meant: " + why).orElse("");
@@ -72,10 +71,6 @@ public final class GateText {
                                             .append('\n'));
         }
         return out.toString();
-    }
-
-    static String word(Relation relation) {
-        return relation.name().toLowerCase(Locale.ROOT);
     }
 
     /** The finding, if there is one, then what shows it; that of a part is told there. */
@@ -132,7 +127,7 @@ public final class GateText {
                             .filter(each -> each.change().relation() == relation)
                             .count();
             if (number > 0) {
-                counts.add(number + " " + word(relation));
+                counts.add(number + " " + Printable.word(relation));
             }
         }
         String text = counts.isEmpty() ? "no components" : String.join(", ", counts);

@@ -2,140 +2,121 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Letter;
 import arcomat.model.Value;
-import arcomat.report.run.TraceJson;
+import arcomat.report.run.MessageJson;
 import arcomat.report.text.Json;
+import arcomat.report.text.Printable;
 import arcomat.semantics.expression.Sent;
+import arcomat.source.Span;
 
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
 
-import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 
-/**
- * A verdict for programs. Silent ports are left out; {@code "*"} is an output that is left open.
- */
-public final class VerdictJson {
-    private VerdictJson() {}
+/** A verdict for programs. */
+public record VerdictJson(
+        String verdict,
+        String reason,
+        Optional<Boolean> simulation,
+        List<Step> trace,
+        List<Reason> explanation,
+        List<String> notes,
+        Explored explored) {
+
+    /** A question with both sides, and its answer. */
+    private record Answer(
+            String question, String left, String right, @JsonUnwrapped VerdictJson verdict) {
+        static Answer of(Answered each) {
+            return new Answer(
+                    Printable.word(each.question()),
+                    each.left(),
+                    each.right(),
+                    VerdictJson.of(each.verdict()));
+        }
+    }
+
+    /** Silent ports are left out; {@code "*"} is an output that is left open. */
+    record Step(
+            Map<String, Object> in,
+            Map<String, Object> out,
+            Optional<Boolean> error,
+            String left,
+            List<String> right) {
+        static Step of(Moment moment) {
+            return new Step(
+                    inputs(moment.input()),
+                    outputs(moment.outputs()),
+                    Optional.of(true).filter(any -> moment.error()),
+                    moment.left(),
+                    moment.right());
+        }
+    }
+
+    /** A sentence, and its place if it has one. */
+    record Reason(
+            String text, Optional<String> file, Optional<Integer> line, Optional<Integer> column) {
+        static Reason of(Sentence sentence) {
+            Optional<Span> place = sentence.place();
+            return new Reason(
+                    sentence.text(),
+                    place.map(span -> span.file().path()),
+                    place.map(span -> span.startPosition().line()),
+                    place.map(span -> span.startPosition().column()));
+        }
+
+        static List<Reason> all(List<Sentence> sentences) {
+            return sentences.stream().map(Reason::of).toList();
+        }
+    }
+
+    static VerdictJson of(Verdict verdict) {
+        return new VerdictJson(
+                Printable.word(verdict.answer()),
+                verdict.reason(),
+                verdict.simulation(),
+                verdict.trace().stream().map(Step::of).toList(),
+                Reason.all(verdict.explanation()),
+                verdict.notes(),
+                verdict.explored());
+    }
 
     public static String render(Verdict verdict) {
-        return Json.text(
-                json -> {
-                    json.writeStartObject();
-                    write(json, verdict);
-                    json.writeEndObject();
-                });
+        return Json.text(of(verdict));
     }
 
     /** Answers to many questions, with the names of both sides. */
     public static String render(List<Answered> answers) {
-        return Json.text(
-                json -> {
-                    json.writeStartArray();
-                    for (Answered each : answers) {
-                        json.writeStartObject();
-                        json.writeStringField(
-                                "question", each.question().name().toLowerCase(Locale.ROOT));
-                        json.writeStringField("left", each.left());
-                        json.writeStringField("right", each.right());
-                        write(json, each.verdict());
-                        json.writeEndObject();
+        return Json.text(answers.stream().map(Answer::of).toList());
+    }
+
+    static Map<String, Object> inputs(Letter letter) {
+        Map<String, Object> inputs = new LinkedHashMap<>();
+        letter.messages().forEach((port, values) -> inputs.put(port, messages(values)));
+        return inputs;
+    }
+
+    static Map<String, Object> outputs(Map<String, Sent> outputs) {
+        Map<String, Object> shown = new LinkedHashMap<>();
+        outputs.forEach(
+                (port, sent) -> {
+                    if (!(sent instanceof Sent.Messages messages)) {
+                        shown.put(port, "*");
+                    } else if (!messages.values().isEmpty()) {
+                        shown.put(port, messages(messages.values()));
                     }
-                    json.writeEndArray();
                 });
-    }
-
-    /** The fields of a verdict, into an object that has been started. */
-    static void write(JsonGenerator json, Verdict verdict) throws IOException {
-        json.writeStringField("verdict", VerdictText.word(verdict.answer()));
-        json.writeStringField("reason", verdict.reason());
-        if (verdict.simulation().isPresent()) {
-            json.writeBooleanField("simulation", verdict.simulation().get());
-        }
-        json.writeArrayFieldStart("trace");
-        for (Moment moment : verdict.trace()) {
-            write(json, moment);
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("explanation");
-        for (Sentence sentence : verdict.explanation()) {
-            write(json, sentence);
-        }
-        json.writeEndArray();
-        Json.strings(json, "notes", verdict.notes());
-        json.writeObjectFieldStart("explored");
-        json.writeNumberField("pairs", verdict.explored().pairs());
-        json.writeNumberField("left", verdict.explored().left());
-        json.writeNumberField("right", verdict.explored().right());
-        json.writeEndObject();
-    }
-
-    static void write(JsonGenerator json, Moment moment) throws IOException {
-        json.writeStartObject();
-        input(json, moment.input());
-        outputs(json, moment.outputs());
-        if (moment.error()) {
-            json.writeBooleanField("error", true);
-        }
-        json.writeStringField("left", moment.left());
-        Json.strings(json, "right", moment.right());
-        json.writeEndObject();
-    }
-
-    /** The field {@code in}. */
-    static void input(JsonGenerator json, Letter letter) throws IOException {
-        json.writeObjectFieldStart("in");
-        for (Map.Entry<String, List<Value>> port : letter.messages().entrySet()) {
-            json.writeFieldName(port.getKey());
-            messages(json, port.getValue());
-        }
-        json.writeEndObject();
-    }
-
-    /** The field {@code out}. */
-    static void outputs(JsonGenerator json, Map<String, Sent> outputs) throws IOException {
-        json.writeObjectFieldStart("out");
-        for (Map.Entry<String, Sent> port : outputs.entrySet()) {
-            sent(json, port.getKey(), port.getValue());
-        }
-        json.writeEndObject();
-    }
-
-    private static void sent(JsonGenerator json, String port, Sent sent) throws IOException {
-        if (!(sent instanceof Sent.Messages messages)) {
-            json.writeStringField(port, "*");
-        } else if (!messages.values().isEmpty()) {
-            json.writeFieldName(port);
-            messages(json, messages.values());
-        }
+        return shown;
     }
 
     /** Event-driven, a port may carry several messages. */
-    private static void messages(JsonGenerator json, List<Value> values) throws IOException {
-        if (values.size() == 1) {
-            TraceJson.write(json, values.get(0));
-            return;
-        }
-        json.writeStartArray();
-        for (Value value : values) {
-            TraceJson.write(json, value);
-        }
-        json.writeEndArray();
-    }
-
-    static void write(JsonGenerator json, Sentence sentence) throws IOException {
-        json.writeStartObject();
-        json.writeStringField("text", sentence.text());
-        if (sentence.place().isPresent()) {
-            json.writeStringField("file", sentence.place().get().file().path());
-            json.writeNumberField("line", sentence.place().get().startPosition().line());
-            json.writeNumberField("column", sentence.place().get().startPosition().column());
-        }
-        json.writeEndObject();
+    private static Object messages(List<Value> values) {
+        return values.size() == 1 ? MessageJson.of(values.get(0)) : MessageJson.all(values);
     }
 }

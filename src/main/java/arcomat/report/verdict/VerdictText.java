@@ -17,7 +17,6 @@ import arcomat.source.Severity;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 
 /**
@@ -59,13 +58,9 @@ public final class VerdictText {
         return out.toString();
     }
 
-    static String word(Answer answer) {
-        return answer.name().toLowerCase(Locale.ROOT);
-    }
-
     /** The answer as a word in its colour. */
     static String answer(Answer answer, Style style) {
-        return paint(word(answer), answer, style);
+        return paint(Printable.word(answer), answer, style);
     }
 
     /** A word in the colour of an answer. */

@@ -4,206 +4,190 @@ import arcomat.report.text.Json;
 import arcomat.world.Device;
 import arcomat.world.Point;
 import arcomat.world.Recording;
-import arcomat.world.Recording.Event;
-import arcomat.world.Recording.Frame;
-import arcomat.world.Recording.RobotFrame;
-import arcomat.world.Scene.DrinkerState;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Segment;
-import arcomat.world.World;
-import arcomat.world.World.Robot;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-
-import java.io.IOException;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * A recording for programs. Places are in mm, angles in degrees, times in milliseconds; numbers are
- * rounded to what can be seen. A frame is an array per robot, because there are many.
+ * rounded to what can be seen.
+ *
+ * @param frames made one by one, because there are many
+ * @param failures why programs stopped, by robots
  */
-public final class WorldJson {
+public record WorldJson(
+        long seed,
+        int period,
+        World world,
+        Iterator<Frame> frames,
+        List<Event> events,
+        Map<String, String> failures) {
     private static final double TENTHS = 10;
 
-    private final JsonGenerator json;
-
-    private WorldJson(JsonGenerator json) {
-        this.json = json;
+    /**
+     * The floor.
+     *
+     * @param walls points of each: x, y, x, y
+     */
+    record World(
+            double width,
+            double depth,
+            int goal,
+            List<Line> lines,
+            List<List<Double>> walls,
+            List<Robot> robots,
+            List<Drinker> drinkers) {
+        static World of(arcomat.world.World world) {
+            return new World(
+                    rounded(world.width()),
+                    rounded(world.depth()),
+                    world.goal(),
+                    world.lines().stream().map(Line::of).toList(),
+                    world.walls().stream().map(wall -> points(List.of(wall))).toList(),
+                    world.robots().stream().map(Robot::of).toList(),
+                    world.drinkers().stream()
+                            .map(each -> Drinker.of(each.name(), each.spot()))
+                            .toList());
+        }
     }
 
-    public static String render(Recording recording) {
-        return Json.compact(json -> new WorldJson(json).write(recording));
+    record Line(double width, List<Double> points) {
+        static Line of(arcomat.world.World.Line line) {
+            return new Line(rounded(line.width()), WorldJson.points(line.pieces()));
+        }
     }
 
-    private void write(Recording recording) throws IOException {
-        json.writeStartObject();
-        json.writeNumberField("seed", recording.seed());
-        json.writeNumberField("period", Recording.PERIOD);
-        json.writeFieldName("world");
-        world(recording.world());
-        json.writeArrayFieldStart("frames");
-        for (Frame frame : recording.frames()) {
-            frame(frame);
+    record Drinker(String name, double x, double y) {
+        static Drinker of(String name, Point spot) {
+            return new Drinker(name, rounded(spot.x()), rounded(spot.y()));
         }
-        json.writeEndArray();
-        json.writeArrayFieldStart("events");
-        for (Event event : recording.events()) {
-            event(event);
-        }
-        json.writeEndArray();
-        json.writeObjectFieldStart("failures");
-        for (Robot robot : recording.world().robots()) {
-            String reason = recording.failures().get(robot.name());
-            if (reason != null) {
-                json.writeStringField(robot.name(), reason);
-            }
-        }
-        json.writeEndObject();
-        json.writeEndObject();
     }
 
-    private void world(World world) throws IOException {
-        json.writeStartObject();
-        number("width", world.width());
-        number("depth", world.depth());
-        json.writeNumberField("goal", world.goal());
-        json.writeArrayFieldStart("lines");
-        for (World.Line line : world.lines()) {
-            json.writeStartObject();
-            number("width", line.width());
-            json.writeFieldName("points");
-            outline(line.pieces());
-            json.writeEndObject();
+    record Robot(
+            String name,
+            String kind,
+            String program,
+            double radius,
+            boolean moves,
+            List<Sensor> sensors) {
+        static Robot of(arcomat.world.World.Robot robot) {
+            return new Robot(
+                    robot.name(),
+                    robot.kind().name(),
+                    robot.kind().program().name(),
+                    rounded(robot.kind().radius()),
+                    robot.kind().wheels().isPresent(),
+                    robot.kind().sensors().stream().map(Sensor::of).toList());
         }
-        json.writeEndArray();
-        json.writeArrayFieldStart("walls");
-        for (Segment wall : world.walls()) {
-            outline(List.of(wall));
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("robots");
-        for (Robot robot : world.robots()) {
-            robot(robot);
-        }
-        json.writeEndArray();
-        json.writeArrayFieldStart("drinkers");
-        for (var drinker : world.drinkers()) {
-            json.writeStartObject();
-            json.writeStringField("name", drinker.name());
-            number("x", drinker.spot().x());
-            number("y", drinker.spot().y());
-            json.writeEndObject();
-        }
-        json.writeEndArray();
-        json.writeEndObject();
     }
 
-    /** Points of a chain of segments: x, y, x, y. */
-    private void outline(List<Segment> pieces) throws IOException {
-        json.writeStartArray();
-        point(pieces.get(0).from());
-        for (Segment piece : pieces) {
-            point(piece.to());
+    /** A sensor; where a holder is shows in its cup. */
+    record Sensor(
+            String socket,
+            String type,
+            Optional<Double> x,
+            Optional<Double> y,
+            Optional<Double> facing) {
+        static Sensor of(Device.Sensor sensor) {
+            Optional<Point> place =
+                    sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)
+                            ? Optional.of(placed.place())
+                            : Optional.empty();
+            return new Sensor(
+                    "S" + sensor.socket(),
+                    sensor.getClass().getSimpleName().toLowerCase(Locale.ROOT),
+                    place.map(at -> rounded(at.x())),
+                    place.map(at -> rounded(at.y())),
+                    sensor instanceof Device.Ultrasonic ultrasonic
+                            ? Optional.of(rounded(Math.toDegrees(ultrasonic.facing())))
+                            : Optional.empty());
         }
-        json.writeEndArray();
-    }
-
-    private void point(Point point) throws IOException {
-        json.writeNumber(rounded(point.x()));
-        json.writeNumber(rounded(point.y()));
-    }
-
-    private void robot(Robot robot) throws IOException {
-        json.writeStartObject();
-        json.writeStringField("name", robot.name());
-        json.writeStringField("kind", robot.kind().name());
-        json.writeStringField("program", robot.kind().program().name());
-        number("radius", robot.kind().radius());
-        json.writeBooleanField("moves", robot.kind().wheels().isPresent());
-        json.writeArrayFieldStart("sensors");
-        for (Device.Sensor sensor : robot.kind().sensors()) {
-            sensor(sensor);
-        }
-        json.writeEndArray();
-        json.writeEndObject();
-    }
-
-    private void sensor(Device.Sensor sensor) throws IOException {
-        json.writeStartObject();
-        json.writeStringField("socket", "S" + sensor.socket());
-        json.writeStringField(
-                "type", sensor.getClass().getSimpleName().toLowerCase(java.util.Locale.ROOT));
-        // Where a holder is shows in its cup.
-        if (sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)) {
-            number("x", placed.place().x());
-            number("y", placed.place().y());
-        }
-        if (sensor instanceof Device.Ultrasonic ultrasonic) {
-            number("facing", Math.toDegrees(ultrasonic.facing()));
-        }
-        json.writeEndObject();
     }
 
     /**
-     * {@code {"t", "robots": [[x, y, heading, left, right, cup, [readings], display, stock,
-     * brewing]]}}.
+     * A moment.
+     *
+     * @param t when
+     * @param robots {@code [x, y, heading, left, right, cup, [readings], display, stock, brewing]}
+     * @param drinkers {@code [present, cups]}
      */
-    private void frame(Frame frame) throws IOException {
-        json.writeStartObject();
-        json.writeNumberField("t", frame.time());
-        json.writeArrayFieldStart("robots");
-        for (RobotFrame robot : frame.robots()) {
-            json.writeStartArray();
-            json.writeNumber(rounded(robot.pose().x()));
-            json.writeNumber(rounded(robot.pose().y()));
-            json.writeNumber(rounded(Math.toDegrees(robot.pose().heading())));
-            json.writeNumber(Math.round(robot.left()));
-            json.writeNumber(Math.round(robot.right()));
-            json.writeNumber(robot.cup().ordinal());
-            json.writeStartArray();
-            for (int reading : robot.sensors()) {
-                json.writeNumber(reading);
+    record Frame(int t, List<List<Object>> robots, List<List<Object>> drinkers) {
+        static Frame of(Recording.Frame frame) {
+            return new Frame(
+                    frame.time(),
+                    frame.robots().stream().map(Frame::of).toList(),
+                    frame.drinkers().stream()
+                            .map(each -> List.<Object>of(each.present(), each.cups()))
+                            .toList());
+        }
+
+        private static List<Object> of(Recording.RobotFrame robot) {
+            return List.of(
+                    rounded(robot.pose().x()),
+                    rounded(robot.pose().y()),
+                    rounded(Math.toDegrees(robot.pose().heading())),
+                    Math.round(robot.left()),
+                    Math.round(robot.right()),
+                    robot.cup().ordinal(),
+                    robot.sensors(),
+                    robot.display(),
+                    robot.stock(),
+                    robot.brewing());
+        }
+    }
+
+    /** Something that happened between two, or that one has shown or sent. */
+    record Event(int t, String what, String who, Optional<String> whom, Optional<String> text) {
+        static Event of(Recording.Event event) {
+            if (event instanceof Recording.Event.Happened happened) {
+                Happening happening = happened.happening();
+                return new Event(
+                        event.time(),
+                        happening.what().name(),
+                        happening.who(),
+                        Optional.of(happening.whom()),
+                        Optional.empty());
             }
-            json.writeEndArray();
-            json.writeString(robot.display());
-            json.writeNumber(robot.stock());
-            json.writeBoolean(robot.brewing());
-            json.writeEndArray();
+            if (event instanceof Recording.Event.Showed showed) {
+                return of(event, "SHOWED", showed.robot(), showed.text());
+            }
+            Recording.Event.Sent sent = (Recording.Event.Sent) event;
+            return of(event, "SENT", sent.robot(), sent.bytes());
         }
-        json.writeEndArray();
-        json.writeArrayFieldStart("drinkers");
-        for (DrinkerState drinker : frame.drinkers()) {
-            json.writeStartArray();
-            json.writeBoolean(drinker.present());
-            json.writeNumber(drinker.cups());
-            json.writeEndArray();
+
+        private static Event of(Recording.Event event, String what, String who, String text) {
+            return new Event(event.time(), what, who, Optional.empty(), Optional.of(text));
         }
-        json.writeEndArray();
-        json.writeEndObject();
     }
 
-    private void event(Event event) throws IOException {
-        json.writeStartObject();
-        json.writeNumberField("t", event.time());
-        if (event instanceof Event.Happened happened) {
-            Happening happening = happened.happening();
-            json.writeStringField("what", happening.what().name());
-            json.writeStringField("who", happening.who());
-            json.writeStringField("whom", happening.whom());
-        } else if (event instanceof Event.Showed showed) {
-            json.writeStringField("what", "SHOWED");
-            json.writeStringField("who", showed.robot());
-            json.writeStringField("text", showed.text());
-        } else if (event instanceof Event.Sent sent) {
-            json.writeStringField("what", "SENT");
-            json.writeStringField("who", sent.robot());
-            json.writeStringField("text", sent.bytes());
-        }
-        json.writeEndObject();
+    public static String render(Recording recording) {
+        Map<String, String> failures = new LinkedHashMap<>();
+        recording.world().robots().stream()
+                .map(arcomat.world.World.Robot::name)
+                .filter(recording.failures()::containsKey)
+                .forEach(name -> failures.put(name, recording.failures().get(name)));
+        return Json.compact(
+                new WorldJson(
+                        recording.seed(),
+                        Recording.PERIOD,
+                        World.of(recording.world()),
+                        recording.frames().stream().map(Frame::of).iterator(),
+                        recording.events().stream().map(Event::of).toList(),
+                        failures));
     }
 
-    private void number(String name, double value) throws IOException {
-        json.writeNumberField(name, rounded(value));
+    /** Points of a chain of segments: x, y, x, y. */
+    private static List<Double> points(List<Segment> pieces) {
+        return Stream.concat(Stream.of(pieces.get(0).from()), pieces.stream().map(Segment::to))
+                .flatMap(point -> Stream.of(rounded(point.x()), rounded(point.y())))
+                .toList();
     }
 
     private static double rounded(double value) {

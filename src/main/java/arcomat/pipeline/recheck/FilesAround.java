@@ -3,6 +3,7 @@ package arcomat.pipeline.recheck;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelRoot;
 import arcomat.pipeline.step.PathNames;
+import arcomat.report.text.Sha256;
 import arcomat.tree.Unit;
 
 import java.nio.file.Path;
@@ -16,7 +17,7 @@ import java.util.Set;
 import java.util.TreeSet;
 
 /** The files around those that the user named, as far as these refer to them. */
-final class Surroundings {
+final class FilesAround {
     private final PathNames names;
     private final Set<Path> searched;
     private final Set<Path> named = new HashSet<>();
@@ -29,7 +30,7 @@ final class Surroundings {
      * @param searched folders whose files are all named, with their real names
      * @param files those that the user named
      */
-    Surroundings(PathNames names, Set<Path> searched, Collection<String> files) {
+    FilesAround(PathNames names, Set<Path> searched, Collection<String> files) {
         this.names = names;
         this.searched = searched;
         for (String file : files) {
@@ -81,7 +82,7 @@ final class Surroundings {
     private String digest(Path folder) {
         Set<String> others = new TreeSet<>(roots.referable(folder));
         others.removeIf(name -> places.contains(folder.resolve(name)));
-        return Digest.of(String.join("/", others));
+        return Sha256.hex(String.join("/", others));
     }
 
     private Path place(String shown) {

@@ -1,8 +1,12 @@
-package arcomat.report.finding;
+package arcomat.pipeline.recheck;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
+import arcomat.symbols.names.Outline;
 
+import com.fasterxml.jackson.databind.annotation.JsonDeserialize;
+
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -37,8 +41,8 @@ public record CheckState(String key, Map<String, String> folders, List<File> fil
             String hash,
             boolean named,
             List<String> needs,
-            Optional<Names> names,
-            Set<String> mentions,
+            Optional<Outline> names,
+            @JsonDeserialize(as = LinkedHashSet.class) Set<String> mentions,
             List<Diagnostic> findings,
             List<Suppressed> suppressed) {
         public File {
@@ -50,22 +54,6 @@ public record CheckState(String key, Map<String, String> folders, List<File> fil
         /** The same with what was found now. */
         public File with(List<Diagnostic> found, List<Suppressed> meant) {
             return new File(path, hash, named, needs, names, mentions, found, meant);
-        }
-    }
-
-    /**
-     * Qualified names.
-     *
-     * @param components the top-level component first
-     */
-    public record Names(
-            String packageName,
-            List<String> components,
-            Optional<String> diagram,
-            List<String> types) {
-        public Names {
-            components = List.copyOf(components);
-            types = List.copyOf(types);
         }
     }
 }

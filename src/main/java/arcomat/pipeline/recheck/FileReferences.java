@@ -1,6 +1,6 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.report.finding.CheckState;
+import arcomat.symbols.names.Outline;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -17,24 +17,24 @@ import java.util.Set;
  * @param mentions the words of its text
  * @param claims what only one file may have
  */
-record Footprint(List<List<String>> offers, Set<String> mentions, Set<String> claims) {
+record FileReferences(List<List<String>> offers, Set<String> mentions, Set<String> claims) {
     /** Behind the name of a package: all of it, as in an import. No name has this letter. */
     private static final String ALL = "*";
 
-    static Footprint of(CheckState.File file) {
+    static FileReferences of(CheckState.File file) {
         Set<String> claims = new HashSet<>();
         claims.add("file " + file.path().toLowerCase(Locale.ROOT));
         if (file.names().isEmpty()) {
-            return new Footprint(brokenOffers(file.path()), file.mentions(), claims);
+            return new FileReferences(brokenOffers(file.path()), file.mentions(), claims);
         }
-        CheckState.Names names = file.names().get();
+        Outline names = file.names().get();
         List<List<String>> offers = new ArrayList<>();
-        names.components().stream().findFirst().map(Footprint::words).ifPresent(offers::add);
-        names.diagram().map(Footprint::words).ifPresent(offers::add);
+        names.components().stream().findFirst().map(FileReferences::words).ifPresent(offers::add);
+        names.diagram().map(FileReferences::words).ifPresent(offers::add);
         for (String component : names.components()) {
             claims.add(javaClass(names.packageName(), component));
         }
-        return new Footprint(offers, file.mentions(), claims);
+        return new FileReferences(offers, file.mentions(), claims);
     }
 
     /** The parts of a qualified name. */
