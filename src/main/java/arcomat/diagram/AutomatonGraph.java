@@ -143,7 +143,7 @@ public final class AutomatonGraph {
         List<Line> lines = new ArrayList<>();
         lines.add(Line.bold(title));
         for (Variable variable : automaton.variables()) {
-            lines.add(Line.small(TypeNames.of(variable.type()) + " " + variable.name()));
+            lines.add(Line.small(variable.type().simpleName() + " " + variable.name()));
         }
         lines.add(
                 Line.small(

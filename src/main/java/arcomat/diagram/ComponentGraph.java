@@ -113,7 +113,7 @@ public final class ComponentGraph {
                     Mark.of("port", path + port.name(), port.span())
                             .telling(
                                     (port.isInput() ? "in " : "out ")
-                                            + TypeNames.of(port.type())
+                                            + port.type().simpleName()
                                             + " "
                                             + port.name());
             if (port.delay() > 0) {
@@ -123,7 +123,7 @@ public final class ComponentGraph {
             }
             ports.add(
                     new Graph.Port(
-                            mark, port.isInput(), port.name() + ": " + TypeNames.of(port.type())));
+                            mark, port.isInput(), port.name() + ": " + port.type().simpleName()));
         }
         return ports;
     }

@@ -1,6 +1,6 @@
 package arcomat.diagram;
 
-import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -52,10 +52,7 @@ public record Highlights(
         if (highlights.isEmpty()) {
             return mark.styled(plain);
         }
-        Kind kind = highlights.get(0).kind();
-        for (Highlight each : highlights) {
-            kind = each.kind().compareTo(kind) < 0 ? each.kind() : kind;
-        }
+        Kind kind = Collections.min(highlights.stream().map(Highlight::kind).toList());
         Mark changed = mark.styled(prefix + kind.name().toLowerCase(Locale.ROOT));
         for (Highlight each : highlights) {
             changed = each.story().isEmpty() ? changed : changed.telling(each.story());
@@ -65,12 +62,6 @@ public record Highlights(
 
     /** The tags, each once, one below the other. */
     static List<Graph.Line> tags(List<Highlight> highlights) {
-        List<String> tags = new ArrayList<>();
-        for (Highlight each : highlights) {
-            if (!tags.contains(each.tag())) {
-                tags.add(each.tag());
-            }
-        }
-        return tags.stream().map(Graph.Line::small).toList();
+        return highlights.stream().map(Highlight::tag).distinct().map(Graph.Line::small).toList();
     }
 }

@@ -19,18 +19,55 @@ public record Picture(String title, double width, double height, List<Element> e
         }
     }
 
-    public sealed interface Shape {}
+    /** What can be drawn. */
+    public sealed interface Shape {
+        /** Asks for the answer of its form: a pen that does not know one does not compile. */
+        void draw(Pen pen);
+    }
 
-    public record Rectangle(Box box, double radius) implements Shape {}
+    /** What draws, each form of a shape in its own way. */
+    public interface Pen {
+        void rectangle(Rectangle rectangle);
 
-    public record Line(Point from, Point to) implements Shape {}
+        void line(Line line);
 
-    public record Circle(Point centre, double radius) implements Shape {}
+        void circle(Circle circle);
+
+        void arrow(Arrow arrow);
+
+        void text(Text text);
+    }
+
+    public record Rectangle(Box box, double radius) implements Shape {
+        @Override
+        public void draw(Pen pen) {
+            pen.rectangle(this);
+        }
+    }
+
+    public record Line(Point from, Point to) implements Shape {
+        @Override
+        public void draw(Pen pen) {
+            pen.line(this);
+        }
+    }
+
+    public record Circle(Point centre, double radius) implements Shape {
+        @Override
+        public void draw(Pen pen) {
+            pen.circle(this);
+        }
+    }
 
     /** A line through points, with an arrow head at its end. */
     public record Arrow(List<Point> points) implements Shape {
         public Arrow {
             points = List.copyOf(points);
+        }
+
+        @Override
+        public void draw(Pen pen) {
+            pen.arrow(this);
         }
     }
 
@@ -39,7 +76,12 @@ public record Picture(String title, double width, double height, List<Element> e
      *
      * @param box what it may fill
      */
-    public record Text(Box box, Graph.Line line) implements Shape {}
+    public record Text(Box box, Graph.Line line) implements Shape {
+        @Override
+        public void draw(Pen pen) {
+            pen.text(this);
+        }
+    }
 
     public record Point(double x, double y) {
         Point plus(double right, double down) {

@@ -3,7 +3,6 @@ package arcomat.diagram;
 import arcomat.diagram.Picture.Box;
 import arcomat.diagram.Picture.Element;
 import arcomat.diagram.Picture.Point;
-import arcomat.diagram.Picture.Shape;
 import arcomat.source.Span;
 
 import java.util.List;
@@ -15,7 +14,7 @@ import java.util.function.Function;
  * Writes a picture as SVG. Texts are texts: they can be selected and searched. Nothing of a model
  * is ever more than text: all of it is escaped, and there are no scripts.
  */
-public final class SvgText {
+public final class SvgText implements Picture.Pen {
     /** How round the corners of edges are. */
     private static final double BEND = 5;
 
@@ -70,17 +69,15 @@ public final class SvgText {
         text.append("<g class=\"" + mark.kind() + (styles.isEmpty() ? "" : " " + styles) + "\"")
                 .append(" data-" + mark.kind() + "=\"" + Markup.escaped(mark.name()) + "\"");
         mark.place()
-                .ifPresent(
-                        place ->
-                                text.append(
-                                        " data-place=\"" + Markup.escaped(lineOf(place)) + "\""));
+                .map(SvgText::lineOf)
+                .ifPresent(line -> text.append(" data-place=\"" + Markup.escaped(line) + "\""));
         text.append(">");
         Optional<String> link = mark.place().flatMap(links);
         link.ifPresent(address -> text.append("<a href=\"" + Markup.escaped(address) + "\">"));
         if (!mark.tooltip().isEmpty()) {
             text.append("<title>" + Markup.escaped(mark.tooltip()) + "</title>");
         }
-        element.shapes().forEach(this::shape);
+        element.shapes().forEach(shape -> shape.draw(this));
         text.append(link.isPresent() ? "</a></g>\n" : "</g>\n");
     }
 
@@ -88,30 +85,30 @@ public final class SvgText {
         return place.file().path() + ":" + place.startPosition().line();
     }
 
-    private void shape(Shape shape) {
-        if (shape instanceof Picture.Rectangle rectangle) {
-            Box box = rectangle.box();
-            text.append("<rect" + at(box.x(), box.y()))
-                    .append(attribute("width", box.width()) + attribute("height", box.height()))
-                    .append(rectangle.radius() > 0 ? attribute("rx", rectangle.radius()) : "")
-                    .append("/>");
-        } else if (shape instanceof Picture.Circle circle) {
-            text.append("<circle" + attribute("cx", circle.centre().x()))
-                    .append(attribute("cy", circle.centre().y()))
-                    .append(attribute("r", circle.radius()) + "/>");
-        } else if (shape instanceof Picture.Line line) {
-            text.append("<path d=\"M" + pair(line.from()) + " L" + pair(line.to()) + "\"/>");
-        } else if (shape instanceof Picture.Arrow arrow) {
-            arrow(arrow.points());
-        } else if (shape instanceof Picture.Text line) {
-            line(line);
-        } else {
-            throw new AssertionError(shape);
-        }
+    @Override
+    public void rectangle(Picture.Rectangle rectangle) {
+        Box box = rectangle.box();
+        text.append("<rect" + at(box.x(), box.y()))
+                .append(attribute("width", box.width()) + attribute("height", box.height()))
+                .append(rectangle.radius() > 0 ? attribute("rx", rectangle.radius()) : "")
+                .append("/>");
+    }
+
+    @Override
+    public void circle(Picture.Circle circle) {
+        text.append("<circle" + attribute("cx", circle.centre().x()))
+                .append(attribute("cy", circle.centre().y()))
+                .append(attribute("r", circle.radius()) + "/>");
+    }
+
+    @Override
+    public void line(Picture.Line line) {
+        text.append("<path d=\"M" + pair(line.from()) + " L" + pair(line.to()) + "\"/>");
     }
 
     /** The length is said too: in another font, the text still fits where it stands. */
-    private void line(Picture.Text line) {
+    @Override
+    public void text(Picture.Text line) {
         double baseline = line.box().y() + line.line().lettering().ascent();
         text.append("<text class=\"" + line.line().lettering().style() + "\"")
                 .append(at(line.box().x(), baseline))
@@ -120,7 +117,9 @@ public final class SvgText {
                 .append(Markup.escaped(line.line().text()) + "</text>");
     }
 
-    private void arrow(List<Point> points) {
+    @Override
+    public void arrow(Picture.Arrow arrow) {
+        List<Point> points = arrow.points();
         Point last = points.get(points.size() - 1);
         Point before = points.get(points.size() - 2);
         double length = Math.hypot(last.x() - before.x(), last.y() - before.y());

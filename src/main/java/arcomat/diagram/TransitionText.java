@@ -22,16 +22,16 @@ final class TransitionText {
         List<String> lines = new ArrayList<>();
         lines.addAll(guard(transition.guard()));
         lines.addAll(block("", inputs(transition)));
-        List<String> outputs = outputs(transition.sends(), transition.assignments());
-        lines.addAll(block("/ ", outputs));
-        return lines.stream().map(TransitionText::cut).map(Graph.Line::small).toList();
+        lines.addAll(block("/ ", outputs(transition.sends(), transition.assignments())));
+        return small(lines);
     }
 
     static List<Graph.Line> label(Automaton.Initial initial) {
-        return block("/ ", outputs(initial.sends(), initial.assignments())).stream()
-                .map(TransitionText::cut)
-                .map(Graph.Line::small)
-                .toList();
+        return small(block("/ ", outputs(initial.sends(), initial.assignments())));
+    }
+
+    private static List<Graph.Line> small(List<String> lines) {
+        return lines.stream().map(TransitionText::cut).map(Graph.Line::small).toList();
     }
 
     /** In one line and in full. */
@@ -77,12 +77,12 @@ final class TransitionText {
     }
 
     private static String emission(Automaton.Emission emission) {
-        if (emission instanceof Automaton.Messages messages) {
-            List<Expression> values = messages.values();
-            String all = values.stream().map(ExpressionText::of).collect(Collectors.joining(", "));
-            return values.size() == 1 ? all : "[" + all + "]";
-        }
-        return emission instanceof Automaton.Silence ? "--" : "?";
+        return emission.match(messages -> list(messages.values()), () -> "--", () -> "?");
+    }
+
+    private static String list(List<Expression> values) {
+        String all = values.stream().map(ExpressionText::of).collect(Collectors.joining(", "));
+        return values.size() == 1 ? all : "[" + all + "]";
     }
 
     /** Items side by side, as many as fit on a line. */

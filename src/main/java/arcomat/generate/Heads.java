@@ -58,14 +58,7 @@ final class Heads {
                 Language.kind(port.type()),
                 port.total(),
                 port.delay(),
-                total + direction + simpleName(port.type()) + " " + port.name());
-    }
-
-    private static String simpleName(Type type) {
-        if (type instanceof Type.EnumType enumeration) {
-            return enumeration.simpleName();
-        }
-        return type instanceof Type.ClassType object ? object.simpleName() : type.name();
+                total + direction + port.type().simpleName() + " " + port.name());
     }
 
     private static List<TypeView> mentions(FileContext context) {

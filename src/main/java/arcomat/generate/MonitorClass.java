@@ -44,21 +44,10 @@ record MonitorClass(Component watched, Automaton automaton, Component component)
 
     static Component component(
             Component watched, String infix, List<Automaton> automata, Span span) {
-        return new Component(
-                watched.packageName(),
+        return watched.like(
                 watched.name() + infix + "Monitor",
-                watched.layer(),
-                false,
-                false,
-                watched.profile(),
-                watched.queueCapacity(),
-                watched.cycle(),
-                watched.parameters(),
-                watched.constants(),
                 watched.ports(),
                 new Component.Atomic(automata),
-                List.of(),
-                List.of(),
                 span);
     }
 }

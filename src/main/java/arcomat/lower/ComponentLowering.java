@@ -197,6 +197,7 @@ final class ComponentLowering {
                 new Component.Atomic(List.of(new AutomatonLowering(symbol, inside).lower())),
                 List.of(),
                 List.of(),
+                List.of(),
                 symbol.node().span());
     }
 

@@ -43,42 +43,6 @@ public record Component(
         invariants = List.copyOf(invariants);
     }
 
-    /** A component without invariants. */
-    public Component(
-            String packageName,
-            String name,
-            Layer layer,
-            boolean platform,
-            boolean deploy,
-            Profile profile,
-            int queueCapacity,
-            int cycle,
-            List<Parameter> parameters,
-            List<Variable> constants,
-            List<Port> ports,
-            Body body,
-            List<Automaton> requirements,
-            List<String> refines,
-            Span span) {
-        this(
-                packageName,
-                name,
-                layer,
-                platform,
-                deploy,
-                profile,
-                queueCapacity,
-                cycle,
-                parameters,
-                constants,
-                ports,
-                body,
-                requirements,
-                refines,
-                List.of(),
-                span);
-    }
-
     /** What a component is made of. */
     public sealed interface Body {}
 
@@ -152,6 +116,30 @@ public record Component(
     public enum Profile {
         TIME_SYNCHRONOUS,
         EVENT_DRIVEN
+    }
+
+    /**
+     * Another component that is made for this one, with its parameters and constants: no platform
+     * component, never deployed, and it keeps no promises of others.
+     */
+    public Component like(String otherName, List<Port> otherPorts, Body otherBody, Span place) {
+        return new Component(
+                packageName,
+                otherName,
+                layer,
+                false,
+                false,
+                profile,
+                queueCapacity,
+                cycle,
+                parameters,
+                constants,
+                otherPorts,
+                otherBody,
+                List.of(),
+                List.of(),
+                List.of(),
+                place);
     }
 
     public String qualifiedName() {

@@ -31,6 +31,11 @@ public sealed interface Type {
     /** The name as written in models; enums and classes by their qualified name. */
     String name();
 
+    /** The name without its package. */
+    default String simpleName() {
+        return name();
+    }
+
     record BooleanType() implements Type {
         @Override
         public String name() {
@@ -126,6 +131,7 @@ public sealed interface Type {
             constants = List.copyOf(constants);
         }
 
+        @Override
         public String simpleName() {
             return name.substring(name.lastIndexOf('.') + 1);
         }
@@ -142,6 +148,7 @@ public sealed interface Type {
             attributes = List.copyOf(attributes);
         }
 
+        @Override
         public String simpleName() {
             return name.substring(name.lastIndexOf('.') + 1);
         }

@@ -94,6 +94,7 @@ final class ControllerMutants {
                 new Component.Atomic(List.of(mutant)),
                 c.requirements(),
                 c.refines(),
+                List.of(),
                 c.span());
     }
 }

@@ -137,6 +137,7 @@ final class RequirementSets {
                 new Component.Atomic(automata),
                 List.of(),
                 List.of(),
+                List.of(),
                 c.span());
     }
 }

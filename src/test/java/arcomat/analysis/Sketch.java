@@ -173,6 +173,7 @@ public record Sketch(
                 new Component.Atomic(automata),
                 first.requirements(),
                 first.refines(),
+                List.of(),
                 first.span());
     }
 

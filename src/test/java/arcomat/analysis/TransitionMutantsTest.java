@@ -204,6 +204,7 @@ class TransitionMutantsTest {
                 new Component.Atomic(List.of(changed)),
                 figure.requirements(),
                 figure.refines(),
+                List.of(),
                 figure.span());
     }
 

@@ -47,7 +47,7 @@ class GoldenPicturesTest {
                 component.isComposite()
                         ? ComponentGraph.of(component, 100)
                         : AutomatonGraph.of(component, component.automata().get(0));
-        String svg = SvgText.embedded(Layout.of(graph));
+        String svg = SvgText.embedded(LayeredLayout.of(graph));
         Path golden = FOLDER.resolve(name.replace(".arc", ".svg"));
         if (Boolean.getBoolean("golden.refresh")) {
             Files.writeString(golden, svg);

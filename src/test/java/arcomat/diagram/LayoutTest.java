@@ -32,7 +32,7 @@ class LayoutTest {
     private static final int ALL = 100;
 
     private static String svg(Graph graph) {
-        return SvgText.render(Layout.of(graph), Theme.ADAPTIVE, place -> Optional.empty());
+        return SvgText.render(LayeredLayout.of(graph), Theme.ADAPTIVE, place -> Optional.empty());
     }
 
     private static List<Graph> graphs(Model model) {

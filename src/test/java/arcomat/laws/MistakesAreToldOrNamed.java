@@ -144,6 +144,7 @@ final class MistakesAreToldOrNamed implements Law {
                 new Component.Atomic(automata),
                 component.requirements(),
                 component.refines(),
+                List.of(),
                 component.span());
     }
 }

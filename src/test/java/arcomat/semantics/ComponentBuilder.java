@@ -168,6 +168,7 @@ public final class ComponentBuilder {
                 body,
                 parts.isEmpty() ? List.of() : automata,
                 List.of(),
+                List.of(),
                 NOWHERE);
     }
 

@@ -205,6 +205,7 @@ public final class Contradictions {
                 new Component.Atomic(List.of(automaton)),
                 List.of(),
                 refines,
+                List.of(),
                 required.span());
     }
 

@@ -184,6 +184,7 @@ public final class InvariantProof {
                 new Component.Atomic(List.of(automaton)),
                 List.of(),
                 List.of(),
+                List.of(),
                 invariant.span());
     }
 

@@ -2,7 +2,7 @@ package arcomat.pipeline.picture;
 
 import arcomat.diagram.DotText;
 import arcomat.diagram.Graph;
-import arcomat.diagram.Layout;
+import arcomat.diagram.LayeredLayout;
 import arcomat.diagram.SvgText;
 import arcomat.diagram.Theme;
 import arcomat.pipeline.step.WrongUse;
@@ -26,11 +26,13 @@ public enum PictureFormat {
      */
     public byte[] content(Graph graph, Function<Span, Optional<String>> links) throws WrongUse {
         return switch (this) {
-            case svg -> bytes(SvgText.render(Layout.of(graph), Theme.ADAPTIVE, links));
+            case svg -> bytes(SvgText.render(LayeredLayout.of(graph), Theme.ADAPTIVE, links));
             case png ->
                     PngImage.of(
                             SvgText.render(
-                                    Layout.of(graph), Theme.LIGHT, place -> Optional.empty()));
+                                    LayeredLayout.of(graph),
+                                    Theme.LIGHT,
+                                    place -> Optional.empty()));
             case dot -> bytes(DotText.render(graph));
         };
     }

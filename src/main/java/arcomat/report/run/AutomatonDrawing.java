@@ -2,7 +2,7 @@ package arcomat.report.run;
 
 import arcomat.analysis.refinement.TraceReplay.Footprint;
 import arcomat.diagram.AutomatonGraph;
-import arcomat.diagram.Layout;
+import arcomat.diagram.LayeredLayout;
 import arcomat.diagram.SvgText;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -30,7 +30,7 @@ public final class AutomatonDrawing {
     }
 
     private static String picture(Component component, Automaton automaton) {
-        return SvgText.embedded(Layout.of(AutomatonGraph.of(component, automaton)));
+        return SvgText.embedded(LayeredLayout.of(AutomatonGraph.of(component, automaton)));
     }
 
     /** A track that only drawings show: where an automaton goes. */

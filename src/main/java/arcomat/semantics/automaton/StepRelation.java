@@ -33,15 +33,11 @@ import java.util.function.BiPredicate;
  * state, and every method may be called in any order.
  */
 public final class StepRelation {
-    private record Ready(Term condition, Effect effect, Trace.Taken cause) {}
-
     private final Component component;
     private final Automaton automaton;
-    private static final List<Trace.Taken> NONE = List.of();
-    private static final List<RunError> NO_ERRORS = List.of();
 
-    private final List<Ready> transitions = new ArrayList<>();
-    private final List<List<Ready>> byState = new ArrayList<>();
+    private final List<ReadyTransition> transitions = new ArrayList<>();
+    private final List<List<ReadyTransition>> byState = new ArrayList<>();
     private final List<Attentions> attentions = new ArrayList<>();
     private final List<Start> starts = new ArrayList<>();
     private final Optional<Value[]> held;
@@ -110,16 +106,13 @@ public final class StepRelation {
             Automaton.Transition transition = automaton.transitions().get(i);
             Expression enabledWhen = guards.enabledWhen(transition);
             attentions.get(transition.source()).add(enabledWhen, transition);
-            Term condition = Evaluation.compile(enabledWhen, scope);
-            Effect effect =
-                    new Effect(
+            ReadyTransition ready =
+                    new ReadyTransition(
                             component,
                             automaton,
-                            owned,
-                            transition.sends(),
-                            transition.assignments(),
-                            scope);
-            Ready ready = new Ready(condition, effect, new Trace.Taken(i, transition));
+                            Evaluation.compile(enabledWhen, scope),
+                            effect(owned, transition.sends(), transition.assignments()),
+                            new Trace.Taken(i, transition));
             transitions.add(ready);
             byState.get(transition.source()).add(ready);
         }
@@ -132,14 +125,7 @@ public final class StepRelation {
         }
         Value[] nothing = new Value[component.inputs().size()];
         for (Automaton.Initial initial : automaton.initials()) {
-            Effect effect =
-                    new Effect(
-                            component,
-                            automaton,
-                            owned,
-                            initial.sends(),
-                            initial.assignments(),
-                            scope);
+            Effect effect = effect(owned, initial.sends(), initial.assignments());
             try {
                 Value[] variables = effect.variables(nothing, values);
                 starts.add(
@@ -151,6 +137,11 @@ public final class StepRelation {
                 throw fault.in(component.name() + ", initial" + Fault.line(initial.span()));
             }
         }
+    }
+
+    private Effect effect(
+            Set<String> owned, List<Automaton.Send> sends, List<Automaton.Assignment> assignments) {
+        return new Effect(component, automaton, owned, sends, assignments, scope);
     }
 
     /** A port with delay 0 sends nothing before the first input is read. */
@@ -219,14 +210,15 @@ public final class StepRelation {
      */
     public Prospect prospect(Configuration before, Input input) {
         List<Reaction> reactions = new ArrayList<>(1);
-        List<RunError> errors = NO_ERRORS;
-        for (Ready ready : before.isState() ? byState.get(before.state()) : List.<Ready>of()) {
+        List<RunError> errors = List.of();
+        Value[] messages = read(input);
+        for (ReadyTransition each : leaving(before)) {
             try {
-                if (isEnabled(ready, before, input)) {
-                    reactions.add(take(ready.cause, before, input));
+                if (each.isEnabled(messages, before.slots())) {
+                    reactions.add(take(each, before, messages));
                 }
             } catch (Fault fault) {
-                errors = plus(errors, new RunError(ready.cause, fault.getMessage()));
+                errors = plus(errors, new RunError(each.cause(), fault.getMessage()));
             }
         }
         if (reactions.isEmpty() && errors.isEmpty()) {
@@ -256,11 +248,13 @@ public final class StepRelation {
 
     /** The transitions that may be taken: a guard that goes wrong forbids none of the others. */
     public Choices choices(Configuration before, Input input) {
-        List<Trace.Taken> enabled = NONE;
+        List<Trace.Taken> enabled = List.of();
         List<Fault> faults = List.of();
-        for (Ready ready : before.isState() ? byState.get(before.state()) : List.<Ready>of()) {
+        Value[] messages = read(input);
+        for (ReadyTransition each : leaving(before)) {
             try {
-                enabled = isEnabled(ready, before, input) ? plus(enabled, ready.cause) : enabled;
+                boolean may = each.isEnabled(messages, before.slots());
+                enabled = may ? plus(enabled, each.cause()) : enabled;
             } catch (Fault fault) {
                 faults = plus(faults, fault);
             }
@@ -273,26 +267,20 @@ public final class StepRelation {
         Term condition = Evaluation.compile(expression, scope);
         return (configuration, input) -> {
             try {
-                return isTrue(condition.evaluate(read(input), configuration.slots()));
+                return condition.isTrue(read(input), configuration.slots());
             } catch (Fault fault) {
                 return false;
             }
         };
     }
 
-    private static boolean isTrue(Value value) {
-        return value != null && ((Value.BooleanValue) value).value();
-    }
-
     /** The transitions that may be taken, in text order. */
     public List<Trace.Taken> enabled(Configuration before, Input input) {
-        if (!before.isState()) {
-            return List.of();
-        }
-        List<Trace.Taken> enabled = NONE;
-        for (Ready ready : byState.get(before.state())) {
-            if (isEnabled(ready, before, input)) {
-                enabled = enabled.isEmpty() ? List.of(ready.cause) : plus(enabled, ready.cause);
+        List<Trace.Taken> enabled = List.of();
+        Value[] messages = read(input);
+        for (ReadyTransition each : leaving(before)) {
+            if (each.isEnabled(messages, before.slots())) {
+                enabled = enabled.isEmpty() ? List.of(each.cause()) : plus(enabled, each.cause());
             }
         }
         return enabled;
@@ -300,14 +288,17 @@ public final class StepRelation {
 
     /** The first of the enabled transitions; the guards behind it are not looked at. */
     public Optional<Trace.Taken> firstEnabled(Configuration before, Input input) {
-        if (before.isState()) {
-            for (Ready ready : byState.get(before.state())) {
-                if (isEnabled(ready, before, input)) {
-                    return Optional.of(ready.cause);
-                }
+        Value[] messages = read(input);
+        for (ReadyTransition each : leaving(before)) {
+            if (each.isEnabled(messages, before.slots())) {
+                return Optional.of(each.cause());
             }
         }
         return Optional.empty();
+    }
+
+    private List<ReadyTransition> leaving(Configuration before) {
+        return before.isState() ? byState.get(before.state()) : List.of();
     }
 
     private static <T> List<T> plus(List<T> list, T next) {
@@ -316,35 +307,17 @@ public final class StepRelation {
         return longer;
     }
 
-    private boolean isEnabled(Ready ready, Configuration before, Input input) {
-        try {
-            return ready.condition.holds(read(input), before.slots());
-        } catch (Fault fault) {
-            throw fault.in(place(ready), ready.cause);
-        }
-    }
-
     /**
      * The reaction of one enabled transition.
      *
      * @throws Fault where a right-hand side goes wrong
      */
     public Reaction take(Trace.Taken taken, Configuration before, Input input) {
-        Ready ready = transitions.get(taken.index());
-        try {
-            Value[] variables = ready.effect.variables(read(input), before.slots());
-            return shown.in(
-                    new Reaction(
-                            ready.cause,
-                            ready.effect.output(read(input), before.slots()),
-                            new Configuration(ready.cause.transition().target(), variables)));
-        } catch (Fault fault) {
-            throw fault.in(place(ready), ready.cause);
-        }
+        return take(transitions.get(taken.index()), before, read(input));
     }
 
-    private String place(Ready ready) {
-        return Fault.place(component, automaton, ready.cause.transition());
+    private Reaction take(ReadyTransition transition, Configuration before, Value[] messages) {
+        return shown.in(transition.reaction(messages, before.slots()));
     }
 
     /** The reaction where no transition is enabled. */

@@ -21,7 +21,7 @@ import java.util.Optional;
  * Reads off the transitions out of one state what they look at. Comparisons of a port with a value
  * that no port has a say in divide its messages; anything else takes the whole message.
  */
-public final class Attentions {
+public final class Attentions extends ConditionWalk {
 
     /**
      * What a port is compared with.
@@ -88,39 +88,18 @@ public final class Attentions {
         }
     }
 
-    public void condition(Expression e) {
-        if (e instanceof Expression.PortMatches matches) {
-            matches(matches);
-        } else if (e instanceof Expression.Unary unary) {
-            condition(unary.operand());
-        } else if (e instanceof Expression.Conditional choice && isTruth(choice)) {
-            condition(choice.condition());
-            condition(choice.then());
-            condition(choice.otherwise());
-        } else if (e instanceof Expression.IsIn isIn
-                && Comparand.port(isIn.element()).isPresent()) {
-            Port port = Comparand.port(isIn.element()).get();
-            isIn.set().forEach(value -> compare(port, value, false));
-        } else if (e instanceof Expression.Binary binary) {
-            binary(binary);
+    @Override
+    void isIn(Expression.IsIn isIn) {
+        Optional<Port> port = Comparand.port(isIn.element());
+        if (port.isPresent()) {
+            isIn.set().forEach(value -> compare(port.get(), value, false));
         } else {
-            whole(e);
+            value(isIn);
         }
     }
 
-    private void binary(Expression.Binary binary) {
-        switch (binary.operator()) {
-            case AND, OR, IMPLIES -> {
-                condition(binary.left());
-                condition(binary.right());
-            }
-            case EQUAL, NOT_EQUAL -> comparison(binary, false);
-            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL -> comparison(binary, true);
-            default -> whole(binary);
-        }
-    }
-
-    private void comparison(Expression.Binary binary, boolean ordered) {
+    @Override
+    void comparison(Expression.Binary binary, boolean ordered) {
         Optional<Port> left = Comparand.port(binary.left());
         Optional<Port> right = Comparand.port(binary.right());
         if (left.isPresent() && left.equals(right)) {
@@ -130,7 +109,7 @@ public final class Attentions {
         } else if (right.isPresent()) {
             compare(right.get(), binary.left(), ordered);
         } else {
-            whole(binary);
+            value(binary);
         }
     }
 
@@ -145,7 +124,8 @@ public final class Attentions {
         }
     }
 
-    private void matches(Expression.PortMatches matches) {
+    @Override
+    void matches(Expression.PortMatches matches) {
         seen.add(scope.port(matches.port()));
         matches.operands().forEach(value -> compare(matches.port(), value, false));
     }
@@ -177,7 +157,7 @@ public final class Attentions {
         } else if (isTruth(e)) {
             condition(e);
         } else {
-            whole(e);
+            value(e);
         }
     }
 
@@ -185,7 +165,8 @@ public final class Attentions {
         probes.add(new Probe(port, new Copied(), null, false, true));
     }
 
-    private void whole(Expression e) {
+    @Override
+    void value(Expression e) {
         reads(e).forEach(this::whole);
     }
 

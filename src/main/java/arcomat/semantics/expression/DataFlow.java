@@ -12,7 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** Tells where the data of one automaton flow, and what it does with them. */
-public final class DataFlow {
+public final class DataFlow extends ConditionWalk {
     private final DataSorts sorts;
     private final Scope scope;
     private final Map<String, Integer> ports;
@@ -134,34 +134,30 @@ public final class DataFlow {
         }
     }
 
-    private void condition(Expression e) {
-        if (e instanceof Expression.PortMatches matches) {
-            pattern(matches.port(), matches.pattern());
-        } else if (e instanceof Expression.Binary binary) {
-            binary(binary);
-        } else if (e instanceof Expression.IsIn isIn) {
-            isIn.set().forEach(value -> compare(isIn.element(), value, false));
-        } else if (e instanceof Expression.Unary unary) {
-            condition(unary.operand());
-        } else if (e instanceof Expression.Conditional choice) {
-            condition(choice.condition());
-            condition(choice.then());
-            condition(choice.otherwise());
-        } else {
-            data(e).places.forEach(sorts::calculate);
-        }
+    @Override
+    void matches(Expression.PortMatches matches) {
+        pattern(matches.port(), matches.pattern());
     }
 
-    private void binary(Expression.Binary binary) {
-        switch (binary.operator()) {
-            case AND, OR, IMPLIES -> {
-                condition(binary.left());
-                condition(binary.right());
-            }
-            case EQUAL, NOT_EQUAL, EQUIVALENT -> compare(binary.left(), binary.right(), false);
-            case LESS, LESS_OR_EQUAL, GREATER, GREATER_OR_EQUAL ->
-                    compare(binary.left(), binary.right(), true);
-            default -> calculate(binary);
+    @Override
+    void isIn(Expression.IsIn isIn) {
+        isIn.set().forEach(value -> compare(isIn.element(), value, false));
+    }
+
+    @Override
+    void comparison(Expression.Binary binary, boolean ordered) {
+        compare(binary.left(), binary.right(), ordered);
+    }
+
+    @Override
+    void value(Expression e) {
+        if (e instanceof Expression.Binary binary
+                && binary.operator() == Expression.BinaryOperator.EQUIVALENT) {
+            comparison(binary, false);
+        } else if (e instanceof Expression.Binary) {
+            calculate(e);
+        } else {
+            data(e).places.forEach(sorts::calculate);
         }
     }
 

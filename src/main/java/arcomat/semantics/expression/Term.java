@@ -15,6 +15,12 @@ public interface Term {
      */
     Value evaluate(Value[] ports, Value[] variables);
 
+    /** Whether a condition is true; it may be undefined. */
+    default boolean isTrue(Value[] ports, Value[] variables) {
+        Value value = evaluate(ports, variables);
+        return value != null && ((Value.BooleanValue) value).value();
+    }
+
     /** Whether a two-valued condition holds. */
     default boolean holds(Value[] ports, Value[] variables) {
         return ((Value.BooleanValue) evaluate(ports, variables)).value();

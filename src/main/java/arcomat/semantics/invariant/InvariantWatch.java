@@ -158,11 +158,11 @@ public final class InvariantWatch {
         Port broken =
                 new Port(BROKEN, Port.Direction.OUT, BOOLEAN, false, 0, false, invariant.span());
         ports.add(broken);
-        return WatchedComponent.like(
-                watched,
+        return watched.like(
                 "invariant " + invariant.name(),
                 ports,
-                new Component.Atomic(List.of(judge(condition, broken))));
+                new Component.Atomic(List.of(judge(condition, broken))),
+                watched.span());
     }
 
     /** Where the first transition cannot be taken, anything is sent: silence, too, but not only. */

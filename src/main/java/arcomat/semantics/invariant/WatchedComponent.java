@@ -30,30 +30,10 @@ final class WatchedComponent {
         this.seen = seen;
     }
 
-    /** A component with the same parameters and constants. */
-    static Component like(Component other, String name, List<Port> ports, Component.Body body) {
-        return new Component(
-                other.packageName(),
-                name,
-                Component.Layer.LOGIC,
-                false,
-                false,
-                other.profile(),
-                other.queueCapacity(),
-                other.cycle(),
-                other.parameters(),
-                other.constants(),
-                ports,
-                body,
-                List.of(),
-                List.of(),
-                other.span());
-    }
-
     Component together() {
         List<Port> ports = new ArrayList<>(watched.ports());
         ports.add(observer.outputs().get(0));
-        return like(watched, watched.name(), ports, body());
+        return watched.like(watched.name(), ports, body(), watched.span());
     }
 
     private Component.Composite body() {
@@ -126,7 +106,11 @@ final class WatchedComponent {
                 shown.add(new Component.Shown(variable.input().name(), window));
             }
         }
-        return like(watched, watched.name(), ports, new Component.Atomic(body.automata(), shown));
+        return watched.like(
+                watched.name(),
+                ports,
+                new Component.Atomic(body.automata(), shown),
+                watched.span());
     }
 
     /** A part with the arguments of the whole. */

@@ -172,12 +172,10 @@ final class Composer {
     }
 
     private static Wire wire(Source source, List<Draft> inner, Map<String, Wire> outside) {
-        if (source instanceof Source.FromNode node) {
-            return new Wire(inner.get(node.node()), node.port(), node.fresh());
-        }
-        return source instanceof Source.FromOutside port
-                ? outside.get(port.port().name())
-                : Wire.NONE;
+        return source.match(
+                port -> outside.get(port.port().name()),
+                node -> new Wire(inner.get(node.node()), node.port(), node.fresh()),
+                () -> Wire.NONE);
     }
 
     private static Wire redirect(Wire wire) {

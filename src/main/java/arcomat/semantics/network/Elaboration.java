@@ -95,12 +95,13 @@ final class Elaboration {
 
     /** The signal that carries the messages of a source. */
     private int signal(Composition composition, Signals own, Source source) {
-        if (source instanceof Source.FromOutside outside) {
-            return own.outside[position(composition.component(), outside.port())];
-        }
-        if (!(source instanceof Source.FromNode from)) {
-            return Network.UNCONNECTED;
-        }
+        return source.match(
+                outside -> own.outside[position(composition.component(), outside.port())],
+                from -> signal(composition, own, from),
+                () -> Network.UNCONNECTED);
+    }
+
+    private int signal(Composition composition, Signals own, Source.FromNode from) {
         Composition.Node node = composition.nodes().get(from.node());
         int port = position(node.component(), from.port());
         if (node.inside().isEmpty()) {

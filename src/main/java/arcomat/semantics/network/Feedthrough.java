@@ -83,12 +83,15 @@ public final class Feedthrough {
         }
 
         private BitSet ofSource(Source source) {
+            return source.match(
+                    outside -> single(inputs.get(outside.port().name())),
+                    from -> ofNode(from.node(), from.port().name()),
+                    BitSet::new);
+        }
+
+        private static BitSet single(int input) {
             BitSet found = new BitSet();
-            if (source instanceof Source.FromOutside outside) {
-                found.set(inputs.get(outside.port().name()));
-            } else if (source instanceof Source.FromNode from) {
-                found.or(ofNode(from.node(), from.port().name()));
-            }
+            found.set(input);
             return found;
         }
 

@@ -155,6 +155,7 @@ class VersionComparisonTest {
                 component.body(),
                 component.requirements(),
                 component.refines(),
+                List.of(),
                 component.span());
     }
 }

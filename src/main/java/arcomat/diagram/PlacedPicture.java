@@ -20,16 +20,16 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** Reads from a graph with a layout where everything is. */
-final class Placement {
+final class PlacedPicture {
     private static final double ROUND = 9;
 
     /** Between a line across and the texts above and below. */
     private static final double DIVIDER = 3;
 
-    private final Layout layout;
+    private final LayeredLayout layout;
     private final List<Element> elements = new ArrayList<>();
 
-    Placement(Layout layout) {
+    PlacedPicture(LayeredLayout layout) {
         this.layout = layout;
     }
 
@@ -67,7 +67,7 @@ final class Placement {
 
     private static Box title(Node node, ElkNode placed) {
         return node.isOpen()
-                ? new Box(0, Layout.TITLE, placed.getWidth(), 0)
+                ? new Box(0, LayeredLayout.TITLE, placed.getWidth(), 0)
                 : box(placed.getLabels().get(0));
     }
 

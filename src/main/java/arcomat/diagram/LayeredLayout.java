@@ -40,7 +40,7 @@ import java.util.Map;
  * Finds a place for everything, by the layered method of the Eclipse Layout Kernel: ports on the
  * sides, edges in right angles, labels beside the edges.
  */
-public final class Layout {
+public final class LayeredLayout {
     static final double PORT = 9;
 
     /** Width and height of a page on a screen. */
@@ -73,7 +73,7 @@ public final class Layout {
     /** Whether nodes come in the order in which they are to be read. */
     private final boolean ordered;
 
-    private Layout(Direction direction, boolean ordered) {
+    private LayeredLayout(Direction direction, boolean ordered) {
         this.direction = direction;
         this.ordered = ordered;
     }
@@ -93,7 +93,7 @@ public final class Layout {
     }
 
     private static Picture of(Graph graph, Direction direction) {
-        Layout layout = new Layout(direction, graph.flow() == Graph.Flow.EITHER);
+        LayeredLayout layout = new LayeredLayout(direction, graph.flow() == Graph.Flow.EITHER);
         ElkNode root = ElkGraphUtil.createGraph();
         layout.layered(root, graph.roots(), false);
         root.setProperty(LayeredOptions.SEPARATE_CONNECTED_COMPONENTS, false);
@@ -106,7 +106,7 @@ public final class Layout {
         root.setProperty(LayeredOptions.PADDING, new ElkPadding(PADDING));
         graph.roots().forEach(node -> layout.add(node, root, true));
         new RecursiveGraphLayoutEngine().layout(root, new NullElkProgressMonitor());
-        return new Placement(layout).picture(graph, root);
+        return new PlacedPicture(layout).picture(graph, root);
     }
 
     private void layered(ElkNode node, List<Node> children, boolean crowded) {
