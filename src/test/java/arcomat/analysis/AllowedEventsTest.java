@@ -127,7 +127,8 @@ class AllowedEventsTest {
 
     private static Trace run(Component component, Choice choice, int seed) {
         Interpreter interpreter = new Interpreter(component, List.of(), choice);
-        List<Letter> letters = Simulation.randomLetters(interpreter.network(), seed, EVENTS, 0);
+        List<Letter> letters =
+                Simulation.drawn(interpreter.network(), seed, 0).limit(EVENTS).toList();
         return Simulation.run(interpreter, letters);
     }
 
@@ -153,7 +154,7 @@ class AllowedEventsTest {
     private static StreamTest longer(StreamTest test, int seed) {
         Network network = Network.of(test.component(), List.of());
         List<Letter> inputs = new ArrayList<>(test.inputs());
-        inputs.addAll(Simulation.randomLetters(network, ~seed, 1, 0));
+        inputs.addAll(Simulation.drawn(network, ~seed, 0).limit(1).toList());
         return test(test.component(), inputs, test.expected());
     }
 

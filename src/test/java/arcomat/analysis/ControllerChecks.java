@@ -12,8 +12,8 @@ import arcomat.model.Component;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayDeque;

@@ -17,8 +17,8 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.simulate.run.Choice;
 import arcomat.simulate.run.Interpreter;
+import arcomat.simulate.test.ExecutedTests;
 import arcomat.simulate.test.StreamTestResult;
-import arcomat.simulate.test.StreamTests;
 
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -233,7 +233,7 @@ class TransitionMutantsTest {
         return tests.stream()
                 .map(
                         test ->
-                                StreamTests.run(
+                                ExecutedTests.run(
                                                 test,
                                                 new Interpreter(
                                                         component, List.of(), Choice.first()))

@@ -17,9 +17,10 @@ import arcomat.pipeline.compile.CompiledMonitor;
 import arcomat.simulate.run.Choice;
 import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
-import arcomat.simulate.watch.Violation;
 import arcomat.simulate.watch.Watch;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watch.Violation;
+import arcomat.simulate.watch.Watching;
+import arcomat.simulate.watch.Watching.Watched;
 
 import org.junit.jupiter.api.Test;
 
@@ -233,13 +234,13 @@ class WatchTest {
                 required.automata().stream()
                         .map(a -> new Watch(required, a, List.of(), running))
                         .toList();
-        return Watched.all(watches, run);
+        return Watching.all(watches, run);
     }
 
     private static Trace run(Component component, int seed) {
         Interpreter interpreter =
                 new Interpreter(component, List.of(), Choice.randomThroughout(seed));
         return Simulation.run(
-                interpreter, Simulation.randomLetters(interpreter.network(), seed, 16, 60));
+                interpreter, Simulation.drawn(interpreter.network(), seed, 60).limit(16).toList());
     }
 }

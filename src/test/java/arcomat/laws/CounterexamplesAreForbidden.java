@@ -15,7 +15,7 @@ import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.test.StreamTestResult;
 import arcomat.simulate.test.StreamTests;
-import arcomat.simulate.watch.Violation;
+import arcomat.simulate.watch.Watch.Violation;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;

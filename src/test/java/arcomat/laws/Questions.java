@@ -11,7 +11,8 @@ import arcomat.model.Trace;
 import arcomat.simulate.test.StreamTestResult;
 import arcomat.simulate.test.StreamTests;
 import arcomat.simulate.watch.Watch;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watching;
+import arcomat.simulate.watch.Watching.Watched;
 
 import java.util.List;
 import java.util.Map;
@@ -83,6 +84,6 @@ final class Questions {
                 required.automata().stream()
                         .map(a -> new Watch(required, a, List.of(), running))
                         .toList();
-        return Watched.all(watches, run);
+        return Watching.all(watches, run);
     }
 }

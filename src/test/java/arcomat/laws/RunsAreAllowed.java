@@ -12,7 +12,7 @@ import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
 import arcomat.simulate.test.StreamTestResult;
 import arcomat.simulate.test.StreamTests;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watching.Watched;
 import arcomat.source.SourceFile;
 
 import java.util.List;
@@ -59,7 +59,8 @@ final class RunsAreAllowed implements Law {
     static Trace run(Component component, int seed, int slices) {
         Choice choice = seed % 2 == 0 ? Choice.random(seed) : Choice.randomThroughout(seed);
         Interpreter interpreter = new Interpreter(component, List.of(), choice);
-        List<Letter> letters = Simulation.randomLetters(interpreter.network(), seed, slices, 60);
+        List<Letter> letters =
+                Simulation.drawn(interpreter.network(), seed, 60).limit(slices).toList();
         return Simulation.run(interpreter, letters);
     }
 

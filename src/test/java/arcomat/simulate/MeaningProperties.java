@@ -61,7 +61,8 @@ class MeaningProperties {
     private static Trace run(Component component, Choice choice, int seed) {
         Interpreter interpreter = new Interpreter(component, List.of(), choice);
         return Simulation.run(
-                interpreter, Simulation.randomLetters(interpreter.network(), seed, SLICES, 60));
+                interpreter,
+                Simulation.drawn(interpreter.network(), seed, 60).limit(SLICES).toList());
     }
 
     /** What a trace shows, as a test of a component with the same ports. */
@@ -164,7 +165,7 @@ class MeaningProperties {
         assertThat(run(whole, Choice.random(seed), seed).steps())
                 .isEqualTo(run(whole, Choice.random(seed), seed).steps());
         Network network = Network.of(whole, List.of());
-        assertThat(Simulation.randomLetters(network, seed, SLICES, 50))
-                .isEqualTo(Simulation.randomLetters(network, seed, SLICES, 50));
+        assertThat(Simulation.drawn(network, seed, 50).limit(SLICES).toList())
+                .isEqualTo(Simulation.drawn(network, seed, 50).limit(SLICES).toList());
     }
 }

@@ -24,7 +24,8 @@ public final class RecordedRuns {
     public static Trace run(Component component, Choice choice, int seed, int slices) {
         Interpreter interpreter = new Interpreter(component, List.of(), choice);
         return Simulation.run(
-                interpreter, Simulation.randomLetters(interpreter.network(), seed, slices, 70));
+                interpreter,
+                Simulation.drawn(interpreter.network(), seed, 70).limit(slices).toList());
     }
 
     /**

@@ -8,9 +8,9 @@ import arcomat.model.Letter;
 import arcomat.model.Model;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.simulate.watch.Violation;
 import arcomat.simulate.watch.Watch;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watch.Violation;
+import arcomat.simulate.watch.Watching;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
@@ -49,7 +49,7 @@ class WatchedErrorsTest {
         }
         Trace run = new Trace(component, steps, Optional.empty(), Optional.empty(), end);
         Watch watch = new Watch(component, component.automata().get(0), List.of());
-        return Watched.all(List.of(watch), run)
+        return Watching.all(List.of(watch), run)
                 .get(0)
                 .violation()
                 .map(Violation::message)

@@ -8,8 +8,8 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
-import arcomat.semantics.automaton.Reaction;
-import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.value.Attention;
 
 import java.util.List;

@@ -8,7 +8,7 @@ import arcomat.analysis.smt.Subject;
 import arcomat.graph.Digraph;
 import arcomat.model.Automaton;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.value.Attention;
 import arcomat.semantics.value.Attention.Unseen;

@@ -2,7 +2,7 @@ package arcomat.analysis.automaton;
 
 import arcomat.analysis.automaton.Situation.Alternative;
 import arcomat.analysis.smt.Subject;
-import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;

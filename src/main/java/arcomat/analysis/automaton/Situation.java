@@ -5,7 +5,7 @@ import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.RunProperty.Difference;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Fault;
 
 import java.util.Comparator;

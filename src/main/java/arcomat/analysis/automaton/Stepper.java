@@ -9,8 +9,8 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Fault;
 
 import java.util.ArrayList;

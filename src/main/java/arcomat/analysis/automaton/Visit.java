@@ -3,7 +3,7 @@ package arcomat.analysis.automaton;
 import arcomat.analysis.search.letter.Letters;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
-import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Output;
 
 import java.util.Comparator;

@@ -3,7 +3,7 @@ package arcomat.analysis.smt;
 import arcomat.analysis.smt.Unrolling.StatePredicate;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation.Start;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

@@ -4,7 +4,7 @@ import arcomat.analysis.smt.Reachability.Place;
 import arcomat.analysis.smt.Reachability.Run;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation.Start;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
 

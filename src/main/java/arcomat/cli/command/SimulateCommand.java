@@ -18,7 +18,7 @@ import arcomat.report.run.TracePage;
 import arcomat.report.run.TraceTable;
 import arcomat.report.run.WatchedText;
 import arcomat.report.text.Printable;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watching.Watched;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;

@@ -2,7 +2,7 @@ package arcomat.pipeline.simulate;
 
 import arcomat.model.Trace;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watching.Watched;
 
 import java.util.List;
 import java.util.Optional;

@@ -8,8 +8,8 @@ import arcomat.report.page.Story;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
 import arcomat.report.page.Tone;
-import arcomat.simulate.watch.Violation;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watch.Violation;
+import arcomat.simulate.watch.Watching.Watched;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -5,8 +5,8 @@ import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;
 import arcomat.report.text.Style;
-import arcomat.simulate.watch.Violation;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watch.Violation;
+import arcomat.simulate.watch.Watching.Watched;
 import arcomat.source.Severity;
 
 import java.util.List;

@@ -4,6 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Effect;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Term;

@@ -4,6 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Variable;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Effect;
 import arcomat.semantics.expression.Output;

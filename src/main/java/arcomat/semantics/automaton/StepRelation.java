@@ -337,4 +337,22 @@ public final class StepRelation {
             case ERROR -> new Reaction(completed, anything, Configuration.ERROR);
         };
     }
+
+    /** One way to begin: an initial clause with what it sends and where the automaton is then. */
+    public record Start(Automaton.Initial initial, Output output, Configuration configuration) {}
+
+    /**
+     * One way to go on: what is sent and where the automaton is afterwards.
+     *
+     * @param cause the transition, or the completion where none is enabled
+     */
+    public record Reaction(Trace.Cause cause, Output output, Configuration next) {}
+
+    /**
+     * One way in which a run ends: a transition goes wrong, or the completion forbids the input.
+     *
+     * @param cause the transition or the completion
+     * @param message what goes wrong and where, in words
+     */
+    public record RunError(Trace.Cause cause, String message) {}
 }

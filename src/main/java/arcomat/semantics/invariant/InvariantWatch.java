@@ -12,8 +12,8 @@ import arcomat.model.Value;
 import arcomat.model.Variable;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -11,8 +11,8 @@ import arcomat.semantics.automaton.Behaviour.JointStart;
 import arcomat.semantics.automaton.Behaviour.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.automaton.Reaction;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
@@ -190,5 +190,17 @@ final class Actor {
             return messages.values();
         }
         return choice.message(port, sent instanceof Sent.AnyMessage).stream().toList();
+    }
+
+    /**
+     * Ends a run that nothing in the model ends: automata that contradict each other leave no way
+     * to go on, and what comes from outside may be no message of a port.
+     */
+    static final class Impasse extends ModelError {
+        private static final long serialVersionUID = 1L;
+
+        Impasse(String message) {
+            super(message);
+        }
     }
 }

@@ -8,6 +8,7 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Actor.Impasse;
 
 import java.util.ArrayList;
 import java.util.HashMap;

@@ -57,16 +57,12 @@ public final class Simulation {
     /**
      * Letters at random over the external inputs of a network, platform components included: in a
      * slice a port carries a message with the given chance, and always if it is total; in the
-     * event-driven profile a letter is one event, and now and then a latched port changes. The seed
-     * may be that of the run's choices: letters are drawn independently of them.
+     * event-driven profile a letter is one event, and now and then a latched port changes. They are
+     * drawn one after the other as they are asked for, without an end. The seed may be that of the
+     * run's choices: letters are drawn independently of them.
      *
      * @param chance of a message on a port in a slice, in percent
      */
-    public static List<Letter> randomLetters(Network network, int seed, int count, int chance) {
-        return drawn(network, seed, chance).limit(count).toList();
-    }
-
-    /** As above, one after the other as they are asked for, without an end. */
     public static Stream<Letter> drawn(Network network, int seed, int chance) {
         Choice generator = new Choice(~seed);
         boolean timed = network.component().profile() == Component.Profile.TIME_SYNCHRONOUS;

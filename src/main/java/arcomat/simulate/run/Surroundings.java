@@ -5,6 +5,7 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Actor.Impasse;
 
 import java.util.HashMap;
 import java.util.Map;

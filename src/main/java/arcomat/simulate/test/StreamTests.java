@@ -6,26 +6,22 @@ import arcomat.model.StreamTest;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.Execution;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.run.Choice;
 import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
 import arcomat.simulate.test.StreamTestResult.Cell;
-import arcomat.simulate.test.StreamTestResult.Verdict;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.stream.Stream;
 
 /**
  * Runs stream tests. Against a model, a test passes if what it expects is among the outputs that
- * the model allows, all choices considered; against an execution, such as compiled code, if that
- * sends just what is expected.
+ * the model allows, all choices considered.
  */
 public final class StreamTests {
     private StreamTests() {}
@@ -33,30 +29,6 @@ public final class StreamTests {
     /** Runs a test against the model of its component. */
     public static StreamTestResult run(StreamTest test) {
         return isTimed(test) ? new SliceTest(test).run() : new EventTest(test).run();
-    }
-
-    /**
-     * Runs a test against an execution of its component. Where the model leaves a choice, that has
-     * made one, and a test that expects another fails.
-     *
-     * @param execution that has not stepped yet
-     */
-    public static StreamTestResult run(StreamTest test, Execution execution) {
-        Trace trace = Simulation.run(execution, letters(test, execution.component()));
-        List<Cell> cells = cells(test, trace, List.of());
-        int inputs = test.inputs().size();
-        Optional<String> failure = trace.failure().filter(f -> trace.steps().size() < inputs);
-        OptionalInt difference =
-                cells.stream().filter(Cell::differs).mapToInt(Cell::slice).findFirst();
-        boolean passed = difference.isEmpty() && failure.isEmpty();
-        return new StreamTestResult(
-                test,
-                passed ? Verdict.PASSED : Verdict.FAILED,
-                cells,
-                difference,
-                OptionalInt.empty(),
-                "",
-                failure);
     }
 
     static boolean isTimed(StreamTest test) {

@@ -3,8 +3,8 @@ package arcomat.simulate.watch;
 import arcomat.model.Automaton;
 import arcomat.model.Trace;
 import arcomat.semantics.automaton.Configuration;
-import arcomat.semantics.automaton.Reaction;
-import arcomat.semantics.automaton.Start;
+import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Output;
 import arcomat.source.Span;
 

@@ -8,10 +8,10 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Configuration;
-import arcomat.semantics.automaton.Reaction;
-import arcomat.semantics.automaton.RunError;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Prospect;
+import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.StepRelation.RunError;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
@@ -301,4 +301,12 @@ public final class Watch {
     private String tooMany() {
         return "more than " + MOST_WAYS + " ways to go on in " + unit + number;
     }
+
+    /**
+     * A requirement that a run does not keep.
+     *
+     * @param slice in which that is seen
+     * @param message what was seen and what would have been allowed
+     */
+    public record Violation(int slice, Automaton requirement, String message) {}
 }

@@ -4,12 +4,14 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
+import arcomat.simulate.watch.Watch.Violation;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.function.Function;
 
 /** Shows a run to watches, step by step; each is told of no more than its first violation. */
@@ -24,6 +26,13 @@ public final class Watching {
     public Watching(List<Watch> watches) {
         this.watches = List.copyOf(watches);
         watches.forEach(each -> found.add(Optional.empty()));
+    }
+
+    /** Shows a whole run to watches that have seen nothing yet. */
+    public static List<Watched> all(List<Watch> watches, Trace trace) {
+        Watching watching = new Watching(watches);
+        trace.steps().forEach(step -> watching.see(trace.opening(), step));
+        return watching.end(trace);
     }
 
     /**
@@ -93,4 +102,18 @@ public final class Watching {
     private static List<Value> behind(List<Value> sent, List<Value> all) {
         return all.subList(sent.size(), all.size());
     }
+
+    /**
+     * What became of a requirement in a run.
+     *
+     * @param requirement its name and line
+     * @param violation empty if it was kept, as far as is known
+     * @param nothingFrom the slice from which on it promised nothing any more
+     * @param unknown why it cannot be said whether it was kept
+     */
+    public record Watched(
+            String requirement,
+            Optional<Violation> violation,
+            OptionalInt nothingFrom,
+            Optional<String> unknown) {}
 }

@@ -9,9 +9,9 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.automaton.Reaction;
-import arcomat.semantics.automaton.Start;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Fault;
 
 import java.util.ArrayDeque;

@@ -24,7 +24,7 @@ import arcomat.simulate.run.Choice;
 import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
 import arcomat.simulate.watch.Watch;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watching;
 import arcomat.symbols.Scenario;
 
 import org.junit.jupiter.api.Test;
@@ -122,7 +122,8 @@ class WatchedRobotTest {
                         retreats.automata().get(0),
                         List.of(new Value.IntegerValue(90)),
                         reflex);
-        String said = Watched.all(List.of(watch), trace).get(0).violation().orElseThrow().message();
+        String said =
+                Watching.all(List.of(watch), trace).get(0).violation().orElseThrow().message();
 
         Path jar = built("p.Rover", List.of("front.reflex=p.Retreats(90)#stops"), ROVER);
         String shown = String.join("", run(jar, ROVER + "/rover.script").screen());

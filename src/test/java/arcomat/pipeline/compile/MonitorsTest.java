@@ -28,9 +28,10 @@ import arcomat.simulate.run.Interpreter;
 import arcomat.simulate.run.Simulation;
 import arcomat.simulate.test.StreamTestResult;
 import arcomat.simulate.test.StreamTests;
-import arcomat.simulate.watch.Violation;
 import arcomat.simulate.watch.Watch;
-import arcomat.simulate.watch.Watched;
+import arcomat.simulate.watch.Watch.Violation;
+import arcomat.simulate.watch.Watching;
+import arcomat.simulate.watch.Watching.Watched;
 import arcomat.symbols.Scenario;
 
 import net.jqwik.api.Arbitrary;
@@ -226,7 +227,8 @@ class MonitorsTest {
         Network network = Network.of(component, arguments);
         Interpreter interpreter =
                 new Interpreter(component, arguments, Choice.randomThroughout(seed));
-        return Simulation.run(interpreter, Simulation.randomLetters(network, seed, slices, 60));
+        return Simulation.run(
+                interpreter, Simulation.drawn(network, seed, 60).limit(slices).toList());
     }
 
     /**
@@ -301,7 +303,7 @@ class MonitorsTest {
             watches.add(new Watch(component, automaton, arguments));
         }
         List<Violation> found =
-                Watched.all(watches, run).stream().flatMap(w -> w.violation().stream()).toList();
+                Watching.all(watches, run).stream().flatMap(w -> w.violation().stream()).toList();
         int first = found.stream().mapToInt(Violation::slice).min().orElse(-1);
         return found.stream()
                 .filter(violation -> violation.slice() == first)
@@ -354,7 +356,7 @@ class MonitorsTest {
         Trace run = run(guess, List.of(), 1, 20);
         Word said = CompiledMonitor.of(guess).watch(List.of(), run);
         Watch watch = new Watch(guess, guess.automata().get(0), List.of());
-        Watched watched = Watched.all(List.of(watch), run).get(0);
+        Watched watched = Watching.all(List.of(watch), run).get(0);
         assertThat(said.violation()).isEmpty();
         assertThat(said.unknown()).startsWith("more than 100000 ways to go on in slice 1");
         assertThat(watched.unknown()).hasValue(said.unknown());
@@ -375,7 +377,7 @@ class MonitorsTest {
         for (Trace each : List.of(run, ended)) {
             Word said = CompiledMonitor.of(component).watch(List.of(), each);
             Watch watch = new Watch(component, component.automata().get(0), List.of());
-            Watched watched = Watched.all(List.of(watch), each).get(0);
+            Watched watched = Watching.all(List.of(watch), each).get(0);
             assertThat(said.violation()).isEmpty();
             assertThat(watched.violation()).isEmpty();
             assertThat(watched.nothingFrom()).hasValue(1);

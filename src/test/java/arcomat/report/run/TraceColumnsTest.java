@@ -32,7 +32,8 @@ class TraceColumnsTest {
     private static void hasColumns(Component component) {
         Network network = Network.of(component, List.of());
         Interpreter interpreter = new Interpreter(component, List.of(), Choice.random(1));
-        Trace run = Simulation.run(interpreter, Simulation.randomLetters(network, 1, 50, 60));
+        Trace run =
+                Simulation.run(interpreter, Simulation.drawn(network, 1, 60).limit(50).toList());
         TraceColumns occurring = TraceColumns.of(run);
         TraceColumns all = TraceColumns.of(network);
         assertThat(all.inputs()).containsAll(occurring.inputs());

@@ -19,6 +19,8 @@ import arcomat.model.Value;
 import arcomat.semantics.CoffeeFigures;
 import arcomat.semantics.ComponentBuilder;
 import arcomat.semantics.Expressions;
+import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Arguments;
 import arcomat.semantics.expression.Sent;
 

@@ -68,7 +68,7 @@ class RecordedSuiteTest {
 
     private static void repeats(Component component) {
         Interpreter interpreter = new Interpreter(component, List.of(), Choice.random(7));
-        List<Letter> letters = Simulation.randomLetters(interpreter.network(), 7, 40, 60);
+        List<Letter> letters = Simulation.drawn(interpreter.network(), 7, 60).limit(40).toList();
         Trace trace = Simulation.run(interpreter, letters);
         String text = RecordedSuite.of("Recorded", trace, List.of(), interpreter.decisions());
         String path = component.packageName().replace('.', '/') + "/Recorded.mt";

@@ -120,9 +120,9 @@ class StreamTestsTest {
         StreamTest test = test(avoid, letters, "cmd", "fwd", "backRight");
         List<Letter> longer = Runs.letters(avoid, "frontUS=tooClose", "");
         assertThat(Simulation.run(first(avoid), longer).end()).isPresent();
-        assertThat(StreamTests.run(test, first(avoid)).verdict()).isEqualTo(Verdict.PASSED);
+        assertThat(ExecutedTests.run(test, first(avoid)).verdict()).isEqualTo(Verdict.PASSED);
         StreamTest other = test(avoid, letters, "cmd", "fwd", "fwd");
-        assertThat(StreamTests.run(other, first(avoid)).verdict()).isEqualTo(Verdict.FAILED);
+        assertThat(ExecutedTests.run(other, first(avoid)).verdict()).isEqualTo(Verdict.FAILED);
     }
 
     @Test
@@ -180,8 +180,8 @@ class StreamTestsTest {
         List<Letter> inputs = Runs.letters(avoid, "frontUS=tooClose");
         StreamTest stop = test(avoid, inputs, "cmd", "fwd", "stop");
         StreamTest back = test(avoid, inputs, "cmd", "fwd", "backRight");
-        assertThat(StreamTests.run(stop, first(avoid)).firstDifference()).hasValue(1);
-        assertThat(StreamTests.run(back, first(avoid)).verdict()).isEqualTo(Verdict.PASSED);
+        assertThat(ExecutedTests.run(stop, first(avoid)).firstDifference()).hasValue(1);
+        assertThat(ExecutedTests.run(back, first(avoid)).verdict()).isEqualTo(Verdict.PASSED);
     }
 
     private static Interpreter first(Component component) {

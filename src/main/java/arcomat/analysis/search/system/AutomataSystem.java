@@ -19,7 +19,7 @@ import arcomat.semantics.automaton.Behaviour.JointStart;
 import arcomat.semantics.automaton.Behaviour.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.automaton.Reaction;
+import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
