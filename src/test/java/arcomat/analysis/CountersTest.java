@@ -3,7 +3,7 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.contradiction.Consistency;
-import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;

@@ -102,7 +102,7 @@ class EventCompositionsTest {
         Component whole = RandomCompositions.of(seed, circles);
         List<String> outputs = whole.outputs().stream().map(Port::name).toList();
         TransitionSystem side =
-                new NetworkSystem(whole, List.of(), outputs, new OutputCubes(), Budget.ofMemory());
+                NetworkSystem.of(whole, List.of(), outputs, new OutputCubes(), Budget.ofMemory());
         Random random = new Random(seed);
         for (int word = 0; word < words; word++) {
             List<Value[]> letters = word(whole, random);
@@ -179,7 +179,7 @@ class EventCompositionsTest {
         Value[] letter = letters.get(outputs.size() - 1);
         int configuration = steps.next()[step];
         int[] positions = IntStream.range(0, letter.length).toArray();
-        long kind = side.focus(configuration).kind(letter, positions);
+        long kind = side.letterClasses(configuration).kind(letter, positions);
         Steps next = side.steps(configuration, kind, letter);
         for (int i = 0; i < next.size(); i++) {
             follow(side, next, i, letters, outputs, found);

@@ -3,10 +3,10 @@ package arcomat.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.contradiction.Consistency;
-import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.contradiction.ContradictionsTest;
-import arcomat.analysis.game.Turn;
+import arcomat.analysis.game.CounterStrategy.Turn;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;

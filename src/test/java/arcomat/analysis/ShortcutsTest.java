@@ -40,7 +40,7 @@ class ShortcutsTest {
     private record Question(String name, Promise left, Promise right) {
         Outcome ask(Budget budget) {
             TraceInclusion.Result result =
-                    ComparedSystems.of(left, right, budget).comparison(budget).run();
+                    ComparedSystems.of(left, right, budget).inclusion(budget).run();
             return new Outcome(
                     result.failure().map(TraceInclusion.Failure::level),
                     result.failure().map(TraceInclusion.Failure::cost),

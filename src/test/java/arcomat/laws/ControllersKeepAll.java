@@ -1,7 +1,7 @@
 package arcomat.laws;
 
 import arcomat.analysis.contradiction.Consistency;
-import arcomat.analysis.contradiction.Contradiction;
+import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.contradiction.Contradictions;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;

@@ -1,5 +1,6 @@
 package arcomat.analysis.contradiction;
 
+import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.game.Choices;
 import arcomat.analysis.game.Controllers;
 import arcomat.analysis.game.CounterStrategy;
@@ -34,7 +35,7 @@ public final class Contradictions {
     private final boolean all;
     private final Budget budget;
     private final Choices choices;
-    private final List<AutomataSystem> sides = new ArrayList<>();
+    private final List<AutomataSystem> systems = new ArrayList<>();
     private final List<UnsatCores> played = new ArrayList<>();
 
     private Contradictions(Promise promise, boolean all, Budget budget) {
@@ -46,7 +47,7 @@ public final class Contradictions {
         OutputCubes numbers = new OutputCubes();
         this.choices = new Choices(outputs, numbers, budget);
         for (Promise each : promise.each()) {
-            sides.add(new AutomataSystem(each.behaviour(), names, numbers, budget));
+            systems.add(new AutomataSystem(each.behaviour(), names, numbers, budget));
         }
     }
 
@@ -90,7 +91,7 @@ public final class Contradictions {
         if (kept || !errorsMatter(found)) {
             return told(unerring, found);
         }
-        UnsatCores erring = cores(Groups.one(sides.size()), true);
+        UnsatCores erring = cores(Groups.one(systems.size()), true);
         return told(erring, contradicting(erring));
     }
 
@@ -116,9 +117,9 @@ public final class Contradictions {
     private UnsatCores cores(Groups groups, boolean ends) {
         Component.Profile profile = promise.component().profile();
         List<Requirement> requirements = new ArrayList<>();
-        for (int i = 0; i < sides.size(); i++) {
+        for (int i = 0; i < systems.size(); i++) {
             Automaton automaton = promise.automata().get(i);
-            requirements.add(new Requirement(sides.get(i), automaton, ends, choices, budget));
+            requirements.add(new Requirement(systems.get(i), automaton, ends, choices, budget));
         }
         UnsatCores cores = new UnsatCores(requirements, groups, choices, profile, budget);
         played.add(cores);

@@ -1,10 +1,11 @@
 package arcomat.analysis.contradiction;
 
-import arcomat.analysis.game.Turn;
+import arcomat.analysis.contradiction.Consistency.Contradiction;
+import arcomat.analysis.game.CounterStrategy.Turn;
 import arcomat.analysis.refinement.Explanation;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Sentence;
-import arcomat.analysis.search.product.Comparison.Allowed;
+import arcomat.analysis.search.product.Counterexample.Allowed;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -24,17 +25,8 @@ final class Demands {
                 String words =
                         allowed.error()
                                 ? only ? "only an error" : "an error"
-                                : words(allowed, errors && !errs);
-                sentences.add(
-                        new Sentence(
-                                requirement.title()
-                                        + " allows "
-                                        + words
-                                        + Explanation.by(
-                                                requirement,
-                                                allowed.configuration(),
-                                                allowed.causes()),
-                                Explanation.place(requirement, allowed.causes())));
+                                : Explanation.words(allowed, errors && !errs);
+                sentences.add(Explanation.allows(requirement, allowed, words));
             }
         }
         return new Contradiction.Step(turn.input(), turn.answers(), sentences);
@@ -42,14 +34,5 @@ final class Demands {
 
     private static boolean errs(List<Allowed> allowed) {
         return allowed.stream().anyMatch(Allowed::error);
-    }
-
-    /**
-     * @param beside whether others allow an error, and the requirement does not
-     */
-    private static String words(Allowed allowed, boolean beside) {
-        String words = Explanation.words(allowed.sent());
-        words = words.equals("nothing") ? Explanation.silence(allowed.sent()) : words;
-        return words.equals("anything") && beside ? "any output, but no error" : words;
     }
 }

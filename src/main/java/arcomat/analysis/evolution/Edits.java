@@ -9,19 +9,29 @@ import arcomat.model.Port;
 import arcomat.source.Span;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** What differs between two versions of an automaton: transitions, beginning, completion. */
 final class Edits {
-    private final Promise before;
+    private final Automaton old;
+    private final Automaton fresh;
     private final Promise after;
+    private final int position;
+    private final List<Edit> found;
 
-    Edits(Promise before, Promise after) {
-        this.before = before;
+    /**
+     * @param position of the automaton in both versions
+     */
+    private Edits(Promise before, Promise after, int position, List<Edit> found) {
+        this.old = before.automata().get(position);
+        this.fresh = after.automata().get(position);
         this.after = after;
+        this.position = position;
+        this.found = found;
     }
 
     /**
@@ -34,95 +44,80 @@ final class Edits {
     record Edit(Optional<Span> old, Optional<Span> fresh, Optional<Promise> undone) {}
 
     /** Those of automata that are there in both versions, one by one. */
-    List<Edit> all() {
-        List<Edit> edits = new ArrayList<>();
+    static List<Edit> between(Promise before, Promise after) {
+        List<Edit> found = new ArrayList<>();
         int shared = Math.min(before.automata().size(), after.automata().size());
         for (int i = 0; i < shared; i++) {
-            Automaton old = before.automata().get(i);
-            Automaton fresh = after.automata().get(i);
-            compare(old, fresh, i, edits);
-            begin(old, fresh, i).ifPresent(edits::add);
-            complete(old, fresh, i).ifPresent(edits::add);
+            Edits edits = new Edits(before, after, i, found);
+            edits.addTransitions();
+            edits.addBeginning();
+            edits.addCompletion();
         }
-        return edits;
+        return found;
     }
 
     /** Where a run begins and what it sends before anything is read: one edit as a whole. */
-    private Optional<Edit> begin(Automaton old, Automaton fresh, int position) {
-        if (beginning(old).equals(beginning(fresh))) {
-            return Optional.empty();
+    private void addBeginning() {
+        List<Initial> before = old.initials();
+        List<Initial> now = fresh.initials();
+        if (!texts(before, Initial::span).equals(texts(now, Initial::span))) {
+            List<Initial> restored =
+                    before.stream().flatMap(each -> restored(each).stream()).toList();
+            boolean possible = restored.size() == before.size();
+            found.add(
+                    new Edit(
+                            before.stream().map(Initial::span).findFirst(),
+                            now.stream().map(Initial::span).findFirst(),
+                            Optional.of(fresh.withInitials(restored))
+                                    .filter(each -> possible)
+                                    .map(this::with)));
         }
-        List<Initial> restored =
-                old.initials().stream()
-                        .flatMap(each -> restored(each, old, fresh).stream())
-                        .toList();
-        boolean possible = restored.size() == old.initials().size();
-        return Optional.of(
-                new Edit(
-                        old.initials().stream().map(Initial::span).findFirst(),
-                        fresh.initials().stream().map(Initial::span).findFirst(),
-                        possible
-                                ? Optional.of(with(position, fresh.withInitials(restored)))
-                                : Optional.empty()));
     }
 
-    private static Set<String> beginning(Automaton automaton) {
-        Set<String> texts = new HashSet<>();
-        automaton.initials().forEach(each -> texts.add(text(each.span())));
-        return texts;
+    private void addCompletion() {
+        if (old.completion() != fresh.completion()) {
+            found.add(
+                    new Edit(
+                            Optional.of(old.span()),
+                            Optional.of(fresh.span()),
+                            Optional.of(with(fresh.with(old.completion())))));
+        }
     }
 
-    private Optional<Edit> complete(Automaton old, Automaton fresh, int position) {
-        return old.completion() == fresh.completion()
-                ? Optional.empty()
-                : Optional.of(
-                        new Edit(
-                                Optional.of(old.span()),
-                                Optional.of(fresh.span()),
-                                Optional.of(with(position, fresh.with(old.completion())))));
-    }
-
-    private void compare(Automaton old, Automaton fresh, int position, List<Edit> edits) {
+    private void addTransitions() {
         List<Transition> dropped = without(old, fresh);
         for (Transition added : without(fresh, old)) {
             Optional<Transition> changed =
                     dropped.stream()
-                            .filter(d -> trigger(old, d).equals(trigger(fresh, added)))
+                            .filter(each -> trigger(old, each).equals(trigger(fresh, added)))
                             .findFirst();
             changed.ifPresent(dropped::remove);
-            edits.add(edit(changed, Optional.of(added), old, fresh, position));
+            add(changed, Optional.of(added));
         }
-        for (Transition each : dropped) {
-            edits.add(edit(Optional.of(each), Optional.empty(), old, fresh, position));
-        }
+        dropped.forEach(each -> add(Optional.of(each), Optional.empty()));
     }
 
     /** The transitions of one automaton that the other one does not have. */
     private static List<Transition> without(Automaton automaton, Automaton other) {
-        Set<String> texts = new HashSet<>();
-        other.transitions().forEach(transition -> texts.add(text(transition.span())));
+        Set<String> texts = texts(other.transitions(), Transition::span);
         List<Transition> rest = new ArrayList<>(automaton.transitions());
         rest.removeIf(transition -> texts.contains(text(transition.span())));
         return rest;
     }
 
-    private Edit edit(
-            Optional<Transition> changed,
-            Optional<Transition> added,
-            Automaton old,
-            Automaton fresh,
-            int position) {
+    private void add(Optional<Transition> changed, Optional<Transition> added) {
         List<Transition> undone = new ArrayList<>(fresh.transitions());
         added.ifPresent(undone::remove);
-        Optional<Transition> restored = changed.flatMap(each -> restored(each, old, fresh));
+        Optional<Transition> restored = changed.flatMap(this::restored);
         restored.ifPresent(undone::add);
         boolean possible = restored.isPresent() == changed.isPresent();
-        return new Edit(
-                changed.map(Transition::span),
-                added.map(Transition::span),
-                possible
-                        ? Optional.of(with(position, fresh.withTransitions(undone)))
-                        : Optional.empty());
+        found.add(
+                new Edit(
+                        changed.map(Transition::span),
+                        added.map(Transition::span),
+                        Optional.of(fresh.withTransitions(undone))
+                                .filter(each -> possible)
+                                .map(this::with)));
     }
 
     /** What makes a transition happen, as text: the state and the input, up to the output. */
@@ -134,50 +129,60 @@ final class Edits {
         return automaton.states().get(transition.source()) + " " + read.strip();
     }
 
+    private static <T> Set<String> texts(List<T> all, Function<T, Span> place) {
+        return all.stream().map(place).map(Edits::text).collect(Collectors.toSet());
+    }
+
     /** Line breaks and blanks are no edits. */
     private static String text(Span span) {
         return span.text().replaceAll("\\s+", " ");
     }
 
-    private Promise with(int position, Automaton automaton) {
+    /** The later version with this automaton in place of its own. */
+    private Promise with(Automaton automaton) {
         List<Automaton> automata = new ArrayList<>(after.automata());
         automata.set(position, automaton);
         return new Promise(after.component(), after.arguments(), automata);
     }
 
     /** A transition of the earlier version among the states and ports of the later one. */
-    private Optional<Transition> restored(Transition transition, Automaton old, Automaton fresh) {
-        int source = fresh.states().indexOf(old.states().get(transition.source()));
-        int target = fresh.states().indexOf(old.states().get(transition.target()));
+    private Optional<Transition> restored(Transition each) {
+        int source = now(each.source());
+        int target = now(each.target());
         boolean possible =
                 source >= 0
                         && target >= 0
-                        && transition.guard().isEmpty()
-                        && transition.assignments().isEmpty()
-                        && transition.matches().stream().allMatch(m -> isKept(m.port()))
-                        && transition.sends().stream().allMatch(s -> isKept(s.port()));
+                        && each.guard().isEmpty()
+                        && each.assignments().isEmpty()
+                        && each.matches().stream().allMatch(match -> isKept(match.port()))
+                        && each.sends().stream().allMatch(send -> isKept(send.port()));
         return possible
                 ? Optional.of(
                         new Transition(
                                 source,
                                 target,
-                                transition.guard(),
-                                transition.matches(),
-                                transition.sends(),
-                                transition.assignments(),
-                                transition.span()))
+                                each.guard(),
+                                each.matches(),
+                                each.sends(),
+                                each.assignments(),
+                                each.span()))
                 : Optional.empty();
     }
 
-    private Optional<Initial> restored(Initial initial, Automaton old, Automaton fresh) {
-        int state = fresh.states().indexOf(old.states().get(initial.state()));
+    private Optional<Initial> restored(Initial initial) {
+        int state = now(initial.state());
         boolean possible =
                 state >= 0
                         && initial.assignments().isEmpty()
-                        && initial.sends().stream().allMatch(s -> isKept(s.port()));
+                        && initial.sends().stream().allMatch(send -> isKept(send.port()));
         return possible
                 ? Optional.of(new Initial(state, initial.sends(), List.of(), initial.span()))
                 : Optional.empty();
+    }
+
+    /** Where a state stands in the later version; negative if it is gone. */
+    private int now(int state) {
+        return fresh.states().indexOf(old.states().get(state));
     }
 
     private boolean isKept(Port port) {

@@ -77,8 +77,7 @@ public record Evolution(List<String> titles, List<List<Verdict>> verdicts, List<
     private static List<Culprit> culprits(
             List<Promise> versions, int version, int promise, Budget budget) {
         List<Culprit> culprits = new ArrayList<>();
-        Edits edits = new Edits(versions.get(version - 1), versions.get(version));
-        for (Edit edit : edits.all()) {
+        for (Edit edit : Edits.between(versions.get(version - 1), versions.get(version))) {
             boolean guilty =
                     edit.undone()
                             .map(u -> Refinement.check(u, versions.get(promise), budget))

@@ -13,10 +13,14 @@ import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.expression.Arguments;
+import arcomat.semantics.network.Network;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -113,13 +117,54 @@ public final class VersionComparison {
     }
 
     private Verdict check(Promise left, Promise right) {
-        List<Sentence> devices = DeviceChanges.between(right, left);
+        List<Sentence> devices = deviceChanges(right, left);
         if (!devices.isEmpty()) {
             return Verdict.fails("interface", devices);
         }
         return promisesNothing(right)
                 ? Refinement.comparable(left, right).orElseGet(Vacuity::nothingAsked)
                 : Refinement.check(left, right, budgets.get());
+    }
+
+    /**
+     * A sentence for each device of the old one that is something else in the new one: a motor at
+     * another port of the brick is another motor. Ports are compared elsewhere.
+     */
+    private static List<Sentence> deviceChanges(Promise old, Promise fresh) {
+        if (!old.isComposition() || !fresh.isComposition()) {
+            return List.of();
+        }
+        Map<String, String> now = devices(fresh);
+        Span place = fresh.component().span();
+        List<Sentence> changes = new ArrayList<>();
+        devices(old)
+                .forEach(
+                        (path, was) -> {
+                            String is = now.getOrDefault(path, was);
+                            if (!is.equals(was)) {
+                                String format = "'%s' is %s in %s and %s in %s";
+                                String before = old.title();
+                                changes.add(
+                                        Sentence.at(
+                                                place,
+                                                format,
+                                                path,
+                                                is,
+                                                fresh.title(),
+                                                was,
+                                                before));
+                            }
+                        });
+        return changes;
+    }
+
+    /** What stands at which path, in the order of the network. */
+    private static Map<String, String> devices(Promise promise) {
+        Map<String, String> devices = new LinkedHashMap<>();
+        for (Network.Device each : promise.network().devices()) {
+            devices.put(each.path(), Promise.title(each.component(), each.arguments()));
+        }
+        return devices;
     }
 
     private static boolean promisesNothing(Promise promise) {
@@ -159,17 +204,19 @@ public final class VersionComparison {
                     (i >= before.size() || before.get(i).type().equals(after.get(i).type()))
                             && (!mayBeLeftOut || after.get(i).initial().isPresent());
         }
-        return fits
-                ? Optional.empty()
-                : Optional.of(
-                        new Sentence(
-                                "%s takes %s; %s takes %s"
-                                        .formatted(
-                                                fresh.qualifiedName(),
-                                                signature(after),
-                                                old.qualifiedName() + mark,
-                                                signature(before)),
-                                Optional.of(fresh.span())));
+        if (fits) {
+            return Optional.empty();
+        }
+        String name = fresh.qualifiedName();
+        String former = old.qualifiedName() + mark;
+        return Optional.of(
+                Sentence.at(
+                        fresh.span(),
+                        "%s takes %s; %s takes %s",
+                        name,
+                        signature(after),
+                        former,
+                        signature(before)));
     }
 
     private static String signature(List<Parameter> parameters) {

@@ -1,9 +1,11 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.game.Requirement.Reply;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.IntKey;
 import arcomat.analysis.search.Numbering;
 import arcomat.analysis.search.letter.Alphabet;
+import arcomat.analysis.search.letter.LatchedPorts;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -11,6 +13,7 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.value.Attention;
 import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
@@ -56,7 +59,11 @@ public final class Arena {
     private final Component.Profile profile;
     private final List<Port> inputs;
     private final int[] identity;
-    private final HeldPorts held;
+    private final LatchedPorts latched;
+
+    /** It always matters whether latched ports hold something. */
+    private final LetterClasses latchedClasses;
+
     private List<Option> openings;
     private final Numbering<IntKey> positions = new Numbering<>();
     private final Map<List<Integer>, Alphabet> alphabets = new HashMap<>();
@@ -75,9 +82,13 @@ public final class Arena {
         this.profile = profile;
         this.requirements = List.copyOf(requirements);
         this.choices = choices;
-        this.inputs = requirements.get(0).side().inputs();
+        this.inputs = requirements.get(0).system().inputs();
         this.identity = IntStream.range(0, inputs.size()).toArray();
-        this.held = HeldPorts.of(profile, inputs);
+        this.latched = LatchedPorts.of(profile, inputs);
+        if (latched.positions().size() > Integer.SIZE) {
+            throw new GivenUp("more than " + Integer.SIZE + " latched ports");
+        }
+        this.latchedClasses = new LetterClasses(0, latched.attention(inputs.size()), inputs);
         int[] free = new int[requirements.size() + 1];
         Arrays.fill(free, Requirement.CHAOS);
         positions.number(new IntKey(free));
@@ -110,6 +121,10 @@ public final class Arena {
         return sets(position)[requirements.size()];
     }
 
+    private int held(Value[] letter) {
+        return (int) latched.held(letter);
+    }
+
     /** How many letters matter in a position. */
     long letters(int position) {
         List<Look> looks = attention(position).looks();
@@ -130,24 +145,24 @@ public final class Arena {
 
     /** The letters that matter in some positions. */
     Alphabet alphabet(int... some) {
-        List<LetterClasses> foci = new ArrayList<>();
+        List<LetterClasses> classes = new ArrayList<>();
         List<Integer> key = new ArrayList<>();
         for (int position : some) {
             int[] sets = sets(position);
             for (int i = 0; i < requirements.size(); i++) {
                 if (sets[i] != Requirement.CHAOS) {
-                    LetterClasses focus = requirements.get(i).focus(sets[i]);
-                    foci.add(focus);
+                    LetterClasses own = requirements.get(i).letterClasses(sets[i]);
+                    classes.add(own);
                     key.add(i);
-                    key.add(focus.number());
+                    key.add(own.number());
                 }
             }
         }
         Alphabet known = alphabets.get(key);
         if (known == null) {
-            foci.add(held.focus());
-            List<int[]> places = java.util.Collections.nCopies(foci.size(), identity);
-            known = new Alphabet(profile, inputs, foci, places);
+            classes.add(latchedClasses);
+            List<int[]> places = java.util.Collections.nCopies(classes.size(), identity);
+            known = new Alphabet(profile, inputs, classes, places);
             if (known.size() < WORTH_MAKING_AGAIN) {
                 alphabets.put(key, known);
             }
@@ -174,12 +189,13 @@ public final class Arena {
         Set<List<Integer>> met = new HashSet<>();
         int[] different = new int[alphabet.size()];
         int count = 0;
+        long before = Integer.toUnsignedLong(held(some[0]));
         for (int letter = 0; letter < alphabet.size(); letter++) {
-            if (!held.isPossible(held(some[0]), alphabet.letter(letter))) {
+            if (!latched.isPossible(before, alphabet.letter(letter))) {
                 continue;
             }
             List<Integer> consequences = new ArrayList<>(some.length * requirements.size() + 1);
-            consequences.add(held.after(alphabet.letter(letter)));
+            consequences.add(held(alphabet.letter(letter)));
             for (int position : some) {
                 for (Reply reply : replies(position, alphabet.letter(letter))) {
                     consequences.add(reply == null ? -1 : reply.number());
@@ -195,10 +211,10 @@ public final class Arena {
     /** What matters in a position. */
     Attention attention(int position) {
         int[] sets = sets(position);
-        Attention all = held.focus().attention();
+        Attention all = latchedClasses.attention();
         for (int i = 0; i < requirements.size(); i++) {
             if (sets[i] != Requirement.CHAOS) {
-                all = all.and(requirements.get(i).focus(sets[i]).attention());
+                all = all.and(requirements.get(i).letterClasses(sets[i]).attention());
             }
         }
         return all;
@@ -217,12 +233,12 @@ public final class Arena {
         for (int i = 0; i < replies.length; i++) {
             replies[i] = requirements.get(i).opening();
         }
-        return options(replies, held.atFirst());
+        return options(replies, 0);
     }
 
     /** The system's moves after an input; the last one is to err, where all allow that. */
     List<Option> options(int position, Value[] letter) {
-        return options(replies(position, letter), held.after(letter));
+        return options(replies(position, letter), held(letter));
     }
 
     /** What each requirement allows; null where it allows every output, but no error. */

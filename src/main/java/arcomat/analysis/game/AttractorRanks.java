@@ -8,7 +8,7 @@ import java.util.List;
 
 /**
  * How many inputs the environment needs to win from each position, whatever the system does, and
- * with which it begins.
+ * with which it begins: the layers of the attractor to the positions without an answer.
  */
 final class AttractorRanks {
     /** The rank of a position that is not known to be lost. */

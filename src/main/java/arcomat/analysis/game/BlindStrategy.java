@@ -17,9 +17,10 @@ import java.util.stream.IntStream;
 
 /**
  * A single word of inputs after which no output complies, however the system has answered on the
- * way: the environment plays blind. Breadth first over the sets of positions that the system may
- * have brought about; shortest words first, among those the fewest messages, then declaration
- * order.
+ * way: the environment plays blind (a game of incomplete information: Reif, "The complexity of
+ * two-player games of incomplete information", 1984). Breadth first over the sets of positions that
+ * the system may have brought about; shortest words first, among those the fewest messages, then
+ * declaration order.
  */
 final class BlindStrategy {
     private static final int MOST_SETS = 50_000;
@@ -31,7 +32,7 @@ final class BlindStrategy {
     private record Node(Node parent, Value[] letter, int[] positions, int messages) {}
 
     private final Game game;
-    private final Arena rules;
+    private final Arena arena;
     private final Budget budget;
     private final AttractorRanks ranks;
     private final int longest;
@@ -45,7 +46,7 @@ final class BlindStrategy {
         this.game = game;
         this.ranks = ranks;
         this.longest = longest;
-        this.rules = game.rules();
+        this.arena = game.arena();
         this.budget = budget;
     }
 
@@ -57,7 +58,7 @@ final class BlindStrategy {
     record Found(Optional<List<Value[]>> word, boolean decided) {}
 
     Found search() {
-        Node root = new Node(null, null, positions(rules.openings()), 0);
+        Node root = new Node(null, null, positions(arena.openings()), 0);
         if (root.positions.length == 0) {
             return new Found(Optional.of(List.of()), true);
         }
@@ -87,13 +88,13 @@ final class BlindStrategy {
             Map<IntKey, Node> seen,
             List<Node> next,
             Map<IntKey, Integer> atLevel) {
-        Alphabet alphabet = rules.alphabet(node.positions);
-        for (int i : rules.different(alphabet, node.positions)) {
+        Alphabet alphabet = arena.alphabet(node.positions);
+        for (int i : arena.different(alphabet, node.positions)) {
             Value[] letter = alphabet.letter(i);
             int messages = node.messages + alphabet.messages(i);
             TreeSet<Integer> after = new TreeSet<>();
             for (int position : node.positions) {
-                for (int each : positions(rules.options(position, letter))) {
+                for (int each : positions(arena.options(position, letter))) {
                     after.add(each);
                 }
             }

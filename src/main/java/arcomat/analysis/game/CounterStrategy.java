@@ -1,8 +1,9 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.game.Requirement.Reply;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Numbering;
-import arcomat.analysis.search.product.Comparison.Allowed;
+import arcomat.analysis.search.product.Counterexample.Allowed;
 import arcomat.analysis.search.step.Steps;
 import arcomat.model.Letter;
 import arcomat.model.Value;
@@ -10,6 +11,7 @@ import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +19,8 @@ import java.util.Optional;
 
 /**
  * How the environment wins a game, turn by turn: with a single word if there is one, else by
- * answering what the system does.
+ * answering what the system does (Könighofer, Hofferek, Bloem, "Debugging formal specifications
+ * using simple counterstrategies", FMCAD 2009).
  */
 public final class CounterStrategy {
     private static final int BEGINNING = -1;
@@ -29,18 +32,52 @@ public final class CounterStrategy {
      */
     public record Won(List<Turn> turns, Optional<List<Letter>> word, boolean decided) {}
 
+    /**
+     * What the environment sends in one position of a game that it wins, and what the system can
+     * answer without breaking a requirement at once.
+     *
+     * @param input nothing for the first turn, in which the system sends its initial outputs
+     * @param answers none where the requirements contradict each other
+     * @param demands what each requirement allows; only where there are no answers
+     */
+    public record Turn(Letter input, List<Answer> answers, List<Demand> demands) {
+        public Turn {
+            answers = List.copyOf(answers);
+            demands = List.copyOf(demands);
+        }
+
+        /**
+         * @param outputs by port; what is left open is no {@link Sent.Messages}
+         * @param next number of the turn that follows
+         */
+        public record Answer(Map<String, Sent> outputs, int next) {
+            public Answer {
+                outputs = Collections.unmodifiableMap(new LinkedHashMap<>(outputs));
+            }
+        }
+
+        /**
+         * @param requirement its position among those of the game
+         */
+        public record Demand(int requirement, List<Allowed> allowed) {
+            public Demand {
+                allowed = List.copyOf(allowed);
+            }
+        }
+    }
+
     /** Where a turn is played: after so many letters of the word, or anywhere; and the position. */
     private record Place(int letters, int position) {}
 
     private final Game game;
-    private final Arena rules;
+    private final Arena arena;
     private final List<Value[]> word;
     private final AttractorRanks strategy;
     private final Numbering<Place> places = new Numbering<>();
 
     private CounterStrategy(Game game, List<Value[]> word, AttractorRanks strategy) {
         this.game = game;
-        this.rules = game.rules();
+        this.arena = game.arena();
         this.word = word;
         this.strategy = strategy;
     }
@@ -48,7 +85,7 @@ public final class CounterStrategy {
     /** Tells a game that the environment wins. */
     public static Won of(Game game, Budget budget) {
         int[] openings =
-                game.rules().openings().stream().mapToInt(Arena.Option::position).toArray();
+                game.arena().openings().stream().mapToInt(Arena.Option::position).toArray();
         int shortest = game.ranks().of(openings);
         game.playOn(shortest);
         AttractorRanks ranks = game.ranks();
@@ -79,9 +116,9 @@ public final class CounterStrategy {
 
     private Turn turn(Place place) {
         boolean beginning = place.position == BEGINNING;
-        Value[] input = beginning ? new Value[rules.inputs().size()] : input(place);
+        Value[] input = beginning ? new Value[arena.inputs().size()] : input(place);
         List<Arena.Option> options =
-                beginning ? rules.openings() : rules.options(place.position, input);
+                beginning ? arena.openings() : arena.options(place.position, input);
         List<Turn.Answer> answers = new ArrayList<>();
         int letters = beginning || word == null ? 0 : place.letters + 1;
         for (Arena.Option option : options) {
@@ -95,17 +132,17 @@ public final class CounterStrategy {
     private Value[] input(Place place) {
         return word != null
                 ? word.get(place.letters)
-                : rules.alphabet(place.position).letter(strategy.letter(place.position));
+                : arena.alphabet(place.position).letter(strategy.letter(place.position));
     }
 
     private List<Turn.Demand> demands(Place place, Value[] input) {
         List<Turn.Demand> demands = new ArrayList<>();
-        for (int i = 0; i < rules.requirements().size(); i++) {
-            Requirement requirement = rules.requirements().get(i);
+        for (int i = 0; i < arena.requirements().size(); i++) {
+            Requirement requirement = arena.requirements().get(i);
             Reply reply =
                     place.position == BEGINNING
                             ? requirement.opening()
-                            : rules.replies(place.position, input)[i];
+                            : arena.replies(place.position, input)[i];
             if (reply != null) {
                 demands.add(new Turn.Demand(i, allowed(requirement, reply)));
             }
@@ -115,14 +152,14 @@ public final class CounterStrategy {
 
     private List<Allowed> allowed(Requirement requirement, Reply reply) {
         List<Allowed> allowed = new ArrayList<>();
-        for (Reply.Part part : reply.before()) {
+        for (Requirement.Part part : reply.before()) {
             Steps steps = part.steps();
             for (int step = 0; step < steps.size(); step++) {
                 allowed.add(
                         new Allowed(
                                 part.configuration() < 0
                                         ? ""
-                                        : requirement.side().describe(part.configuration()),
+                                        : requirement.system().describe(part.configuration()),
                                 steps.causes().get(step),
                                 named(requirement.sent(steps.outputs()[step])),
                                 requirement.sent(steps.outputs()[step]) == null));
@@ -133,13 +170,13 @@ public final class CounterStrategy {
 
     private Map<String, Sent> named(Output output) {
         Map<String, Sent> named = new LinkedHashMap<>();
-        for (int i = 0; output != null && i < rules.outputs().size(); i++) {
-            named.put(rules.outputs().get(i).name(), output.ports().get(i));
+        for (int i = 0; output != null && i < arena.outputs().size(); i++) {
+            named.put(arena.outputs().get(i).name(), output.ports().get(i));
         }
         return named;
     }
 
     private Letter letter(Value[] messages) {
-        return Letter.of(rules.inputs(), messages);
+        return Letter.of(arena.inputs(), messages);
     }
 }

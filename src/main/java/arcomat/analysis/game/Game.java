@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.search.Attractor;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.semantics.value.GivenUp;
@@ -14,7 +15,8 @@ import java.util.Optional;
 /**
  * Who wins: a safety game that the system loses where no output complies. Positions are explored
  * breadth first, and what is lost is carried back at once, so that a short way to win is found
- * before the rest is explored.
+ * before the rest is explored (on the fly: Cassez, David, Fleury, Larsen, Lime, "Efficient
+ * on-the-fly algorithms for the analysis of timed games", CONCUR 2005).
  */
 public final class Game {
     /** How a game ends. */
@@ -31,34 +33,31 @@ public final class Game {
     /** More inputs are not tried in one position. */
     private static final int MOST_LETTERS = 200_000;
 
-    private final Arena rules;
+    private final Arena arena;
     private final Budget budget;
     private final long mostMoves;
     private long moves;
-    private BitSet lost = new BitSet();
-    private BitSet erring = new BitSet();
+    private final Attractor lost = new Attractor();
     private final List<Demand> demands = new ArrayList<>();
-    private final IntArrayList alive = new IntArrayList();
 
-    /** Per position the demands that it answers. */
-    private final List<IntArrayList> answered = new ArrayList<>();
+    /** What was lost before errors were looked for; null until then. */
+    private BitSet lostUnerring;
 
     private final IntArrayList levels = new IntArrayList();
-    private final IntArrayList fallen = new IntArrayList();
     private int explored = Arena.END + 1;
     private String stopped;
 
     /**
      * @param mostMoves after so many inputs in all positions the search is stopped
      */
-    public Game(Arena rules, Budget budget, long mostMoves) {
-        this.rules = rules;
+    public Game(Arena arena, Budget budget, long mostMoves) {
+        this.arena = arena;
         this.budget = budget;
         this.mostMoves = mostMoves;
     }
 
-    Arena rules() {
-        return rules;
+    Arena arena() {
+        return arena;
     }
 
     /** Explores until the winner is known. */
@@ -78,14 +77,14 @@ public final class Game {
     private Winner explore(boolean untilKnown, int inputs) {
         try {
             while (!(untilKnown && isLost())
-                    && explored < rules.size()
+                    && explored < arena.size()
                     && level(explored) < inputs) {
                 stopped = exhausted();
                 if (stopped != null) {
                     break;
                 }
                 expand(explored++);
-                carryBack();
+                lost.propagate();
             }
             return isLost() ? Winner.ENVIRONMENT : stopped == null ? Winner.SYSTEM : Winner.UNKNOWN;
         } catch (GivenUp inTheMiddle) {
@@ -96,7 +95,7 @@ public final class Game {
 
     /** Why not to go on; counts the inputs of the next position. */
     private String exhausted() {
-        long letters = rules.letters(explored);
+        long letters = arena.letters(explored);
         moves += letters;
         if (letters > MOST_LETTERS || moves > mostMoves) {
             return "more than %d inputs to try at once"
@@ -125,8 +124,8 @@ public final class Game {
 
     /** Whether each beginning is lost. */
     private boolean isLost() {
-        for (Arena.Option option : rules.openings()) {
-            if (!lost.get(option.position())) {
+        for (Arena.Option option : arena.openings()) {
+            if (!isLost(option.position())) {
                 return false;
             }
         }
@@ -135,14 +134,14 @@ public final class Game {
 
     /** Whether it is known that the environment wins from here. */
     boolean isLost(int position) {
-        return lost.get(position);
+        return lostUnerring == null ? lost.isFallen(position) : lostUnerring.get(position);
     }
 
     /** Whether it is known that the system wins from here. */
     boolean isWon(int position) {
         return position == Arena.FREE
                 || position == Arena.END
-                || stopped == null && explored == rules.size() && !lost.get(position);
+                || stopped == null && explored == arena.size() && !isLost(position);
     }
 
     /**
@@ -150,23 +149,21 @@ public final class Game {
      * which is not played on then.
      */
     void lookForErrors() {
-        BitSet known = (BitSet) lost.clone();
-        lose(Arena.END);
-        carryBack();
-        erring = lost;
-        lost = known;
+        lostUnerring = lost.fallen();
+        lost.fall(Arena.END);
+        lost.propagate();
     }
 
     /** Whether it is known that every system errs or loses from here, or has done so. */
     boolean errs(int position) {
-        return erring.get(position);
+        return lostUnerring != null && lost.isFallen(position);
     }
 
     private void expand(int position) {
         int next = level(position) + 1;
-        Alphabet alphabet = rules.alphabet(position);
-        for (int letter : rules.different(alphabet, position)) {
-            List<Arena.Option> options = rules.options(position, alphabet.letter(letter));
+        Alphabet alphabet = arena.alphabet(position);
+        for (int letter : arena.different(alphabet, position)) {
+            List<Arena.Option> options = arena.options(position, alphabet.letter(letter));
             IntArrayList answers = new IntArrayList(options.size());
             boolean settled = false;
             for (Arena.Option option : options) {
@@ -176,59 +173,17 @@ public final class Game {
                 }
             }
             if (!settled) {
-                demand(position, letter, answers.toArray());
+                demands.add(new Demand(position, letter, answers.toArray()));
+                lost.demand(position, answers.toArray());
             }
         }
-        while (levels.size() < rules.size()) {
+        while (levels.size() < arena.size()) {
             levels.add(next);
-        }
-    }
-
-    private void demand(int position, int letter, int[] answers) {
-        int demand = demands.size();
-        demands.add(new Demand(position, letter, answers));
-        int count = 0;
-        for (int answer : answers) {
-            if (!lost.get(answer)) {
-                count++;
-                while (answered.size() <= answer) {
-                    answered.add(null);
-                }
-                if (answered.get(answer) == null) {
-                    answered.set(answer, new IntArrayList(2));
-                }
-                answered.get(answer).add(demand);
-            }
-        }
-        alive.add(count);
-        if (count == 0) {
-            lose(position);
-        }
-    }
-
-    private void lose(int position) {
-        if (!lost.get(position)) {
-            lost.set(position);
-            fallen.add(position);
-        }
-    }
-
-    private void carryBack() {
-        while (!fallen.isEmpty()) {
-            int position = fallen.removeLast();
-            IntArrayList open = position < answered.size() ? answered.get(position) : null;
-            for (int i = 0; open != null && i < open.size(); i++) {
-                int demand = open.get(i);
-                alive.set(demand, alive.get(demand) - 1);
-                if (alive.get(demand) == 0) {
-                    lose(demands.get(demand).position());
-                }
-            }
         }
     }
 
     /** How soon the environment wins where it does. */
     AttractorRanks ranks() {
-        return new AttractorRanks(demands, rules.size());
+        return new AttractorRanks(demands, arena.size());
     }
 }

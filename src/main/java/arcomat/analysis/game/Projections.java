@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.game.Requirement.Reply;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.model.Component;

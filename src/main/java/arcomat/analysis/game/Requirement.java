@@ -11,7 +11,6 @@ import arcomat.analysis.search.system.RunErrors;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.Output;
@@ -21,6 +20,7 @@ import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongObjectHashMap;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -36,7 +36,28 @@ public final class Requirement {
     /** In place of the number of a set: every output is allowed from here on, but no error. */
     static final int CHAOS = -1;
 
-    private final AutomataSystem side;
+    /**
+     * What one requirement allows after one kind of letter: its steps, sorted by what they send.
+     *
+     * @param number the same for replies that allow the same and lead to the same
+     * @param before per member of the set: the configuration, and where its steps begin in {@code
+     *     all}
+     * @param cubes numbers of the distinct output cubes, in text order
+     * @param list the number of these cubes as a list
+     * @param next per cube the configurations afterwards
+     */
+    record Reply(int number, List<Part> before, int[] cubes, int list, int[][] next) {
+
+        /** Whether the run may end here, in an error. */
+        boolean mayEnd() {
+            return Arrays.stream(cubes).anyMatch(cube -> cube == OutputCubes.ERROR);
+        }
+    }
+
+    /** The steps of one member of the set. */
+    record Part(int configuration, Steps steps) {}
+
+    private final AutomataSystem system;
     private final Automaton automaton;
     private final boolean mayErr;
     private final boolean ends;
@@ -44,35 +65,35 @@ public final class Requirement {
     private final Budget budget;
     private final int[] positions;
     private final MacroStates sets = new MacroStates();
-    private final List<LetterClasses> focusOfSet = new ArrayList<>();
+    private final LetterClasses.OfConfigurations classes;
     private final List<LongObjectHashMap<Reply>> replies = new ArrayList<>();
-    private final Map<Attention, LetterClasses> foci = new HashMap<>();
     private final Map<List<Object>, Integer> contents = new HashMap<>();
     private Reply opening;
 
     /**
-     * @param side what the automaton asks for
+     * @param system what the automaton asks for
      * @param ends whether an error is a way to keep it, where it may err itself
      * @param choices shared by all requirements of a game
      * @param budget of time and memory
      */
     public Requirement(
-            AutomataSystem side,
+            AutomataSystem system,
             Automaton automaton,
             boolean ends,
             Choices choices,
             Budget budget) {
         this.budget = budget;
-        this.side = side;
+        this.system = system;
         this.automaton = automaton;
         this.mayErr = RunErrors.arePossible(automaton);
         this.ends = ends;
         this.choices = choices;
-        this.positions = IntStream.range(0, side.inputs().size()).toArray();
+        this.classes = new LetterClasses.OfConfigurations(system.inputs(), budget);
+        this.positions = IntStream.range(0, system.inputs().size()).toArray();
     }
 
-    TransitionSystem side() {
-        return side;
+    TransitionSystem system() {
+        return system;
     }
 
     /** The name of the state that it is in; empty where there is only one, or more than one way. */
@@ -80,7 +101,7 @@ public final class Requirement {
         if (set == CHAOS || automaton.states().size() < 2 || sets.members(set).length > 1) {
             return Optional.empty();
         }
-        Configuration only = side.configuration(sets.members(set)[0]).get(0);
+        Configuration only = system.configurations(sets.members(set)[0]).get(0);
         return only.isState()
                 ? Optional.of(automaton.states().get(only.state()))
                 : Optional.empty();
@@ -104,44 +125,36 @@ public final class Requirement {
     /** What may be sent before anything is read. */
     Reply opening() {
         if (opening == null) {
-            opening = reply(List.of(new Reply.Part(-1, side.openings())));
+            opening = reply(List.of(new Part(-1, system.openings())));
         }
         return opening;
     }
 
-    /** What its members together pay attention to. */
-    LetterClasses focus(int set) {
-        LetterClasses known = set < focusOfSet.size() ? focusOfSet.get(set) : null;
-        if (known == null) {
-            while (focusOfSet.size() <= set) {
-                focusOfSet.add(null);
-                replies.add(new LongObjectHashMap<>(4));
-            }
-            List<Port> inputs = side.inputs();
-            known =
-                    foci.computeIfAbsent(
-                            attention(set), each -> new LetterClasses(foci.size(), each, inputs));
-            focusOfSet.set(set, known);
-        }
-        return known;
+    /** The letters that its members together tell apart. */
+    LetterClasses letterClasses(int set) {
+        return classes.of(set, this::attention);
     }
 
     /** The letters that it tells apart. */
     Alphabet alphabet(Component.Profile profile, int set) {
-        return new Alphabet(profile, side.inputs(), List.of(focus(set)), List.of(positions));
+        return new Alphabet(
+                profile, system.inputs(), List.of(letterClasses(set)), List.of(positions));
     }
 
     private Attention attention(int set) {
         Attention all = Attention.none(positions.length);
         for (int member : sets.members(set)) {
-            all = all.and(side.focus(member).attention());
+            all = all.and(system.letterClasses(member).attention());
         }
         return all;
     }
 
     /** What may be sent in reaction to a letter. */
     Reply reply(int set, Value[] letter) {
-        long kind = focus(set).kind(letter, positions);
+        while (replies.size() <= set) {
+            replies.add(new LongObjectHashMap<>(4));
+        }
+        long kind = letterClasses(set).kind(letter, positions);
         Reply known = replies.get(set).get(kind);
         if (known == null) {
             known = compute(set, letter);
@@ -151,18 +164,18 @@ public final class Requirement {
     }
 
     private Reply compute(int set, Value[] letter) {
-        List<Reply.Part> parts = new ArrayList<>();
+        List<Part> parts = new ArrayList<>();
         for (int member : sets.members(set)) {
-            long kind = side.focus(member).kind(letter, positions);
-            parts.add(new Reply.Part(member, side.steps(member, kind, letter)));
+            long kind = system.letterClasses(member).kind(letter, positions);
+            parts.add(new Part(member, system.steps(member, kind, letter)));
         }
         return reply(parts);
     }
 
-    private Reply reply(List<Reply.Part> parts) {
+    private Reply reply(List<Part> parts) {
         IntArrayList cubes = new IntArrayList(2);
         List<IntArrayList> next = new ArrayList<>(2);
-        for (Reply.Part part : parts) {
+        for (Part part : parts) {
             Steps steps = part.steps();
             for (int step = 0; step < steps.size(); step++) {
                 budget.insist();
@@ -191,12 +204,12 @@ public final class Requirement {
 
     /** The set of one configuration. */
     int alone(int configuration) {
-        return side.isChaos(configuration) ? CHAOS : sets.singleton(configuration);
+        return system.isChaos(configuration) ? CHAOS : sets.singleton(configuration);
     }
 
     /** Chaos allows all outputs, but no error: others beside it may be what allows one. */
     private boolean isFree(int configuration) {
-        return side.isChaos(configuration) && !mayEnd();
+        return system.isChaos(configuration) && !mayEnd();
     }
 
     /**

@@ -18,8 +18,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a system does that wins: in every position the first output that leads to no lost position.
- * Games about different outputs are played at once, each on its own.
+ * What a system does that wins, a strategy without memory of its own: in every position the first
+ * output that leads to no lost position. Games about different outputs are played at once, each on
+ * its own.
  */
 public final class Synthesis {
     private static final int MOST_STATES = 10_000;
@@ -35,8 +36,8 @@ public final class Synthesis {
         games.forEach(Game::lookForErrors);
         this.games = games;
         this.budget = budget;
-        this.inputs = games.get(0).rules().inputs();
-        this.outputs = games.get(0).rules().outputs();
+        this.inputs = games.get(0).arena().inputs();
+        this.outputs = games.get(0).arena().outputs();
     }
 
     /**
@@ -53,7 +54,7 @@ public final class Synthesis {
 
     private Optional<MealyMachine> machine() {
         List<Arena.Option> openings = new ArrayList<>();
-        games.forEach(game -> openings.add(best(game, game.rules().openings())));
+        games.forEach(game -> openings.add(best(game, game.arena().openings())));
         number(openings);
         List<MealyMachine.State> all = new ArrayList<>();
         for (int i = 0; i < states.size(); i++) {
@@ -101,7 +102,7 @@ public final class Synthesis {
     private String name(List<Integer> positions) {
         List<String> names = new ArrayList<>();
         for (int i = 0; i < games.size(); i++) {
-            names.addAll(games.get(i).rules().states(positions.get(i)));
+            names.addAll(games.get(i).arena().states(positions.get(i)));
         }
         boolean free = positions.stream().allMatch(position -> position == Arena.FREE);
         return free ? "free" : String.join("_", names);
@@ -110,7 +111,7 @@ public final class Synthesis {
     private List<Look> looks(List<Integer> positions) {
         Attention all = Attention.none(inputs.size());
         for (int i = 0; i < games.size(); i++) {
-            all = all.and(games.get(i).rules().attention(positions.get(i)));
+            all = all.and(games.get(i).arena().attention(positions.get(i)));
         }
         return all.looks();
     }
@@ -139,7 +140,7 @@ public final class Synthesis {
             moves.add(
                     position == Arena.FREE
                             ? new Arena.Option(Output.anything(outputs.size()), Arena.FREE)
-                            : best(game, game.rules().options(position, letter)));
+                            : best(game, game.arena().options(position, letter)));
         }
         return moves.stream().anyMatch(move -> move.sent() == null)
                 ? new MealyMachine.Reaction(null, 0)

@@ -104,7 +104,7 @@ record ExplicitSystem(
             TransitionSystem side, List<PortTrack> inputs, OutputCubes outputs, Budget budget) {
 
         List<Step> steps(int number) {
-            LetterClasses focus = side.focus(number);
+            LetterClasses focus = side.letterClasses(number);
             int[] positions = IntStream.range(0, inputs.size()).toArray();
             Map<Key, List<List<Set<Integer>>>> found = new LinkedHashMap<>();
             for (List<Set<Integer>> kind : kinds(focus)) {

@@ -2,8 +2,8 @@ package arcomat.analysis.mona;
 
 import arcomat.analysis.mona.ExplicitSystem.Step;
 import arcomat.analysis.search.Moment;
-import arcomat.analysis.search.product.Comparison.Allowed;
-import arcomat.analysis.search.product.Comparison.Forbidden;
+import arcomat.analysis.search.product.Counterexample.Allowed;
+import arcomat.analysis.search.product.Counterexample.Forbidden;
 import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Sent;

@@ -50,8 +50,7 @@ final class Causes {
 
     /** By its path, where that is sure; of events it is not known which part has handled them. */
     private String part(Trace.Completed completed, int position) {
-        List<Network.Instance> parts =
-                Network.of(promise.component(), promise.arguments()).instances();
+        List<Network.Instance> parts = promise.network().instances();
         if (promise.component().profile() == Component.Profile.TIME_SYNCHRONOUS) {
             List<String> paths =
                     parts.stream()

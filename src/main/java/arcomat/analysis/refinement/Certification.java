@@ -50,13 +50,13 @@ public record Certification(Verdict verdict, List<Certificate> certificates) {
         }
         for (int i = 0; i < promises.size(); i++) {
             Promise each = promises.get(i);
-            ComparedSystems sides = ComparedSystems.of(left, each, budget);
+            ComparedSystems systems = ComparedSystems.of(left, each, budget);
             CertificateCheck check =
                     new CertificateCheck(
-                            sides.left(),
-                            sides.right(),
-                            sides.observed(),
-                            sides.outputs(),
+                            systems.left(),
+                            systems.right(),
+                            systems.observed(),
+                            systems.outputs(),
                             certificates.get(i),
                             budget);
             Optional<String> problem = check.problem();

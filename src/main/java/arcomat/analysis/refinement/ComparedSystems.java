@@ -2,7 +2,7 @@ package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.search.Budget;
-import arcomat.analysis.search.product.Comparison;
+import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.system.AutomataSystem;
 import arcomat.analysis.search.system.DelayedSystem;
@@ -48,16 +48,16 @@ public final class ComparedSystems {
         List<Port> observed = right.ports().stream().filter(port -> !port.isInput()).toList();
         List<String> names = observed.stream().map(Port::name).toList();
         return new ComparedSystems(
-                DrivenSystem.of(side(left, names, outputs, budget)),
-                side(right, names, outputs, budget),
+                DrivenSystem.of(system(left, names, outputs, budget)),
+                system(right, names, outputs, budget),
                 observed,
                 outputs);
     }
 
-    private static TransitionSystem side(
+    private static TransitionSystem system(
             Promise promise, List<String> observed, OutputCubes outputs, Budget budget) {
         return promise.isComposition()
-                ? new NetworkSystem(
+                ? NetworkSystem.of(
                         promise.component(), promise.arguments(), observed, outputs, budget)
                 : new AutomataSystem(promise.behaviour(), observed, outputs, budget);
     }
@@ -98,16 +98,16 @@ public final class ComparedSystems {
                 .collect(Collectors.toSet());
     }
 
-    private Stream<Integer> late(TransitionSystem side) {
-        return side instanceof ShiftedSystem shown ? shown.late().stream().boxed() : Stream.of();
+    private Stream<Integer> late(TransitionSystem system) {
+        return system instanceof ShiftedSystem shown ? shown.late().stream().boxed() : Stream.of();
     }
 
     private String name(int port) {
         return observed.get(port).name();
     }
 
-    public Comparison comparison(Budget budget) {
-        return new Comparison(left, right, observed, outputs, budget);
+    public TraceInclusion inclusion(Budget budget) {
+        return new TraceInclusion(left, right, observed, outputs, budget);
     }
 
     Explored explored(long pairs) {

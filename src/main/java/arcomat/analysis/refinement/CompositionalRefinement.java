@@ -42,8 +42,8 @@ final class CompositionalRefinement {
     private final Map<Comparison, Verdict> compared = new HashMap<>();
 
     private CompositionalRefinement(Promise left, Promise right) {
-        this.left = Network.of(left.component(), left.arguments());
-        this.right = Network.of(right.component(), right.arguments());
+        this.left = left.network();
+        this.right = right.network();
     }
 
     /**

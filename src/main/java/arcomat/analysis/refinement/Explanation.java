@@ -1,8 +1,8 @@
 package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Sentence;
-import arcomat.analysis.search.product.Comparison.Allowed;
-import arcomat.analysis.search.product.Comparison.Forbidden;
+import arcomat.analysis.search.product.Counterexample.Allowed;
+import arcomat.analysis.search.product.Counterexample.Forbidden;
 import arcomat.model.Trace;
 import arcomat.semantics.expression.Sent;
 import arcomat.source.Span;
@@ -21,39 +21,32 @@ public final class Explanation {
         List<Sentence> sentences = new ArrayList<>();
         boolean beginning = forbidden.left().isEmpty();
         String when = beginning ? "At the start" : "With input %d".formatted(number);
+        String did =
+                forbidden
+                        .error()
+                        .map(error -> "ends in an " + error + still(forbidden.sent()))
+                        .orElse("sends " + words(forbidden.sent()));
+        String by = by(left, forbidden.left(), forbidden.causes());
         sentences.add(
                 new Sentence(
-                        "%s, %s %s%s"
-                                .formatted(
-                                        when,
-                                        left.title(),
-                                        forbidden
-                                                .error()
-                                                .map(
-                                                        error ->
-                                                                "ends in an "
-                                                                        + error
-                                                                        + still(forbidden.sent()))
-                                                .orElse("sends " + words(forbidden.sent())),
-                                        by(left, forbidden.left(), forbidden.causes())),
+                        when + ", " + left.title() + " " + did + by,
                         place(left, forbidden.causes())));
         for (Allowed allowed : forbidden.right()) {
-            sentences.add(
-                    new Sentence(
-                            "%s allows %s%s"
-                                    .formatted(
-                                            right.title(),
-                                            allowed(allowed, forbidden),
-                                            by(right, allowed.configuration(), allowed.causes())),
-                            place(right, allowed.causes())));
+            sentences.add(allows(right, allowed, allowed(allowed, forbidden)));
         }
         if (forbidden.right().isEmpty()) {
             sentences.add(
-                    new Sentence(
-                            right.title() + " allows nothing any more",
-                            Optional.of(right.component().span())));
+                    Sentence.at(
+                            right.component().span(), "%s allows nothing any more", right.title()));
         }
         return sentences;
+    }
+
+    /** That a promise allows something in a step of its own, in words. */
+    public static Sentence allows(Promise promise, Allowed step, String words) {
+        String by = by(promise, step.configuration(), step.causes());
+        String text = "%s allows %s%s".formatted(promise.title(), words, by);
+        return new Sentence(text, place(promise, step.causes()));
     }
 
     /** What earlier reactions show in the slice in which a run ends. */
@@ -70,16 +63,11 @@ public final class Explanation {
             return (onlyErrors ? "only an error" : "an error")
                     + (showsLess ? " in a slice that shows nothing" : still(allowed.sent()));
         }
-        String words = words(allowed.sent());
-        return switch (words) {
-            case "nothing" -> silence(allowed.sent());
-            case "anything" -> errorForbidden ? "any output, but no error" : words;
-            default -> words;
-        };
+        return words(allowed, errorForbidden);
     }
 
     /** Ports that are left open are only mentioned where all are. */
-    public static String words(Map<String, Sent> sent) {
+    private static String words(Map<String, Sent> sent) {
         if (!sent.isEmpty() && sent.values().stream().allMatch(Sent.Anything.class::isInstance)) {
             return "anything";
         }
@@ -92,8 +80,22 @@ public final class Explanation {
         return words.isEmpty() ? "nothing" : words;
     }
 
+    /**
+     * What is allowed besides errors.
+     *
+     * @param noError whether it is told apart from an error that is not
+     */
+    public static String words(Allowed allowed, boolean noError) {
+        String words = words(allowed.sent());
+        return switch (words) {
+            case "nothing" -> silence(allowed.sent());
+            case "anything" -> noError ? "any output, but no error" : words;
+            default -> words;
+        };
+    }
+
     /** What is allowed where no message has to be sent, and not everything is left open. */
-    public static String silence(Map<String, Sent> sent) {
+    private static String silence(Map<String, Sent> sent) {
         List<String> silent =
                 sent.entrySet().stream()
                         .filter(each -> each.getValue().equals(Sent.SILENCE))
@@ -104,7 +106,7 @@ public final class Explanation {
                 : "only silence on " + String.join(", ", silent);
     }
 
-    public static String by(Promise promise, String before, List<Trace.Cause> causes) {
+    private static String by(Promise promise, String before, List<Trace.Cause> causes) {
         if (before.isEmpty()) {
             return "";
         }
@@ -112,7 +114,7 @@ public final class Explanation {
         return words.isEmpty() ? "" : ", in " + before + ": " + String.join("; ", words);
     }
 
-    public static Optional<Span> place(Promise promise, List<Trace.Cause> causes) {
+    private static Optional<Span> place(Promise promise, List<Trace.Cause> causes) {
         for (Trace.Cause cause : causes) {
             if (cause instanceof Trace.Taken taken && taken.transition().span() != null) {
                 return Optional.of(taken.transition().span());

@@ -5,6 +5,7 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.semantics.network.Feedthrough;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -27,9 +28,9 @@ public final class Interfaces {
         Component own = left.component();
         if (own.profile() != right.component().profile()) {
             problems.add(
-                    new Sentence(
-                            "one of them handles events, the other one works slice by slice",
-                            Optional.of(own.span())));
+                    Sentence.at(
+                            own.span(),
+                            "one of them handles events, the other one works slice by slice"));
         }
         Map<String, Port> mine = new HashMap<>();
         left.drivenPorts().forEach(port -> mine.put(port.name(), port));
@@ -64,15 +65,14 @@ public final class Interfaces {
                 int position = own.indexOf(inputs.get(i).name());
                 if (mine.get(output.name()).get(position) && !theirs.get(output.name()).get(i)) {
                     problems.add(
-                            new Sentence(
-                                    ("'%s' of %s may depend on '%s' in the same slice, that of %s"
-                                                    + " does not: a feedback could become a circle")
-                                            .formatted(
-                                                    output.name(),
-                                                    left.title(),
-                                                    inputs.get(i).name(),
-                                                    right.title()),
-                                    left.component().port(output.name()).map(Port::span)));
+                            Sentence.at(
+                                    left.component().port(output.name()).get().span(),
+                                    "'%s' of %s may depend on '%s' in the same slice, that of %s"
+                                            + " does not: a feedback could become a circle",
+                                    output.name(),
+                                    left.title(),
+                                    inputs.get(i).name(),
+                                    right.title()));
                 }
             }
         }
@@ -81,40 +81,28 @@ public final class Interfaces {
 
     private static Optional<Sentence> problem(
             Promise left, Optional<Port> namesake, Port port, Promise right) {
-        String kind = kind(port);
-        Optional<Port> found = namesake.filter(each -> each.isInput() == port.isInput());
-        if (found.isEmpty()) {
+        String name = port.name();
+        if (namesake.isEmpty() || namesake.get().isInput() != port.isInput()) {
+            String has = "%s has no %s port '%s', which %s has";
             return Optional.of(
-                    new Sentence(
-                            "%s has no %s port '%s', which %s has"
-                                    .formatted(left.title(), kind, port.name(), right.title()),
-                            Optional.of(port.span())));
+                    Sentence.at(port.span(), has, left.title(), kind(port), name, right.title()));
         }
-        if (!found.get().type().equals(port.type())) {
+        Port own = namesake.get();
+        Span place = own.span();
+        if (!own.type().equals(port.type())) {
+            String mine = words(own.type(), port.type());
+            String theirs = words(port.type(), own.type());
+            String carries = "'%s' carries %s in %s and %s in %s";
             return Optional.of(
-                    new Sentence(
-                            "'%s' carries %s in %s and %s in %s"
-                                    .formatted(
-                                            port.name(),
-                                            words(found.get().type(), port.type()),
-                                            left.title(),
-                                            words(port.type(), found.get().type()),
-                                            right.title()),
-                            Optional.of(found.get().span())));
+                    Sentence.at(place, carries, name, mine, left.title(), theirs, right.title()));
         }
-        if (found.get().latched() != port.latched()) {
-            return Optional.of(
-                    new Sentence(
-                            "'%s' keeps its value in one of them, and is an event in the other"
-                                    .formatted(port.name()),
-                            Optional.of(found.get().span())));
+        if (own.latched() != port.latched()) {
+            String keeps = "'%s' keeps its value in one of them, and is an event in the other";
+            return Optional.of(Sentence.at(place, keeps, name));
         }
-        if (port.isInput() && found.get().total() && !port.total()) {
-            return Optional.of(
-                    new Sentence(
-                            "'%s' may be silent for %s, but %s needs a message in every slice"
-                                    .formatted(port.name(), right.title(), left.title()),
-                            Optional.of(found.get().span())));
+        if (port.isInput() && own.total() && !port.total()) {
+            String needs = "'%s' may be silent for %s, but %s needs a message in every slice";
+            return Optional.of(Sentence.at(place, needs, name, right.title(), left.title()));
         }
         return Optional.empty();
     }

@@ -2,7 +2,7 @@ package arcomat.analysis.refinement;
 
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Moment;
-import arcomat.analysis.search.product.Comparison.Forbidden;
+import arcomat.analysis.search.product.Counterexample.Forbidden;
 import arcomat.model.Component;
 import arcomat.model.Invariant;
 import arcomat.model.Trace;
@@ -35,7 +35,7 @@ final class InvariantCounterexample {
         this.component = component;
         this.together = together;
         this.watch = watch;
-        this.network = Network.of(together.component(), together.arguments());
+        this.network = together.network();
         Set<Integer> delayed = network.delayed();
         this.late =
                 network.outputs().stream()

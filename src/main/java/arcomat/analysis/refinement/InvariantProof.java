@@ -4,7 +4,7 @@ import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
-import arcomat.analysis.search.product.Comparison;
+import arcomat.analysis.search.product.Counterexample;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
@@ -54,7 +54,7 @@ public final class InvariantProof {
     }
 
     private Verdict verdict() {
-        Optional<String> obstacle = Beginning.obstacle(asked, budget::insist);
+        Optional<String> obstacle = asked.obstacle(budget::insist);
         if (obstacle.isPresent()) {
             return Verdict.unknown(obstacle.get());
         }
@@ -110,35 +110,33 @@ public final class InvariantProof {
 
     private Verdict search() {
         Promise together = Promise.of(watch.together(), asked.arguments());
-        ComparedSystems sides =
+        ComparedSystems systems =
                 ComparedSystems.of(together, Promise.of(silent(), List.of()), budget);
-        Comparison comparison = sides.comparison(budget);
+        TraceInclusion inclusion = systems.inclusion(budget);
         return Budget.within(
-                () -> verdict(together, sides, comparison),
-                reason -> Verdict.unknown(reason, explored(sides, comparison.pairs())));
+                () -> verdict(together, systems, inclusion),
+                reason -> Verdict.unknown(reason, explored(systems, inclusion.pairs())));
     }
 
-    private Verdict verdict(Promise together, ComparedSystems sides, Comparison comparison) {
-        TraceInclusion.Result result = comparison.run();
-        Explored explored = explored(sides, result.pairs());
+    private Verdict verdict(Promise together, ComparedSystems systems, TraceInclusion inclusion) {
+        TraceInclusion.Result result = inclusion.run();
+        Explored explored = explored(systems, result.pairs());
         if (result.failure().isPresent()) {
-            InvariantCounterexample story =
+            InvariantCounterexample told =
                     new InvariantCounterexample(asked.component(), together, watch);
-            List<Moment> slices = story.slices(comparison.moments(result.failure().get()));
+            Counterexample found = inclusion.counterexample(result.failure().get());
+            List<Moment> slices = told.slices(found.moments());
             return Verdict.breaks(
-                    slices,
-                    story.explanation(
-                            invariant, comparison.forbidden(result.failure().get()), slices),
-                    explored);
+                    slices, told.explanation(invariant, found.forbidden(), slices), explored);
         }
-        Optional<String> stopped = result.stopped().or(sides.left()::leftOut);
+        Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         return stopped.isPresent()
                 ? Verdict.unknown(stopped.get(), explored)
                 : Verdict.holds(Optional.empty(), List.of(), explored);
     }
 
-    private static Explored explored(ComparedSystems sides, long pairs) {
-        return new Explored(pairs, sides.left().size(), 1);
+    private static Explored explored(ComparedSystems systems, long pairs) {
+        return new Explored(pairs, systems.left().size(), 1);
     }
 
     /** Never sends on the observer's port, and may end in an error whenever it likes. */

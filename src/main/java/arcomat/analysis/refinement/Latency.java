@@ -5,7 +5,6 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.model.Component;
-import arcomat.semantics.network.Network;
 
 import java.util.Optional;
 
@@ -57,14 +56,14 @@ final class Latency {
      * part takes more than one.
      */
     private static Optional<Integer> slices(Promise left, Promise right, Budget budget) {
-        int parts = Network.of(left.component(), left.arguments()).instances().size();
+        int parts = left.network().instances().size();
         Budget hasty = budget.atMost(MOST_PAIRS).patient(PATIENCE);
-        ComparedSystems sides = ComparedSystems.of(left, right, hasty);
+        ComparedSystems systems = ComparedSystems.of(left, right, hasty);
         for (int slices = 1; slices <= parts; slices++) {
             if (slices > MOST_SLICES && budget.takes(Shortcut.LONG_PIPELINE)) {
                 return Optional.empty();
             }
-            Answer answer = answer(sides, slices, hasty);
+            Answer answer = answer(systems, slices, hasty);
             if (answer == Answer.UNKNOWN && !budget.takes(Shortcut.IMPATIENCE)) {
                 answer = answer(ComparedSystems.of(left, right, budget), slices, budget);
             }
@@ -75,21 +74,21 @@ final class Latency {
         return Optional.empty();
     }
 
-    private static Answer answer(ComparedSystems sides, int slices, Budget budget) {
-        return Budget.within(() -> refines(sides, slices, budget), unknown -> Answer.UNKNOWN);
+    private static Answer answer(ComparedSystems systems, int slices, Budget budget) {
+        return Budget.within(() -> refines(systems, slices, budget), unknown -> Answer.UNKNOWN);
     }
 
-    private static Answer refines(ComparedSystems sides, int slices, Budget budget) {
-        TraceInclusion.Result result = compare(sides, slices, budget);
+    private static Answer refines(ComparedSystems systems, int slices, Budget budget) {
+        TraceInclusion.Result result = compare(systems, slices, budget);
         if (result.failure().isPresent()) {
             return Answer.FAILS;
         }
-        boolean complete = result.stopped().or(sides.left()::leftOut).isEmpty();
+        boolean complete = result.stopped().or(systems.left()::leftOut).isEmpty();
         return complete ? Answer.HOLDS : Answer.UNKNOWN;
     }
 
     /** With the right side so many slices late. */
-    static TraceInclusion.Result compare(ComparedSystems sides, int slices, Budget budget) {
-        return sides.late(slices, budget).comparison(budget).run();
+    static TraceInclusion.Result compare(ComparedSystems systems, int slices, Budget budget) {
+        return systems.late(slices, budget).inclusion(budget).run();
     }
 }

@@ -6,6 +6,7 @@ import arcomat.model.Parameter;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Arguments;
+import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +17,14 @@ import java.util.Optional;
  * every decomposition keeps what the automata on it require.
  */
 public final class Obligations {
+    /**
+     * A promise that a model says it keeps: by a {@code refines} clause, or by an automaton on a
+     * decomposed component.
+     *
+     * @param place what is to be shown to be right
+     */
+    public record Obligation(Promise left, Promise right, Span place) {}
+
     private final Model model;
     private final List<Obligation> found = new ArrayList<>();
     private final List<String> open = new ArrayList<>();

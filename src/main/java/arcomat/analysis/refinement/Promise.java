@@ -5,6 +5,7 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.expression.Fault;
 import arcomat.semantics.network.Network;
 
 import java.util.ArrayList;
@@ -85,6 +86,11 @@ public record Promise(
         return component.isComposite() && automata.isEmpty();
     }
 
+    /** The parts of a composition, and how they are connected. */
+    public Network network() {
+        return Network.of(component, arguments);
+    }
+
     /** The same with a look at devices. */
     public Promise withDevices() {
         return new Promise(component, arguments, automata, true, mark);
@@ -113,7 +119,7 @@ public record Promise(
         if (!isComposition() || arguments.size() != component.parameters().size()) {
             return component.ports();
         }
-        Network network = Network.of(component, arguments);
+        Network network = network();
         List<Port> ports = new ArrayList<>(component.ports());
         for (Port.Direction direction : directions) {
             boolean in = direction == Port.Direction.IN;
@@ -139,6 +145,23 @@ public record Promise(
                 port.latched(),
                 port.first(),
                 port.span());
+    }
+
+    /**
+     * Why it cannot begin: a value that it starts with may be none of its type. Empty if it can.
+     *
+     * @param goOn asked on the way; it may throw what ends the work
+     */
+    Optional<String> obstacle(Runnable goOn) {
+        try {
+            List<Behaviour> all =
+                    isComposition() ? Behaviour.ofParts(network(), goOn) : List.of(behaviour());
+            all.forEach(Behaviour::starts);
+            return Optional.empty();
+        } catch (Fault fault) {
+            return Optional.of(
+                    "the model goes wrong before it reads anything: " + fault.getMessage());
+        }
     }
 
     public Behaviour behaviour() {

@@ -6,10 +6,9 @@ import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.product.Certificate;
-import arcomat.analysis.search.product.Comparison;
+import arcomat.analysis.search.product.Counterexample;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.system.NetworkSystem;
-import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Automaton;
 
 import java.util.ArrayList;
@@ -26,7 +25,17 @@ import java.util.stream.Stream;
  * first may have further ports.
  */
 public final class Refinement {
-    private Refinement() {}
+    private final Promise left;
+    private final Promise right;
+    private final ComparedSystems systems;
+    private final TraceInclusion inclusion;
+
+    private Refinement(Promise left, Promise right, Budget budget) {
+        this.left = left;
+        this.right = right;
+        this.systems = ComparedSystems.of(left, right, budget);
+        this.inclusion = systems.inclusion(budget);
+    }
 
     /** A conjunction on the right allows what each of its automata does: it is kept if each is. */
     public static Verdict check(Promise left, Promise right, Budget budget) {
@@ -79,7 +88,7 @@ public final class Refinement {
     }
 
     private static Optional<String> obstacle(Promise promise, Runnable goOn) {
-        Optional<String> beginning = Beginning.obstacle(promise, goOn);
+        Optional<String> beginning = promise.obstacle(goOn);
         return beginning.isEmpty() && promise.isComposition()
                 ? NetworkSystem.obstacle(promise.component(), promise.arguments())
                 : beginning;
@@ -130,7 +139,7 @@ public final class Refinement {
         };
     }
 
-    /** A side of a comparison with a promise that has one automaton, or is a composition. */
+    /** A side of a inclusion with a promise that has one automaton, or is a composition. */
     public static Verdict compare(Promise left, Promise right, Budget budget) {
         return compare(left, right, budget, certificate -> {});
     }
@@ -141,49 +150,30 @@ public final class Refinement {
     public static Verdict compare(
             Promise left, Promise right, Budget budget, Consumer<Supplier<Certificate>> proof) {
         return Budget.within(
-                () -> compare(left, right, ComparedSystems.of(left, right, budget), budget, proof),
-                Verdict::unknown);
+                () -> new Refinement(left, right, budget).verdict(proof), Verdict::unknown);
     }
 
-    private static Verdict compare(
-            Promise left,
-            Promise right,
-            ComparedSystems sides,
-            Budget budget,
-            Consumer<Supplier<Certificate>> proof) {
-        Comparison comparison = sides.comparison(budget);
-        return Budget.within(
-                () -> verdict(left, right, sides, comparison, proof),
-                reason -> Verdict.unknown(reason, sides.explored(comparison.pairs())));
+    private Verdict verdict(Consumer<Supplier<Certificate>> proof) {
+        return Budget.within(() -> searched(proof), this::unknown);
     }
 
-    private static Verdict verdict(
-            Promise left,
-            Promise right,
-            ComparedSystems sides,
-            Comparison comparison,
-            Consumer<Supplier<Certificate>> proof) {
-        TraceInclusion.Result result = comparison.run();
-        Explored explored = sides.explored(result.pairs());
+    private Verdict unknown(String reason) {
+        return Verdict.unknown(reason, systems.explored(inclusion.pairs()));
+    }
+
+    private Verdict searched(Consumer<Supplier<Certificate>> proof) {
+        TraceInclusion.Result result = inclusion.run();
+        Explored explored = systems.explored(result.pairs());
         if (result.failure().isPresent()) {
-            Verdict failure =
-                    failure(left, right, sides, comparison, result.failure().get(), explored);
-            return unlessLeftOut(sides.right(), failure);
+            return failure(result.failure().get(), explored);
         }
-        Optional<String> stopped = result.stopped().or(sides.left()::leftOut);
+        Optional<String> stopped = result.stopped().or(systems.left()::leftOut);
         if (stopped.isPresent()) {
             return Verdict.unknown(stopped.get(), explored);
         }
-        proof.accept(comparison::certificate);
-        List<String> notes = Vacuity.notes(right, sides.right(), result);
+        proof.accept(inclusion::certificate);
+        List<String> notes = Vacuity.notes(right, systems.right(), result);
         return Verdict.holds(result.simulation(), notes, explored);
-    }
-
-    /** What is forbidden by the steps that are known may be allowed by one that is left out. */
-    private static Verdict unlessLeftOut(TransitionSystem right, Verdict failure) {
-        return right.leftOut()
-                .map(reason -> Verdict.unknown(reason, failure.explored()))
-                .orElse(failure);
     }
 
     /**
@@ -208,46 +198,38 @@ public final class Refinement {
 
     private static List<Verdict> allFailures(Promise left, Promise right, Budget budget) {
         return Budget.within(
-                () -> allFailures(left, right, ComparedSystems.of(left, right, budget), budget),
+                () -> new Refinement(left, right, budget).allFailures(),
                 reason -> List.of(Verdict.unknown(reason)));
     }
 
-    private static List<Verdict> allFailures(
-            Promise left, Promise right, ComparedSystems sides, Budget budget) {
-        Comparison comparison = sides.comparison(budget);
-        return Budget.within(
-                () -> failures(left, right, sides, comparison),
-                reason -> List.of(Verdict.unknown(reason, sides.explored(comparison.pairs()))));
+    private List<Verdict> allFailures() {
+        return Budget.within(this::allSearched, reason -> List.of(unknown(reason)));
     }
 
-    private static List<Verdict> failures(
-            Promise left, Promise right, ComparedSystems sides, Comparison comparison) {
-        TraceInclusion.Result result = comparison.runOn();
-        Explored explored = sides.explored(result.pairs());
+    private List<Verdict> allSearched() {
+        TraceInclusion.Result result = inclusion.runOn();
+        Explored explored = systems.explored(result.pairs());
         List<Verdict> found = new ArrayList<>();
-        for (TraceInclusion.Failure each : comparison.failures()) {
-            Verdict failure = failure(left, right, sides, comparison, each, explored);
-            found.add(unlessLeftOut(sides.right(), failure));
-        }
+        inclusion.failures().forEach(each -> found.add(failure(each, explored)));
         result.stopped()
-                .or(sides.left()::leftOut)
+                .or(systems.left()::leftOut)
                 .ifPresent(why -> found.add(Verdict.unknown(why, explored)));
         return found;
     }
 
-    private static Verdict failure(
-            Promise left,
-            Promise right,
-            ComparedSystems sides,
-            Comparison comparison,
-            TraceInclusion.Failure failure,
-            Explored explored) {
-        List<Moment> trace = comparison.moments(failure);
+    /** What is forbidden by the steps that are known may be allowed by one that is left out. */
+    private Verdict failure(TraceInclusion.Failure failure, Explored explored) {
+        Optional<String> leftOut = systems.right().leftOut();
+        if (leftOut.isPresent()) {
+            return Verdict.unknown(leftOut.get(), explored);
+        }
+        Counterexample found = inclusion.counterexample(failure);
+        List<Moment> trace = found.moments();
         List<Sentence> explanation =
-                Explanation.of(left, right, comparison.forbidden(failure), trace.size() - 1);
+                Explanation.of(left, right, found.forbidden(), trace.size() - 1);
         Verdict verdict = Verdict.fails(trace, explanation, explored);
         List<String> shifted =
-                sides.shifted().stream().filter(port -> isAsked(right, port)).toList();
+                systems.shifted().stream().filter(port -> isAsked(right, port)).toList();
         return shifted.isEmpty() ? verdict : verdict.with(shifted(shifted));
     }
 

@@ -42,8 +42,8 @@ public final class TraceReplay {
      * @param transitions positions among its transitions
      * @param initials positions among its initial clauses; of the first moment only
      */
-    public record Footprint(Set<Integer> states, Set<Integer> transitions, Set<Integer> initials) {
-        public Footprint {
+    public record Visited(Set<Integer> states, Set<Integer> transitions, Set<Integer> initials) {
+        public Visited {
             states = sorted(states);
             transitions = sorted(transitions);
             initials = sorted(initials);
@@ -54,20 +54,20 @@ public final class TraceReplay {
         return Collections.unmodifiableSet(new TreeSet<>(numbers));
     }
 
-    /** Collects a footprint, with all that it was made in. */
+    /** Collects what is visited, with all that it is made from. */
     private static final class Step {
         private final Set<Configuration> configurations = new LinkedHashSet<>();
         private final Set<Integer> transitions = new LinkedHashSet<>();
         private final Set<Integer> initials = new LinkedHashSet<>();
 
-        Footprint footprint() {
+        Visited visited() {
             Set<Integer> states = new LinkedHashSet<>();
             for (Configuration each : configurations) {
                 if (each.isState()) {
                     states.add(each.state());
                 }
             }
-            return new Footprint(states, transitions, initials);
+            return new Visited(states, transitions, initials);
         }
     }
 
@@ -82,12 +82,12 @@ public final class TraceReplay {
     }
 
     /**
-     * One footprint per moment; an empty one where the words say nothing about the automaton.
+     * What is visited per moment; nothing where the words say nothing about the automaton.
      *
      * @param sides of the comparison that the trace comes from, the left one first
      * @param side the position of that with the automaton
      */
-    public static List<Footprint> of(
+    public static List<Visited> of(
             List<Promise> sides, int side, Automaton automaton, List<Moment> trace) {
         if (trace.isEmpty()) {
             return List.of();
@@ -99,13 +99,13 @@ public final class TraceReplay {
     }
 
     /** As {@link #of}, where the moments do not say where a side is: wherever it may be. */
-    public static List<Footprint> anywhere(Promise side, Automaton automaton, List<Moment> trace) {
+    public static List<Visited> anywhere(Promise side, Automaton automaton, List<Moment> trace) {
         return new TraceReplay(side, automaton, Set.of()).follow(trace, each -> Optional.empty());
     }
 
-    private List<Footprint> follow(
+    private List<Visited> follow(
             List<Moment> trace, Function<Moment, Optional<List<String>>> words) {
-        List<Footprint> found = new ArrayList<>();
+        List<Visited> found = new ArrayList<>();
         Step last = null;
         for (int i = 0; i < trace.size(); i++) {
             Moment moment = trace.get(i);
@@ -114,7 +114,7 @@ public final class TraceReplay {
                     last == null
                             ? begin(shown, words.apply(moment))
                             : step(last.configurations, moment.input(), shown, words.apply(moment));
-            found.add(last.footprint());
+            found.add(last.visited());
         }
         return found;
     }

@@ -59,7 +59,16 @@ public record Verdict(
     }
 
     /** A sentence about a place in a model. */
-    public record Sentence(String text, Optional<Span> place) {}
+    public record Sentence(String text, Optional<Span> place) {
+
+        /**
+         * @param place null where there is none
+         * @param format of the text, with the words that fill it in
+         */
+        public static Sentence at(Span place, String format, Object... words) {
+            return new Sentence(format.formatted(words), Optional.ofNullable(place));
+        }
+    }
 
     public static Verdict holds(
             Optional<Boolean> simulation, List<String> notes, Explored explored) {
@@ -77,26 +86,26 @@ public record Verdict(
 
     /** By its behaviour, as a trace shows. */
     public static Verdict fails(List<Moment> trace, List<Sentence> explanation, Explored explored) {
-        return new Verdict(
-                Answer.FAILS,
-                "behaviour",
-                Optional.of(false),
-                trace,
-                explanation,
-                List.of(),
-                explored);
+        return fails("behaviour", Optional.of(false), trace, explanation, explored);
     }
 
     /** An invariant, by a slice in which it is not true. */
     static Verdict breaks(List<Moment> slices, List<Sentence> explanation, Explored explored) {
+        return fails("invariant", Optional.empty(), slices, explanation, explored);
+    }
+
+    public static Verdict fails(String reason, List<Sentence> explanation) {
+        return fails(reason, Optional.empty(), List.of(), explanation, Explored.NOTHING);
+    }
+
+    private static Verdict fails(
+            String reason,
+            Optional<Boolean> simulation,
+            List<Moment> trace,
+            List<Sentence> explanation,
+            Explored explored) {
         return new Verdict(
-                Answer.FAILS,
-                "invariant",
-                Optional.empty(),
-                slices,
-                explanation,
-                List.of(),
-                explored);
+                Answer.FAILS, reason, simulation, trace, explanation, List.of(), explored);
     }
 
     /** With one more note. */
@@ -105,30 +114,14 @@ public record Verdict(
         return new Verdict(answer, reason, simulation, trace, explanation, more, explored);
     }
 
-    public static Verdict fails(String reason, List<Sentence> explanation) {
-        return new Verdict(
-                Answer.FAILS,
-                reason,
-                Optional.empty(),
-                List.of(),
-                explanation,
-                List.of(),
-                Explored.NOTHING);
-    }
-
     /** Not even begun. */
     public static Verdict unknown(String reason) {
         return unknown(reason, Explored.NOTHING);
     }
 
     static Verdict unknown(String reason, Explored explored) {
+        List<Sentence> nothing = List.of();
         return new Verdict(
-                Answer.UNKNOWN,
-                reason,
-                Optional.empty(),
-                List.of(),
-                List.of(),
-                List.of(),
-                explored);
+                Answer.UNKNOWN, reason, Optional.empty(), List.of(), nothing, List.of(), explored);
     }
 }

@@ -8,7 +8,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
-/** Numbers for sets of configurations; each set is sorted. */
+/**
+ * Numbers for macro states: the sets of configurations in which the subset construction says that a
+ * system may be (Rabin, Scott, "Finite automata and their decision problems", 1959). Each is
+ * sorted.
+ */
 public final class MacroStates {
     private final Map<IntKey, Integer> numbers = new HashMap<>();
     private final List<int[]> sets = new ArrayList<>();

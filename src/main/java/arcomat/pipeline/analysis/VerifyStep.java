@@ -1,8 +1,8 @@
 package arcomat.pipeline.analysis;
 
 import arcomat.analysis.refinement.Answered;
-import arcomat.analysis.refinement.Obligation;
 import arcomat.analysis.refinement.Obligations;
+import arcomat.analysis.refinement.Obligations.Obligation;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;

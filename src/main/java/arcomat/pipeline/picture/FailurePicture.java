@@ -2,7 +2,7 @@ package arcomat.pipeline.picture;
 
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.TraceReplay;
-import arcomat.analysis.refinement.TraceReplay.Footprint;
+import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Moment;
 import arcomat.diagram.AutomatonGraph;
@@ -75,16 +75,16 @@ public final class FailurePicture {
             return Optional.empty();
         }
         Automaton automaton = side.automata().get(0);
-        List<Footprint> footprints = TraceReplay.of(sides, position, automaton, trace);
+        List<Visited> visited = TraceReplay.of(sides, position, automaton, trace);
         Map<Integer, List<Highlight>> states = new LinkedHashMap<>();
         Map<Integer, List<Highlight>> transitions = new LinkedHashMap<>();
         for (int i = 0; i < trace.size(); i++) {
             Highlight step = new Highlight(Kind.ACTIVE, "step " + i, "");
-            footprints.get(i).states().forEach(state -> add(states, state, step));
-            footprints.get(i).transitions().forEach(each -> add(transitions, each, step));
+            visited.get(i).states().forEach(state -> add(states, state, step));
+            visited.get(i).transitions().forEach(each -> add(transitions, each, step));
             if (!isLeft && i > 0 && trace.get(i).right().isEmpty()) {
                 Highlight stuck = new Highlight(Kind.PROBLEM, "no step " + i, "");
-                footprints.get(i - 1).states().forEach(state -> add(states, state, stuck));
+                visited.get(i - 1).states().forEach(state -> add(states, state, stuck));
             }
         }
         Highlights highlights = new Highlights(states, transitions);

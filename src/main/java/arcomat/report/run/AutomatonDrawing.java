@@ -1,6 +1,6 @@
 package arcomat.report.run;
 
-import arcomat.analysis.refinement.TraceReplay.Footprint;
+import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.diagram.AutomatonGraph;
 import arcomat.diagram.LayeredLayout;
 import arcomat.diagram.SvgText;
@@ -34,13 +34,13 @@ public final class AutomatonDrawing {
     }
 
     /** A track that only drawings show: where an automaton goes. */
-    public static Track way(String name, List<Footprint> footprints) {
+    public static Track way(String name, List<Visited> visited) {
         Track.Builder track = new Track.Builder("", name, Kind.PATH);
-        for (Footprint footprint : footprints) {
+        for (Visited moment : visited) {
             List<String> elements = new ArrayList<>();
-            footprint.states().forEach(each -> elements.add(state(each)));
-            footprint.transitions().forEach(each -> elements.add(transition(each)));
-            footprint.initials().forEach(each -> elements.add("initial " + each));
+            moment.states().forEach(each -> elements.add(state(each)));
+            moment.transitions().forEach(each -> elements.add(transition(each)));
+            moment.initials().forEach(each -> elements.add("initial " + each));
             track.add("", elements);
         }
         return track.build();

@@ -1,8 +1,8 @@
 package arcomat.report.verdict;
 
 import arcomat.analysis.contradiction.Consistency;
-import arcomat.analysis.contradiction.Contradiction;
-import arcomat.analysis.game.Turn;
+import arcomat.analysis.contradiction.Consistency.Contradiction;
+import arcomat.analysis.game.CounterStrategy.Turn;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.model.Letter;
 import arcomat.report.text.Json;

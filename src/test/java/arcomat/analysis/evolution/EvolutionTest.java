@@ -60,7 +60,7 @@ class EvolutionTest {
 
     private static List<String> edits(Promise before, Promise after) {
         List<String> lines = new ArrayList<>();
-        for (Edit edit : new Edits(before, after).all()) {
+        for (Edit edit : Edits.between(before, after)) {
             lines.add(text(edit.old(), edit.fresh()));
             edit.undone()
                     .ifPresent(

@@ -2,6 +2,7 @@ package arcomat.analysis.refinement;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.Obligations.Obligation;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.symbols.Scenario;

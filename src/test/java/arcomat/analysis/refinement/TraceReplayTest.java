@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Sections;
 import arcomat.analysis.VerdictsTest;
-import arcomat.analysis.refinement.TraceReplay.Footprint;
+import arcomat.analysis.refinement.TraceReplay.Visited;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
@@ -22,14 +22,14 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Ways of counterexamples as data: {@code src/test/resources/analysis/footprints.txt}. Below {@code
- * == trace A B} stands a line for each automaton of both sides, with the states that it is in after
- * each moment, {@code --} for none, and, behind {@code by}, the transitions to there; the initial
- * clauses have numbers. Below {@code == anywhere A B} stand the ways of those of B where nobody
- * says where they are.
+ * Ways of counterexamples as data: {@code src/test/resources/analysis/trace-replay.txt}. Below
+ * {@code == trace A B} stands a line for each automaton of both sides, with the states that it is
+ * in after each moment, {@code --} for none, and, behind {@code by}, the transitions to there; the
+ * initial clauses have numbers. Below {@code == anywhere A B} stand the ways of those of B where
+ * nobody says where they are.
  */
 class TraceReplayTest {
-    private static final Path DATA = Path.of("src/test/resources/analysis/footprints.txt");
+    private static final Path DATA = Path.of("src/test/resources/analysis/trace-replay.txt");
 
     @TestFactory
     Stream<DynamicTest> ways() {
@@ -58,17 +58,17 @@ class TraceReplayTest {
         assertThat(lines).isEqualTo(asked.lines());
     }
 
-    private static String text(Automaton automaton, List<Footprint> footprints) {
-        return footprints.stream()
+    private static String text(Automaton automaton, List<Visited> visited) {
+        return visited.stream()
                 .map(each -> text(automaton, each))
                 .collect(Collectors.joining(" | "));
     }
 
-    private static String text(Automaton automaton, Footprint footprint) {
+    private static String text(Automaton automaton, Visited visited) {
         String by =
-                words(footprint.initials(), String::valueOf)
-                        + words(footprint.transitions(), i -> move(automaton, i));
-        String states = words(footprint.states(), automaton.states()::get);
+                words(visited.initials(), String::valueOf)
+                        + words(visited.transitions(), i -> move(automaton, i));
+        String states = words(visited.states(), automaton.states()::get);
         return (states.isEmpty() ? "--" : states) + (by.isEmpty() ? "" : " by " + by);
     }
 

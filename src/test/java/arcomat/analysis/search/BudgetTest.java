@@ -20,7 +20,7 @@ import java.util.function.LongFunction;
 /** Where time or memory end, the answer is unknown, and says how far the search has come. */
 class BudgetTest {
     private static final Model MODEL =
-            Sections.read(Path.of("src/test/resources/analysis/footprints.txt")).model();
+            Sections.read(Path.of("src/test/resources/analysis/trace-replay.txt")).model();
 
     @Test
     void timeEndsInTheMiddle() {

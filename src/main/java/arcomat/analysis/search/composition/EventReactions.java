@@ -83,7 +83,11 @@ final class EventReactions {
     }
 
     /** All ways in which a part begins. */
-    void start(RunToCompletion run, int part, List<RunToCompletion> next, List<GlobalStep> errors) {
+    void start(
+            RunToCompletion run,
+            int part,
+            List<RunToCompletion> next,
+            List<Unfolding.Step> errors) {
         for (JointStart start : behaviours.get(part).starts(budget::insist)) {
             RunToCompletion longer = run.longer();
             longer.set(part, start.configurations());
@@ -92,7 +96,11 @@ final class EventReactions {
     }
 
     /** All ways in which a part is completed where there is nothing that it could handle. */
-    void idle(RunToCompletion run, int part, List<RunToCompletion> next, List<GlobalStep> errors) {
+    void idle(
+            RunToCompletion run,
+            int part,
+            List<RunToCompletion> next,
+            List<Unfolding.Step> errors) {
         Behaviour behaviour = behaviours.get(part);
         Input nothing = Input.of(new Value[behaviour.component().inputs().size()]);
         Prospect prospect = behaviour.prospect(run.part(part), nothing, budget::insist);
@@ -109,7 +117,7 @@ final class EventReactions {
             RunToCompletion run,
             Look[] looks,
             List<RunToCompletion> next,
-            List<GlobalStep> errors) {
+            List<Unfolding.Step> errors) {
         int part = run.nextPart();
         RunToCompletion.Event event = run.first(part);
         if (looks != null) {
@@ -134,7 +142,7 @@ final class EventReactions {
             int part,
             JointReaction reaction,
             List<RunToCompletion> next,
-            List<GlobalStep> errors) {
+            List<Unfolding.Step> errors) {
         reaction.reactions().forEach(each -> run.note(each.cause()));
         run.set(part, reaction.next());
         finish(run, part, reaction.output().ports(), next, errors);
@@ -145,7 +153,7 @@ final class EventReactions {
             int part,
             List<Sent> output,
             List<RunToCompletion> next,
-            List<GlobalStep> errors) {
+            List<Unfolding.Step> errors) {
         List<List<Sent>> settled = settled(part, output);
         for (List<Sent> sent : settled) {
             RunToCompletion own = settled.size() == 1 ? run : run.twin();
@@ -153,10 +161,10 @@ final class EventReactions {
         }
     }
 
-    private GlobalStep error(RunToCompletion run, int part, JointError error) {
+    private Unfolding.Step error(RunToCompletion run, int part, JointError error) {
         List<Trace.Cause> causes = run.causes();
         causes.addAll(error.causes());
-        return GlobalStep.error(path(part) + ": " + error.message(), causes);
+        return Unfolding.Step.error(path(part) + ": " + error.message(), causes);
     }
 
     private String path(int part) {
@@ -186,7 +194,7 @@ final class EventReactions {
             int part,
             List<Sent> sent,
             List<RunToCompletion> next,
-            List<GlobalStep> errors) {
+            List<Unfolding.Step> errors) {
         List<Integer> signals = network.instances().get(part).outputSignals();
         for (int i = 0; i < sent.size(); i++) {
             Optional<String> problem =
@@ -195,7 +203,7 @@ final class EventReactions {
                                     run, signals.get(i), messages.values(), RunToCompletion.INSIDE)
                             : open(run, signals.get(i), sent.get(i));
             if (problem.isPresent()) {
-                errors.add(GlobalStep.error(problem.get(), run.causes()));
+                errors.add(Unfolding.Step.error(problem.get(), run.causes()));
                 return;
             }
         }

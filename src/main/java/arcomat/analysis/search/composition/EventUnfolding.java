@@ -127,19 +127,22 @@ public final class EventUnfolding implements Unfolding {
 
     /** The parts begin one after the other, and only then the first of them takes an event. */
     @Override
-    public List<GlobalStep> beginnings() {
+    public List<Unfolding.Step> beginnings() {
         return inOrder(new RunToCompletion(List.of(), nothingLatched()), parts::start);
     }
 
     /** What a part does when it is its turn, once. */
     private interface Turn {
         void take(
-                RunToCompletion run, int part, List<RunToCompletion> next, List<GlobalStep> errors);
+                RunToCompletion run,
+                int part,
+                List<RunToCompletion> next,
+                List<Unfolding.Step> errors);
     }
 
     /** The parts have their turn one after the other; then what they have caused is worked off. */
-    private List<GlobalStep> inOrder(RunToCompletion beginning, Turn turn) {
-        List<GlobalStep> outcomes = new ArrayList<>();
+    private List<Unfolding.Step> inOrder(RunToCompletion beginning, Turn turn) {
+        List<Unfolding.Step> outcomes = new ArrayList<>();
         List<RunToCompletion> runs = List.of(beginning);
         for (int part = 0; part < network.instances().size(); part++) {
             List<RunToCompletion> longer = new ArrayList<>();
@@ -175,11 +178,11 @@ public final class EventUnfolding implements Unfolding {
     }
 
     @Override
-    public List<GlobalStep> reactions(GlobalState before, Value[] letter) {
+    public List<Unfolding.Step> reactions(GlobalState before, Value[] letter) {
         return run(before, letter, null);
     }
 
-    private List<GlobalStep> run(GlobalState before, Value[] letter, Look[] looks) {
+    private List<Unfolding.Step> run(GlobalState before, Value[] letter, Look[] looks) {
         RunToCompletion run = new RunToCompletion(before.parts(), latched(before, letter));
         if (isEmpty(letter)) {
             // No port is there for the event: as in an empty slice, each part is completed.
@@ -190,11 +193,11 @@ public final class EventUnfolding implements Unfolding {
                 int signal = network.inputs().get(i).signal();
                 Optional<String> problem = parts.deliver(run, signal, List.of(letter[i]), i);
                 if (problem.isPresent()) {
-                    return List.of(GlobalStep.error(problem.get(), List.of()));
+                    return List.of(Unfolding.Step.error(problem.get(), List.of()));
                 }
             }
         }
-        List<GlobalStep> outcomes = new ArrayList<>();
+        List<Unfolding.Step> outcomes = new ArrayList<>();
         complete(List.of(run), looks, outcomes);
         return outcomes;
     }
@@ -225,7 +228,7 @@ public final class EventUnfolding implements Unfolding {
     }
 
     /** Follows runs in all ways until every queue is empty, first alternatives first. */
-    private void complete(List<RunToCompletion> runs, Look[] looks, List<GlobalStep> outcomes) {
+    private void complete(List<RunToCompletion> runs, Look[] looks, List<Unfolding.Step> outcomes) {
         Deque<RunToCompletion> open = new ArrayDeque<>(runs);
         int reactions = 0;
         while (!open.isEmpty()) {
@@ -252,12 +255,12 @@ public final class EventUnfolding implements Unfolding {
      * Whether a run has come back to where it was, and so may go on for ever. Where it leaves the
      * circle, it has done so before; but if it sends something each time, not with as much sent.
      */
-    private boolean circles(RunToCompletion run, List<GlobalStep> outcomes) {
+    private boolean circles(RunToCompletion run, List<Unfolding.Step> outcomes) {
         RunToCompletion earlier = run.circleBeginning();
         if (earlier == null) {
             return false;
         }
-        outcomes.add(GlobalStep.error("messages circle without end", run.causes()));
+        outcomes.add(Unfolding.Step.error("messages circle without end", run.causes()));
         boolean shows =
                 run.emissionsSince(earlier).stream()
                         .anyMatch(emission -> wiring.observed[emission.signal()]);
@@ -267,7 +270,7 @@ public final class EventUnfolding implements Unfolding {
         return true;
     }
 
-    private GlobalStep outcome(RunToCompletion run) {
+    private Unfolding.Step outcome(RunToCompletion run) {
         List<Sent> kept = new ArrayList<>(registers.size());
         for (Wiring.Reader register : registers) {
             kept.add(Sent.of(run.latched(register.part(), register.port())));
@@ -281,7 +284,7 @@ public final class EventUnfolding implements Unfolding {
         for (Network.External output : network.outputs()) {
             sent.add(output.signal() < 0 ? Sent.SILENCE : joined(output, signals));
         }
-        return new GlobalStep(new GlobalState(run.parts(), kept), sent, run.causes());
+        return new Unfolding.Step(new GlobalState(run.parts(), kept), sent, run.causes());
     }
 
     /** What is sent on a port one after the other, as one. */

@@ -1,8 +1,10 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.letter.Representatives;
+import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.expression.Sent;
 import arcomat.semantics.value.Attention;
 
 import java.util.List;
@@ -10,11 +12,34 @@ import java.util.Optional;
 
 /** How a network of parts goes on, slice by slice or event by event. */
 public interface Unfolding {
+    /**
+     * One way in which a network reacts.
+     *
+     * @param next where it is afterwards
+     * @param sent one per external output of the network; empty for an error
+     * @param causes what its automata did, in order
+     */
+    record Step(GlobalState next, List<Sent> sent, List<Trace.Cause> causes) {
+        public Step {
+            sent = List.copyOf(sent);
+            causes = List.copyOf(causes);
+        }
+
+        /**
+         * The end of the run.
+         *
+         * @param problem what went wrong
+         */
+        static Step error(String problem, List<Trace.Cause> causes) {
+            return new Step(GlobalState.error(problem), List.of(), causes);
+        }
+    }
+
     /** One per instance of the network. */
     List<Behaviour> behaviours();
 
     /** All ways to begin. */
-    List<GlobalStep> beginnings();
+    List<Step> beginnings();
 
     /**
      * What the reactions look at, external input by external input.
@@ -28,7 +53,7 @@ public interface Unfolding {
      *
      * @param letter messages by position of the external input, null for silence
      */
-    List<GlobalStep> reactions(GlobalState before, Value[] letter);
+    List<Step> reactions(GlobalState before, Value[] letter);
 
     /** The signal whose message a register of a {@link GlobalState} keeps. */
     int signal(int register);

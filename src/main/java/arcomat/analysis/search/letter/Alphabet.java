@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * One letter of each kind that some foci together tell apart: few messages first, then in the order
- * in which ports and values are declared. Ports that nobody looks at stay silent.
+ * One letter of each kind that some classes together tell apart: few messages first, then in the
+ * order in which ports and values are declared. Ports that nobody looks at stay silent.
  */
 public final class Alphabet {
     private final List<Value[]> letters;
@@ -21,41 +21,41 @@ public final class Alphabet {
     /**
      * @param profile a letter is a slice or an event
      * @param inputs of the letters
-     * @param foci each with the positions of its ports in a letter
-     * @param positions one array per focus
+     * @param classes each with the positions of its ports in a letter
+     * @param positions one array per element of {@code classes}
      */
     public Alphabet(
             Component.Profile profile,
             List<Port> inputs,
-            List<LetterClasses> foci,
+            List<LetterClasses> classes,
             List<int[]> positions) {
-        this(profile, inputs, foci, positions, Representatives.NONE);
+        this(profile, inputs, classes, positions, Representatives.NONE);
     }
 
     /**
-     * @param standIns for data of which it only matters which are the same
+     * @param representatives for data of which it only matters which are the same
      */
     public Alphabet(
             Component.Profile profile,
             List<Port> inputs,
-            List<LetterClasses> foci,
+            List<LetterClasses> classes,
             List<int[]> positions,
-            Representatives standIns) {
+            Representatives representatives) {
         Look[] looks = new Look[inputs.size()];
         Arrays.fill(looks, new Attention.Unseen());
-        for (int f = 0; f < foci.size(); f++) {
-            List<Look> own = foci.get(f).attention().looks();
+        for (int c = 0; c < classes.size(); c++) {
+            List<Look> own = classes.get(c).attention().looks();
             for (int i = 0; i < own.size(); i++) {
-                int position = positions.get(f)[i];
+                int position = positions.get(c)[i];
                 looks[position] = looks[position].and(own.get(i));
             }
         }
-        letters = standIns.letters(profile, inputs, List.of(looks));
+        letters = representatives.letters(profile, inputs, List.of(looks));
         messages = letters.stream().mapToInt(Letters::messages).toArray();
-        kinds = new long[foci.size()][letters.size()];
-        for (int f = 0; f < foci.size(); f++) {
+        kinds = new long[classes.size()][letters.size()];
+        for (int c = 0; c < classes.size(); c++) {
             for (int i = 0; i < messages.length; i++) {
-                kinds[f][i] = foci.get(f).kind(letters.get(i), positions.get(f));
+                kinds[c][i] = classes.get(c).kind(letters.get(i), positions.get(c));
             }
         }
     }
@@ -73,8 +73,8 @@ public final class Alphabet {
         return messages[index];
     }
 
-    /** The number of a letter for one of the foci. */
-    public long kind(int focus, int index) {
-        return kinds[focus][index];
+    /** The number of a letter by one of the partitions into classes. */
+    public long kind(int which, int index) {
+        return kinds[which][index];
     }
 }

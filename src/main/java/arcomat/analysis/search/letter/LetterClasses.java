@@ -1,6 +1,8 @@
 package arcomat.analysis.search.letter;
 
+import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Numbering;
+import arcomat.analysis.search.Shortcut;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.value.Attention;
@@ -11,12 +13,16 @@ import arcomat.semantics.value.TooManyMessages;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 
 /**
- * What a configuration pays attention to, ready to sort letters: all letters with one number have
- * the same steps.
+ * The classes of letters that a configuration tells apart: all letters of one class have the same
+ * steps. The classes are the minterms of what is looked at (symbolic automata: D'Antoni, Veanes,
+ * "Minimization of symbolic automata", POPL 2014).
  */
 public final class LetterClasses {
     /** Kinds of the other ports, and messages that are told apart one by one. */
@@ -87,7 +93,7 @@ public final class LetterClasses {
      * The number of a letter.
      *
      * @param letter messages by position
-     * @param positions where the ports of this side stand in the letter
+     * @param positions where the ports of this system stand in the letter
      */
     public long kind(Value[] letter, int[] positions) {
         long kind = 0;
@@ -103,5 +109,54 @@ public final class LetterClasses {
             messages.add(letter[positions[port]]);
         }
         return told.number(new Told(kind, messages));
+    }
+
+    /** The classes for each configuration of one system; the same for all that look at the same. */
+    public static final class OfConfigurations {
+        private final List<Port> inputs;
+        private final Budget budget;
+        private final Map<Attention, LetterClasses> distinct = new HashMap<>();
+        private final List<LetterClasses> known = new ArrayList<>();
+
+        public OfConfigurations(List<Port> inputs, Budget budget) {
+            this.inputs = inputs;
+            this.budget = budget;
+        }
+
+        /**
+         * @param attention of a configuration, asked once for each
+         */
+        public LetterClasses of(int configuration, IntFunction<Attention> attention) {
+            while (known.size() <= configuration) {
+                known.add(null);
+            }
+            LetterClasses classes = known.get(configuration);
+            if (classes == null) {
+                classes = of(attention.apply(configuration));
+                known.set(configuration, classes);
+            }
+            return classes;
+        }
+
+        private LetterClasses of(Attention attention) {
+            return distinct.computeIfAbsent(
+                    attention, each -> new LetterClasses(distinct.size(), paid(each), inputs));
+        }
+
+        private Attention paid(Attention attention) {
+            Attention all = new Attention(all(attention));
+            boolean alike = !attention.equals(all) && budget.takes(Shortcut.ALIKE);
+            return alike ? attention : all;
+        }
+
+        /** A look at every single message, where these can be tried. */
+        private List<Look> all(Attention attention) {
+            List<Look> looks = new ArrayList<>();
+            for (int port = 0; port < inputs.size(); port++) {
+                boolean few = SmallType.values(inputs.get(port).type()).isPresent();
+                looks.add(few ? new Attention.Whole() : attention.looks().get(port));
+            }
+            return looks;
+        }
     }
 }

@@ -39,10 +39,10 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
         if (open.isEmpty()) {
             return Letters.of(profile, inputs, looks);
         }
-        Map<Integer, FreshValues> strangers = new HashMap<>();
+        Map<Integer, FreshValues> fresh = new HashMap<>();
         for (int port : open) {
             int count = atOnce(sorts[port], profile, inputs, open);
-            strangers.computeIfAbsent(
+            fresh.computeIfAbsent(
                     sorts[port].number(),
                     sort -> FreshValues.of(sorts[port], held.get(sort), count));
         }
@@ -52,10 +52,10 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
                         inputs,
                         (port, present) ->
                                 open.contains(port)
-                                        ? samples(inputs.get(port), present, port, strangers)
+                                        ? samples(inputs.get(port), present, port, fresh)
                                         : Kinds.of(inputs.get(port), present, looks.get(port))
                                                 .samples());
-        letters.removeIf(letter -> !isFirst(letter, open, strangers));
+        letters.removeIf(letter -> !isFirst(letter, open, fresh));
         return letters;
     }
 
@@ -97,21 +97,20 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
     }
 
     private List<Value> samples(
-            Port port, boolean present, int position, Map<Integer, FreshValues> strangers) {
+            Port port, boolean present, int position, Map<Integer, FreshValues> fresh) {
         Sort sort = sorts[position];
         List<Value> samples = new ArrayList<>();
         if (!present) {
             samples.add(null);
         }
         known(sort).stream().filter(value -> Kinds.isIn(port.type(), value)).forEach(samples::add);
-        samples.addAll(strangers.get(sort.number()).in(port.type()));
+        samples.addAll(fresh.get(sort.number()).in(port.type()));
         return samples;
     }
 
     /** Of letters that differ only in which stranger is which, the first is enough. */
-    private boolean isFirst(
-            Value[] letter, List<Integer> open, Map<Integer, FreshValues> strangers) {
-        for (Map.Entry<Integer, FreshValues> each : strangers.entrySet()) {
+    private boolean isFirst(Value[] letter, List<Integer> open, Map<Integer, FreshValues> fresh) {
+        for (Map.Entry<Integer, FreshValues> each : fresh.entrySet()) {
             List<Value> met = new ArrayList<>();
             for (int port : open) {
                 if (sorts[port].number() == each.getKey() && letter[port] != null) {

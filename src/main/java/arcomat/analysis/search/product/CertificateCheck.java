@@ -5,7 +5,6 @@ import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.product.Certificate.Entry;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.analysis.search.step.OutputCubes;
-import arcomat.analysis.search.step.StepUnion;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
@@ -30,7 +29,7 @@ public final class CertificateCheck {
 
     private record Pair(int left, Set<Integer> right) {}
 
-    private final Product pairing;
+    private final Product product;
     private final Budget budget;
     private final Map<String, List<Set<String>>> entries = new HashMap<>();
     private final Deque<Pair> open = new ArrayDeque<>();
@@ -48,7 +47,7 @@ public final class CertificateCheck {
             Certificate certificate,
             Budget budget) {
         this.budget = budget;
-        this.pairing = new Product(left, right, observed, outputs, budget);
+        this.product = new Product(left, right, observed, outputs, budget);
         for (Entry entry : certificate.entries()) {
             entries.computeIfAbsent(entry.left(), each -> new ArrayList<>())
                     .add(new HashSet<>(entry.right()));
@@ -57,32 +56,28 @@ public final class CertificateCheck {
 
     /** What is missing; empty for a proof. */
     public Optional<String> problem() {
-        Steps theirs = pairing.right.openings();
-        leads("the beginning", pairing.left.openings(), theirs);
+        Steps theirs = product.right.openings();
+        leads("the beginning", product.left.openings(), theirs);
         while (problem == null && !open.isEmpty()) {
             budget.insist();
             verify(open.remove());
         }
-        return Optional.ofNullable(problem).or(pairing.left::leftOut);
+        return Optional.ofNullable(problem).or(product.left::leftOut);
     }
 
     private void verify(Pair pair) {
-        int set = pairing.sets.number(pair.right.stream().mapToInt(each -> each).toArray());
-        Alphabet alphabet = pairing.alphabet(pair.left, set);
-        Steps[] mine = pairing.leftSteps(pair.left, alphabet);
+        int set = product.sets.number(pair.right.stream().mapToInt(each -> each).toArray());
+        Alphabet alphabet = product.alphabet(pair.left, set);
+        Steps[] mine = product.leftSteps(pair.left, alphabet);
         for (int letter = 0; letter < mine.length && problem == null; letter++) {
-            StepUnion theirs = new StepUnion();
-            for (int member : pair.right) {
-                theirs.add(pairing.rightSteps(set, member, alphabet)[letter]);
-            }
-            leads(name(pair), mine[letter], theirs.steps());
+            leads(name(pair), mine[letter], product.answers(set, alphabet, letter));
         }
     }
 
     /** Whether each step is allowed, and leads to a pair of the certificate. */
     private void leads(String from, Steps mine, Steps theirs) {
         for (int step = 0; step < mine.size(); step++) {
-            for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
+            for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
                 if (sent.allowed().length == 0) {
                     problem = "a step out of %s is forbidden".formatted(from);
                     return;
@@ -91,7 +86,7 @@ public final class CertificateCheck {
                 for (int allowed : sent.allowed()) {
                     next.add(theirs.next()[allowed]);
                 }
-                if (next.stream().noneMatch(pairing::isSettled)
+                if (next.stream().noneMatch(product::isSettled)
                         && !covers(mine.next()[step], next)) {
                     problem =
                             "a step out of %s leads to %s, which is in no pair"
@@ -105,8 +100,8 @@ public final class CertificateCheck {
     /** Goes on from the pair of the certificate, which may have fewer possibilities. */
     private boolean covers(int left, Set<Integer> right) {
         Map<String, Integer> names = new HashMap<>();
-        right.forEach(each -> names.put(pairing.right.name(each), each));
-        for (Set<String> entry : entries.getOrDefault(pairing.left.name(left), List.of())) {
+        right.forEach(each -> names.put(product.right.name(each), each));
+        for (Set<String> entry : entries.getOrDefault(product.left.name(left), List.of())) {
             if (!entry.isEmpty() && names.keySet().containsAll(entry)) {
                 Set<Integer> members = new HashSet<>();
                 entry.forEach(each -> members.add(names.get(each)));
@@ -122,7 +117,7 @@ public final class CertificateCheck {
 
     private String name(Pair pair) {
         List<String> right =
-                pair.right.stream().limit(NAMED_PAIRS).map(pairing.right::describe).toList();
-        return "(%s; %s)".formatted(pairing.left.describe(pair.left), String.join(" or ", right));
+                pair.right.stream().limit(NAMED_PAIRS).map(product.right::describe).toList();
+        return "(%s; %s)".formatted(product.left.describe(pair.left), String.join(" or ", right));
     }
 }

@@ -21,33 +21,37 @@ import arcomat.model.Value;
 import com.carrotsearch.hppc.LongObjectHashMap;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 
 /**
- * What a comparison of two sides remembers besides them: letters that both tell apart, steps of
- * sets, and how outputs of one are answered by the other.
+ * The product of the left system with the subset construction of the right one: the letters that a
+ * configuration and a macro state tell apart, their steps with these letters, and how what one
+ * sends is answered by the other. Remembers what it has computed.
  */
 final class Product {
     final TransitionSystem left;
     final TransitionSystem right;
     final OutputCubes outputs;
+    final List<Port> observed;
     final MacroStates sets = new MacroStates();
 
     private static final int SINGLE = 1 << 30;
 
     private final List<Port> inputs;
-    private final List<Port> observed;
     private final CubeSplit split;
     private final Budget budget;
     private final boolean mayErr;
     private final int[] leftPositions;
     private final int[] rightPositions;
-    private final Map<List<Integer>, Integer> focusLists = new HashMap<>();
-    private final List<List<LetterClasses>> foci = new ArrayList<>();
-    private final List<Integer> focusListOfSet = new ArrayList<>();
+    private final Map<List<Integer>, Integer> classLists = new HashMap<>();
+    private final List<List<LetterClasses>> distinctClasses = new ArrayList<>();
+    private final List<Integer> classListOfSet = new ArrayList<>();
     private final DataIndependence data;
+    private final StepTable leftSteps = new StepTable();
+    private final StepTable rightSteps = new StepTable();
     private final List<LongObjectHashMap<Alphabet>> alphabets = new ArrayList<>();
     private final Numbering<IntKey> answerLists = new Numbering<>();
     private final LongObjectHashMap<List<CubeSplit.Case>> cases = new LongObjectHashMap<>();
@@ -82,9 +86,6 @@ final class Product {
         return !mayErr && right.isChaos(rightConfiguration) && budget.takes(Shortcut.CHAOS);
     }
 
-    private final StepTable leftRows = new StepTable();
-    private final StepTable rightRows = new StepTable();
-
     /** The messages of a letter of the left side that the right side knows. */
     Value[] rightLetter(Value[] letter) {
         Value[] own = new Value[rightPositions.length];
@@ -96,8 +97,8 @@ final class Product {
 
     /** The letters that a configuration and a set tell apart. */
     Alphabet alphabet(int configuration, int set) {
-        LetterClasses own = left.focus(configuration);
-        int list = focusList(set);
+        LetterClasses own = left.letterClasses(configuration);
+        int list = classList(set);
         int held = data.any() ? data.held(configuration, sets.members(set)) : 0;
         while (alphabets.size() <= held) {
             alphabets.add(new LongObjectHashMap<>(2));
@@ -106,49 +107,50 @@ final class Product {
         Alphabet known = alphabets.get(held).get(key);
         if (known == null) {
             List<LetterClasses> all = new ArrayList<>(List.of(own));
-            all.addAll(foci.get(list));
+            all.addAll(distinctClasses.get(list));
             List<int[]> positions = new ArrayList<>(List.of(leftPositions));
-            foci.get(list).forEach(each -> positions.add(rightPositions));
-            Representatives standIns = data.any() ? data.standIns(held) : Representatives.NONE;
-            known = new Alphabet(left.profile(), inputs, all, positions, standIns);
+            distinctClasses.get(list).forEach(each -> positions.add(rightPositions));
+            Representatives representatives =
+                    data.any() ? data.representatives(held) : Representatives.NONE;
+            known = new Alphabet(left.profile(), inputs, all, positions, representatives);
             alphabets.get(held).put(key, known);
         }
         return known;
     }
 
-    private int focusList(int set) {
-        while (focusListOfSet.size() <= set) {
-            focusListOfSet.add(-1);
+    private int classList(int set) {
+        while (classListOfSet.size() <= set) {
+            classListOfSet.add(-1);
         }
-        int known = focusListOfSet.get(set);
+        int known = classListOfSet.get(set);
         if (known < 0) {
             List<LetterClasses> distinct = new ArrayList<>();
             for (int member : sets.members(set)) {
-                LetterClasses focus = right.focus(member);
-                if (!distinct.contains(focus)) {
-                    distinct.add(focus);
+                LetterClasses classes = right.letterClasses(member);
+                if (!distinct.contains(classes)) {
+                    distinct.add(classes);
                 }
             }
             known =
-                    focusLists.computeIfAbsent(
+                    classLists.computeIfAbsent(
                             distinct.stream().map(LetterClasses::number).toList(),
                             key -> {
-                                foci.add(distinct);
-                                return foci.size() - 1;
+                                distinctClasses.add(distinct);
+                                return distinctClasses.size() - 1;
                             });
-            focusListOfSet.set(set, known);
+            classListOfSet.set(set, known);
         }
         return known;
     }
 
-    /** Which of an alphabet's foci is that of a member of the set. */
-    int focusIndex(int set, int member) {
-        return 1 + foci.get(focusList(set)).indexOf(right.focus(member));
+    /** Which of an alphabet's classes is that of a member of the set. */
+    int classesIndex(int set, int member) {
+        return 1 + distinctClasses.get(classList(set)).indexOf(right.letterClasses(member));
     }
 
     /** The steps of the left side with each letter of an alphabet that is made for it. */
     Steps[] leftSteps(int configuration, Alphabet alphabet) {
-        Steps[] known = leftRows.find(configuration, alphabet);
+        Steps[] known = leftSteps.find(configuration, alphabet);
         if (known == null) {
             known = new Steps[alphabet.size()];
             for (int letter = 0; letter < known.length; letter++) {
@@ -157,7 +159,7 @@ final class Product {
                         left.steps(
                                 configuration, alphabet.kind(0, letter), alphabet.letter(letter));
             }
-            leftRows.add(configuration, alphabet, known);
+            leftSteps.add(configuration, alphabet, known);
         }
         return known;
     }
@@ -167,18 +169,54 @@ final class Product {
      * event on a port that the right side does not have is an empty letter for it.
      */
     Steps[] rightSteps(int set, int member, Alphabet alphabet) {
-        Steps[] known = rightRows.find(member, alphabet);
+        Steps[] known = rightSteps.find(member, alphabet);
         if (known == null) {
             known = new Steps[alphabet.size()];
-            int focus = focusIndex(set, member);
+            int classes = classesIndex(set, member);
             for (int letter = 0; letter < known.length; letter++) {
                 budget.insist();
                 Value[] own = rightLetter(alphabet.letter(letter));
-                known[letter] = right.steps(member, alphabet.kind(focus, letter), own);
+                known[letter] = right.steps(member, alphabet.kind(classes, letter), own);
             }
-            rightRows.add(member, alphabet, known);
+            rightSteps.add(member, alphabet, known);
         }
         return known;
+    }
+
+    /** The steps of all members of a set. */
+    Steps answers(int set, Alphabet alphabet, int letter) {
+        int[] members = sets.members(set);
+        if (members.length == 1) {
+            return answers(set, members[0], alphabet, letter);
+        }
+        List<Steps> all = new ArrayList<>(members.length);
+        for (int member : members) {
+            all.add(answers(set, member, alphabet, letter));
+        }
+        return Steps.union(all);
+    }
+
+    Steps answers(int set, int member, Alphabet alphabet, int letter) {
+        return rightSteps(set, member, alphabet)[letter];
+    }
+
+    /** The set after some of the steps; -1 where it holds chaos and nothing can be forbidden. */
+    int successor(Steps theirs, int[] allowed) {
+        if (allowed.length == 1) {
+            theirs.use(allowed[0]);
+            int next = theirs.next()[allowed[0]];
+            return isSettled(next) ? -1 : sets.singleton(next);
+        }
+        int[] members = new int[allowed.length];
+        for (int i = 0; i < members.length; i++) {
+            budget.insist();
+            theirs.use(allowed[i]);
+            members[i] = theirs.next()[allowed[i]];
+            if (isSettled(members[i])) {
+                return -1;
+            }
+        }
+        return sets.number(members);
     }
 
     /** How what the left side sends is answered by steps of the right side. */
@@ -199,5 +237,28 @@ final class Product {
             return SINGLE | others[0];
         }
         return answerLists.number(new IntKey(others));
+    }
+
+    /** Steps by configuration and alphabet; most configurations meet very few alphabets. */
+    private static final class StepTable {
+        private record Row(Alphabet alphabet, Steps[] steps, Row next) {}
+
+        private Row[] first = new Row[64];
+
+        /** Null where there are none yet. */
+        Steps[] find(int configuration, Alphabet alphabet) {
+            Row row = configuration < first.length ? first[configuration] : null;
+            while (row != null && row.alphabet != alphabet) {
+                row = row.next;
+            }
+            return row == null ? null : row.steps;
+        }
+
+        void add(int configuration, Alphabet alphabet, Steps[] steps) {
+            if (configuration >= first.length) {
+                first = Arrays.copyOf(first, Math.max(configuration + 1, 2 * first.length));
+            }
+            first[configuration] = new Row(alphabet, steps, first[configuration]);
+        }
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.analysis.search.product;
 
+import arcomat.analysis.search.Attractor;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.step.CubeSplit;
@@ -15,31 +16,22 @@ import java.util.Optional;
  * Whether a configuration of the right side simulates one of the left side: every step of the left
  * is answered by one step of the right with the same output, for ever. Stronger than inclusion of
  * traces, and decided on pairs instead of sets. The greatest such relation: all pairs that can be
- * reached are taken to be related, until one has a step without an answer.
+ * reached are taken to be related, until one has a step without an answer (on the fly, as a game:
+ * Etessami, Wilke, Schuller, "Fair simulation relations, parity games, and state space reduction
+ * for Büchi automata", 2005).
  *
  * <p>Pairs are explored as far as somebody has patience: there may be no end of them where the
  * search that asks would soon find a counterexample.
  */
 final class SimulationRelation {
     private static final int MOST_PAIRS = 5_000_000;
-    private static final int NONE = -1;
 
     private final Product pairing;
     private final Budget budget;
     private final LongIntHashMap numbers = new LongIntHashMap();
     private final IntArrayList lefts = new IntArrayList();
     private final IntArrayList rights = new IntArrayList();
-    private final java.util.BitSet refuted = new java.util.BitSet();
-
-    /** Per pair a chain of the demands that it may answer: demand and next link. */
-    private final IntArrayList firstLink = new IntArrayList();
-
-    private final IntArrayList linkDemand = new IntArrayList();
-    private final IntArrayList nextLink = new IntArrayList();
-
-    private final IntArrayList demandOwner = new IntArrayList();
-    private final IntArrayList demandAnswers = new IntArrayList();
-    private final IntArrayList fallen = new IntArrayList();
+    private final Attractor refuted = new Attractor();
     private boolean exhausted;
 
     /** The first pair whose steps have not been looked at yet. */
@@ -67,13 +59,13 @@ final class SimulationRelation {
         }
         int pair = pair(left, right);
         explore(pair, patience);
-        return pair < closed && !refuted.get(pair);
+        return pair < closed && !refuted.isFallen(pair);
     }
 
     /** All pairs that are known to be related. */
     void forEachPair(PairVisitor visitor) {
         for (int pair = 0; pair < closed; pair++) {
-            if (!refuted.get(pair)) {
+            if (!refuted.isFallen(pair)) {
                 visitor.visit(lefts.get(pair), rights.get(pair));
             }
         }
@@ -108,13 +100,16 @@ final class SimulationRelation {
     /** Until it is known whether the pair has fallen, or patience is lost. */
     private void explore(int pair, long patience) {
         try {
-            while (open < lefts.size() && !refuted.get(pair) && work < patience && !exhausted) {
+            while (open < lefts.size()
+                    && !refuted.isFallen(pair)
+                    && work < patience
+                    && !exhausted) {
                 exhausted = lefts.size() > MOST_PAIRS || budget.exhausted(lefts.size()) != null;
-                if (!refuted.get(open)) {
+                if (!refuted.isFallen(open)) {
                     demand(open);
                 }
                 open++;
-                refute();
+                refuted.propagate();
             }
         } catch (GivenUp inTheMiddle) {
             exhausted = true;
@@ -132,7 +127,6 @@ final class SimulationRelation {
             numbers.put(key, known);
             lefts.add(left);
             rights.add(right);
-            firstLink.add(NONE);
         }
         return known;
     }
@@ -167,48 +161,10 @@ final class SimulationRelation {
                 return true;
             }
         }
-        int demand = demandOwner.size();
-        int firstOfDemand = linkDemand.size();
-        for (int answer : allowed) {
-            int pair = pair(left, theirs.next()[answer]);
-            if (!refuted.get(pair) && !isLinked(pair, firstOfDemand)) {
-                linkDemand.add(demand);
-                nextLink.add(firstLink.get(pair));
-                firstLink.set(pair, linkDemand.size() - 1);
-            }
+        int[] answers = new int[allowed.length];
+        for (int i = 0; i < answers.length; i++) {
+            answers[i] = pair(left, theirs.next()[allowed[i]]);
         }
-        if (linkDemand.size() == firstOfDemand) {
-            fall(owner);
-            return false;
-        }
-        demandOwner.add(owner);
-        demandAnswers.add(linkDemand.size() - firstOfDemand);
-        return true;
-    }
-
-    /** Whether a pair answers the demand whose links start there. */
-    private boolean isLinked(int pair, int firstOfDemand) {
-        return firstLink.get(pair) >= firstOfDemand;
-    }
-
-    private void fall(int pair) {
-        if (!refuted.get(pair)) {
-            refuted.set(pair);
-            fallen.add(pair);
-        }
-    }
-
-    private void refute() {
-        while (!fallen.isEmpty()) {
-            int link = firstLink.get(fallen.removeLast());
-            while (link != NONE) {
-                int demand = linkDemand.get(link);
-                demandAnswers.set(demand, demandAnswers.get(demand) - 1);
-                if (demandAnswers.get(demand) == 0) {
-                    fall(demandOwner.get(demand));
-                }
-                link = nextLink.get(link);
-            }
-        }
+        return refuted.demand(owner, answers);
     }
 }

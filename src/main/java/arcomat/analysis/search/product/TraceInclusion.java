@@ -4,18 +4,14 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Shortcut;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.step.CubeSplit;
-import arcomat.analysis.search.step.StepUnion;
+import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.TransitionSystem;
+import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.semantics.value.GivenUp;
 
-import com.carrotsearch.hppc.IntArrayList;
-import com.carrotsearch.hppc.LongIntHashMap;
-
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,33 +20,24 @@ import java.util.stream.IntStream;
 
 /**
  * Whether every trace of the left side is one of the right side: breadth first over a configuration
- * of the left and all configurations that the right may be in (subset construction). A pair is left
- * out where the right may be in chaos and the left cannot err, where the right simulates the left,
- * or where a smaller set has been met with the same configuration (antichain).
+ * of the left and the macro state of all configurations that the right may be in (subset
+ * construction), without the pairs that an {@link Antichain} leaves out, and those where the right
+ * may be in chaos and the left cannot err.
  *
  * <p>The counterexample is shortest, and among those has fewest messages, and among those comes
  * first in the order of declaration.
  */
 public final class TraceInclusion {
-    private static final int NO_PARENT = -1;
-
     /** So many letters the question whether there is a simulation may take, whoever asks. */
     private static final long LITTLE_WORK = 300_000;
 
     /** Beyond that, so many times as many as the search itself has tried. */
     private static final long FACTOR = 8;
 
-    private final Product pairing;
+    private final Product product;
     private final Budget budget;
     private final SimulationRelation simulation;
-
-    private final IntArrayList lefts = new IntArrayList();
-    private final IntArrayList sets = new IntArrayList();
-    private final IntArrayList parents = new IntArrayList();
-    private final IntArrayList costs = new IntArrayList();
-    private final LongIntHashMap nodes = new LongIntHashMap();
-    private final Map<Integer, IntArrayList> largeSets = new HashMap<>();
-    private boolean determined = true;
+    private final Antichain pairs;
     private boolean chaosReached;
     private boolean promising;
     private Failure best;
@@ -59,10 +46,19 @@ public final class TraceInclusion {
     private int level;
     private long tried;
 
-    TraceInclusion(Product pairing, Budget budget) {
-        this.pairing = pairing;
+    /**
+     * @param observed the output ports of the right side, as cubes list them
+     */
+    public TraceInclusion(
+            TransitionSystem left,
+            TransitionSystem right,
+            List<Port> observed,
+            OutputCubes outputs,
+            Budget budget) {
+        this.product = new Product(left, right, observed, outputs, budget);
         this.budget = budget;
-        this.simulation = new SimulationRelation(pairing, budget);
+        this.simulation = new SimulationRelation(product, budget);
+        this.pairs = new Antichain(product.sets, simulation, budget);
     }
 
     /**
@@ -87,7 +83,7 @@ public final class TraceInclusion {
     /**
      * The forbidden step.
      *
-     * @param node the pair before it, or {@link #NO_PARENT} for a forbidden beginning
+     * @param node the pair before it, or {@link Antichain#NONE} for a forbidden beginning
      * @param step position among the left side's steps
      * @param level its number of inputs
      */
@@ -104,72 +100,40 @@ public final class TraceInclusion {
     /** Failures are alike that do the same, or go wrong in doing the same. */
     private record Kind(List<Trace.Cause> causes, boolean error) {}
 
-    /** Ends with the first failure. */
-    Result search() {
-        return search(false);
+    /** Ends with the first failure, or where time, memory or letters are too much. */
+    public Result run() {
+        return run(false);
     }
 
-    /**
-     * @param on whether to go on behind failures, to find one for each cause
-     */
-    Result search(boolean on) {
+    /** As {@link #run}, but goes on behind failures, to find one for each cause. */
+    public Result runOn() {
+        return run(true);
+    }
+
+    private Result run(boolean on) {
+        goesOn = on;
         try {
-            return levels(on);
+            return levels();
         } catch (GivenUp inTheMiddle) {
             return result(Optional.of(inTheMiddle.getMessage()));
         }
     }
 
-    private Result levels(boolean on) {
-        goesOn = on;
+    private Result levels() {
         open();
-        if (best != null && !on) {
-            return result(Optional.empty());
-        }
-        int first = 0;
-        while (first < lefts.size()) {
-            int end = lefts.size();
+        int[] frontier = pairs.nextLevel();
+        while (frontier.length > 0 && (best == null || goesOn)) {
             level++;
-            Optional<String> exhausted = expandLevel(first, end);
-            if (exhausted.isPresent()) {
-                return result(exhausted);
+            for (int node : frontier) {
+                String exhausted = budget.exhausted(pairs.size());
+                if (exhausted != null) {
+                    return result(Optional.of(exhausted));
+                }
+                expand(node);
             }
-            if (best != null && !on) {
-                return result(Optional.empty());
-            }
-            first = end;
+            frontier = pairs.nextLevel();
         }
         return result(Optional.empty());
-    }
-
-    /** Pairs that took fewer messages first; in most levels all took the same. */
-    private Optional<String> expandLevel(int first, int end) {
-        int[] byCost = isEven(first, end) ? null : byCost(first, end);
-        for (int i = first; i < end; i++) {
-            String exhausted = budget.exhausted(lefts.size());
-            if (exhausted != null) {
-                return Optional.of(exhausted);
-            }
-            expand(byCost == null ? i : byCost[i - first], end);
-        }
-        return Optional.empty();
-    }
-
-    private boolean isEven(int first, int end) {
-        for (int node = first + 1; node < end; node++) {
-            if (costs.get(node) != costs.get(first)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private int[] byCost(int first, int end) {
-        return IntStream.range(first, end)
-                .boxed()
-                .sorted(Comparator.comparingInt(costs::get))
-                .mapToInt(Integer::intValue)
-                .toArray();
     }
 
     private Result result(Optional<String> stopped) {
@@ -178,7 +142,7 @@ public final class TraceInclusion {
                         ? Optional.empty()
                         : best != null
                                 ? Optional.of(false)
-                                : determined && budget.takes(Shortcut.DETERMINED)
+                                : pairs.isDetermined() && budget.takes(Shortcut.DETERMINED)
                                         ? certain(true)
                                         : simulation.verdict().flatMap(this::certain);
         return new Result(
@@ -187,26 +151,49 @@ public final class TraceInclusion {
                 simulated,
                 chaosReached,
                 promising,
-                lefts.size());
+                pairs.size());
     }
 
     /** Who decides late about a message simulates more easily, and is less easily simulated. */
     private Optional<Boolean> certain(boolean simulates) {
-        TransitionSystem late = simulates ? pairing.right : pairing.left;
+        TransitionSystem late = simulates ? product.right : product.left;
         return late.postpones() ? Optional.empty() : Optional.of(simulates);
     }
 
     private void open() {
-        Steps mine = pairing.left.openings();
-        Steps theirs = pairing.right.openings();
+        Steps mine = product.left.openings();
+        Steps theirs = product.right.openings();
         for (int step = 0; step < mine.size(); step++) {
-            for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
-                if (sent.allowed().length == 0) {
-                    fail(new Failure(NO_PARENT, null, 0, mine, step, sent, sent.messages(), level));
-                } else {
-                    int set = successor(theirs, sent.allowed());
-                    add(NO_PARENT, mine.next()[step], set, sent.messages(), 0);
-                }
+            follow(Antichain.NONE, null, 0, mine, step, theirs, 0);
+        }
+    }
+
+    private void expand(int node) {
+        int left = pairs.left(node);
+        int set = pairs.set(node);
+        Alphabet alphabet = product.alphabet(left, set);
+        Steps[] own = product.leftSteps(left, alphabet);
+        for (int letter = 0; letter < own.length; letter++) {
+            Steps mine = own[letter];
+            Steps theirs = product.answers(set, alphabet, letter);
+            tried++;
+            int cost = pairs.cost(node) + alphabet.messages(letter);
+            for (int step = 0; step < mine.size(); step++) {
+                mine.use(step);
+                follow(node, alphabet, letter, mine, step, theirs, cost);
+            }
+        }
+    }
+
+    /** One step of the left side, with all that the right side answers. */
+    private void follow(
+            int node, Alphabet alphabet, int letter, Steps mine, int step, Steps theirs, int cost) {
+        for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
+            int total = cost + sent.messages();
+            if (sent.allowed().length == 0) {
+                fail(new Failure(node, alphabet, letter, mine, step, sent, total, level));
+            } else {
+                add(node, mine.next()[step], product.successor(theirs, sent.allowed()), total);
             }
         }
     }
@@ -225,182 +212,54 @@ public final class TraceInclusion {
         return known == null || cheaper ? found : known;
     }
 
-    private void expand(int node, int levelEnd) {
-        int left = lefts.get(node);
-        int set = sets.get(node);
-        Alphabet alphabet = pairing.alphabet(left, set);
-        Steps[] own = pairing.leftSteps(left, alphabet);
-        for (int letter = 0; letter < own.length; letter++) {
-            Steps mine = own[letter];
-            Steps theirs = answers(set, alphabet, letter);
-            tried++;
-            int cost = costs.get(node) + alphabet.messages(letter);
-            for (int step = 0; step < mine.size(); step++) {
-                mine.use(step);
-                for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
-                    int total = cost + sent.messages();
-                    if (sent.allowed().length == 0) {
-                        fail(new Failure(node, alphabet, letter, mine, step, sent, total, level));
-                    } else {
-                        int next = successor(theirs, sent.allowed());
-                        add(node, mine.next()[step], next, total, levelEnd);
-                    }
-                }
-            }
-        }
-    }
-
-    /** The steps of all members of a set. */
-    Steps answers(int set, Alphabet alphabet, int letter) {
-        int[] members = pairing.sets.members(set);
-        if (members.length == 1) {
-            return answers(set, members[0], alphabet, letter);
-        }
-        StepUnion union = new StepUnion();
-        for (int member : members) {
-            union.add(answers(set, member, alphabet, letter));
-        }
-        return union.steps();
-    }
-
-    Steps answers(int set, int member, Alphabet alphabet, int letter) {
-        return pairing.rightSteps(set, member, alphabet)[letter];
-    }
-
-    /** The set after some of the steps; -1 where it holds chaos and nothing can be forbidden. */
-    int successor(Steps theirs, int[] allowed) {
-        if (allowed.length == 1) {
-            theirs.use(allowed[0]);
-            int next = theirs.next()[allowed[0]];
-            return pairing.isSettled(next) ? -1 : pairing.sets.singleton(next);
-        }
-        int[] members = new int[allowed.length];
-        for (int i = 0; i < members.length; i++) {
-            budget.insist();
-            theirs.use(allowed[i]);
-            members[i] = theirs.next()[allowed[i]];
-            if (pairing.isSettled(members[i])) {
-                return -1;
-            }
-        }
-        return pairing.sets.number(members);
-    }
-
-    private void add(int parent, int left, int set, int cost, int levelEnd) {
+    private void add(int parent, int left, int set, int cost) {
         if (set < 0) {
             chaosReached = true;
             return;
         }
-        promising = promising || parent != NO_PARENT && !isInChaos(set);
-        long key = (long) left << 32 | set;
-        int slot = nodes.indexOf(key);
-        if (nodes.indexExists(slot)) {
-            int known = nodes.indexGet(slot);
-            if (known >= levelEnd && cost < costs.get(known)) {
-                costs.set(known, cost);
-                parents.set(known, parent);
-            }
-            return;
-        }
-        chaosReached = chaosReached || isInChaos(set);
-        if (pairing.sets.members(set).length > 1 && isCovered(left, set, cost, levelEnd)) {
-            return;
-        }
-        nodes.indexInsert(slot, key, lefts.size());
-        lefts.add(left);
-        sets.add(set);
-        parents.add(parent);
-        costs.add(cost);
+        promising = promising || parent != Antichain.NONE && !isInChaos(set);
+        long patience = Math.max(LITTLE_WORK, FACTOR * tried);
+        boolean fresh = pairs.add(parent, left, set, cost, patience);
+        chaosReached = chaosReached || fresh && isInChaos(set);
     }
 
     private boolean isInChaos(int set) {
-        for (int member : pairing.sets.members(set)) {
-            if (pairing.right.isChaos(member)) {
+        for (int member : product.sets.members(set)) {
+            if (product.right.isChaos(member)) {
                 return true;
             }
         }
         return false;
     }
 
-    /** Whether a smaller set, or a member that simulates the configuration, settles the pair. */
-    private boolean isCovered(int left, int set, int cost, int levelEnd) {
-        determined = false;
-        long patience = Math.max(LITTLE_WORK, FACTOR * tried);
-        for (int member : pairing.sets.members(set)) {
-            int alone = pairing.sets.singleton(member);
-            if (isMet(left, alone, cost, levelEnd) && budget.takes(Shortcut.MET_ALONE)
-                    || simulation.holds(left, member, patience)
-                            && budget.takes(Shortcut.SIMULATED)) {
-                return true;
-            }
-        }
-        IntArrayList met = largeSets.computeIfAbsent(left, each -> new IntArrayList());
-        for (int i = 0; i < met.size(); i++) {
-            if (pairing.sets.isSubset(met.get(i), set)
-                    && isMet(left, met.get(i), cost, levelEnd)
-                    && budget.takes(Shortcut.MET_SMALLER)) {
-                return true;
-            }
-        }
-        met.add(set);
-        return false;
-    }
-
-    /**
-     * Whether a pair has been met after fewer inputs, or after as many and no more messages:
-     * otherwise a failure behind it is not the one that is looked for.
-     */
-    private boolean isMet(int left, int set, int cost, int levelEnd) {
-        int node = nodes.getOrDefault((long) left << 32 | set, NO_PARENT);
-        return node != NO_PARENT && (node < levelEnd || costs.get(node) <= cost);
-    }
-
-    /** The pairs that show the inclusion, of a search that ended without failure. */
-    Certificate certificate() {
+    /** Why it holds: the pairs that show the inclusion, of a search that found no failure. */
+    public Certificate certificate() {
         List<Certificate.Entry> entries = new ArrayList<>();
-        for (int node = 0; node < lefts.size(); node++) {
-            List<String> right = new ArrayList<>();
-            for (int member : pairing.sets.members(sets.get(node))) {
-                right.add(pairing.right.name(member));
-            }
-            entries.add(new Certificate.Entry(pairing.left.name(lefts.get(node)), right));
+        for (int node = 0; node < pairs.size(); node++) {
+            entries.add(entry(pairs.left(node), product.sets.members(pairs.set(node))));
         }
-        simulation.forEachPair(
-                (left, right) ->
-                        entries.add(
-                                new Certificate.Entry(
-                                        pairing.left.name(left),
-                                        List.of(pairing.right.name(right)))));
+        simulation.forEachPair((left, right) -> entries.add(entry(left, right)));
         return new Certificate(entries.stream().distinct().toList());
     }
 
-    /** The pairs from a beginning to a node. */
-    List<Integer> path(int node) {
-        List<Integer> path = new ArrayList<>();
-        for (int each = node; each != NO_PARENT; each = parents.get(each)) {
-            path.add(0, each);
-        }
-        return path;
+    private Certificate.Entry entry(int left, int... right) {
+        return new Certificate.Entry(
+                product.left.name(left),
+                IntStream.of(right).mapToObj(product.right::name).toList());
     }
 
-    int left(int node) {
-        return lefts.get(node);
+    /** A failure, told moment by moment. */
+    public Counterexample counterexample(Failure failure) {
+        return new Counterexample.Teller(product, pairs).tell(failure);
     }
 
-    int set(int node) {
-        return sets.get(node);
-    }
-
-    int cost(int node) {
-        return costs.get(node);
-    }
-
-    long pairs() {
-        return lefts.size();
+    /** How many pairs were explored so far. */
+    public long pairs() {
+        return pairs.size();
     }
 
     /** One failure for each cause of a forbidden step, the shortest. */
-    List<Failure> failures() {
+    public List<Failure> failures() {
         return List.copyOf(failures.values());
     }
 }

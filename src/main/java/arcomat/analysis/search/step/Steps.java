@@ -4,6 +4,9 @@ import arcomat.analysis.search.IntKey;
 import arcomat.model.Trace;
 import arcomat.semantics.expression.Output;
 
+import com.carrotsearch.hppc.IntArrayList;
+
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
@@ -25,6 +28,30 @@ public record Steps(
         List<Output> whole,
         boolean[] used,
         List<Steps> parts) {
+
+    /** The steps of several configurations together. What is used is noted with theirs, too. */
+    public static Steps union(List<Steps> parts) {
+        int size = parts.stream().mapToInt(Steps::size).sum();
+        int[] outputs = new int[size];
+        int[] next = new int[size];
+        List<List<Trace.Cause>> causes = new ArrayList<>(size);
+        List<Output> whole = new ArrayList<>(size);
+        int position = 0;
+        for (Steps part : parts) {
+            System.arraycopy(part.outputs, 0, outputs, position, part.size());
+            System.arraycopy(part.next, 0, next, position, part.size());
+            causes.addAll(part.causes);
+            whole.addAll(part.whole);
+            position += part.size();
+        }
+        return new Steps(outputs, next, causes, whole, new boolean[size], parts);
+    }
+
+    /** The same for the same reasons, but what is sent is something else, and leads elsewhere. */
+    public Steps changed(int[] otherOutputs, int[] otherNext) {
+        return new Steps(
+                otherOutputs, otherNext, causes, whole, new boolean[size()], List.of(this));
+    }
 
     public int size() {
         return outputs.length;
@@ -62,6 +89,33 @@ public record Steps(
             if (used[step]) {
                 found.addAll(causes.get(step));
             }
+        }
+    }
+
+    /** Collects steps, each once. */
+    public static final class Collector {
+        private final IntArrayList outputs = new IntArrayList(2);
+        private final IntArrayList next = new IntArrayList(2);
+        private final List<List<Trace.Cause>> causes = new ArrayList<>(2);
+        private final List<Output> whole = new ArrayList<>(2);
+
+        public void add(int output, int configuration, List<Trace.Cause> cause, Output all) {
+            for (int i = 0; i < causes.size(); i++) {
+                if (outputs.get(i) == output
+                        && next.get(i) == configuration
+                        && causes.get(i).equals(cause)) {
+                    return;
+                }
+            }
+            outputs.add(output);
+            next.add(configuration);
+            causes.add(cause);
+            whole.add(all);
+        }
+
+        public Steps steps() {
+            boolean[] used = new boolean[causes.size()];
+            return new Steps(outputs.toArray(), next.toArray(), causes, whole, used, List.of());
         }
     }
 }

@@ -18,12 +18,13 @@ import java.util.TreeSet;
 
 /**
  * The data of a comparison that both sides only pass on and compare: with other values in their
- * stead, they do the same. So it is enough to try letters with the values that a pair of
- * configurations holds, with constants, and with some that neither side knows. If a run of the left
- * side from there is none of the right side, then it stays so when each value that the pair does
- * not hold changes places with another one of the same kind; for the pair itself that changes
- * nothing. A search that goes on from pair to pair finds counterexamples as short as with all
- * values.
+ * stead, they do the same (data independence: Wolper, "Expressing interesting properties of
+ * programs in propositional temporal logic", POPL 1986). So it is enough to try letters with the
+ * values that a pair of configurations holds, with constants, and with some that neither side
+ * knows. If a run of the left side from there is none of the right side, then it stays so when each
+ * value that the pair does not hold changes places with another one of the same kind; for the pair
+ * itself that changes nothing. A search that goes on from pair to pair finds counterexamples as
+ * short as with all values.
  *
  * <p>It ends where pairs hold finitely many values: strangers are always the first ones that a pair
  * does not hold.
@@ -57,7 +58,7 @@ public final class DataIndependence {
                 join(this.left.input(port.name()), this.right.input(port.name()));
             }
             for (int port = 0; port < observed; port++) {
-                join(this.left.output(port), this.right.output(port));
+                join(this.left.outputs().get(port), this.right.outputs().get(port));
             }
             for (int i = 0; i < ofInputs.length; i++) {
                 ofInputs[i] = free(inputs.get(i));
@@ -108,22 +109,24 @@ public final class DataIndependence {
         some.forEach((sort, values) -> all.get(sort).addAll(values));
     }
 
-    private Map<Integer, List<Value>> held(DataPlaces side, int configuration) {
+    private Map<Integer, List<Value>> held(DataPlaces data, int configuration) {
         Map<Integer, List<Value>> found = new HashMap<>();
-        side.held(
-                configuration,
-                (place, value) -> {
-                    int sort =
-                            sortOfPlace.computeIfAbsent(place, each -> sorts.sort(each).number());
-                    if (nothing.containsKey(sort)) {
-                        found.computeIfAbsent(sort, each -> new ArrayList<>()).add(value);
-                    }
-                });
+        data.memory()
+                .tell(
+                        configuration,
+                        (place, value) -> {
+                            int sort =
+                                    sortOfPlace.computeIfAbsent(
+                                            place, each -> sorts.sort(each).number());
+                            if (nothing.containsKey(sort)) {
+                                found.computeIfAbsent(sort, each -> new ArrayList<>()).add(value);
+                            }
+                        });
         return found;
     }
 
     /** What is tried in a pair that holds something. */
-    public Representatives standIns(int number) {
+    public Representatives representatives(int number) {
         return new Representatives(ofInputs, held.get(number));
     }
 }

@@ -5,7 +5,6 @@ import arcomat.analysis.search.Numbering;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.letter.Letters;
 import arcomat.analysis.search.step.OutputCubes;
-import arcomat.analysis.search.step.StepCollector;
 import arcomat.analysis.search.step.Steps;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
@@ -22,7 +21,7 @@ import java.util.Map;
 import java.util.stream.IntStream;
 
 /**
- * A side whose reactions are expected some slices later than it sends them; before the first one,
+ * A system whose reactions are expected some slices later than it sends them; before the first one,
  * anything may be sent. It reads each letter as many slices later, and holds those that it has not
  * read yet. Only for the right side of a comparison.
  *
@@ -33,25 +32,25 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     private static final int MOST_LETTERS = 1_000;
 
     private final int slices;
-    private final LetterClasses focus;
+    private final LetterClasses classes;
     private final int open;
     private final Output openWhole;
     private final Map<Long, Value[]> letters = new HashMap<>();
 
     /**
-     * @param side works in slices
+     * @param system works in slices
      * @param slices at least 1
      * @param observed how many output ports are compared
      * @throws TooManyMessages where there are too many letters to hold
-     * @throws GivenUp where the budget does not suffice to explore the side
+     * @throws GivenUp where the budget does not suffice to explore the system
      */
     public DelayedSystem(
-            TransitionSystem side, int slices, int observed, OutputCubes outputs, Budget budget) {
-        super(side);
+            TransitionSystem system, int slices, int observed, OutputCubes outputs, Budget budget) {
+        super(system);
         this.slices = slices;
-        this.focus = new LetterClasses(0, everything(budget), side.inputs());
+        this.classes = new LetterClasses(0, everything(budget), system.inputs());
         this.open = outputs.number(anything(observed));
-        this.openWhole = anything(side.outputs().size());
+        this.openWhole = anything(system.outputs().size());
     }
 
     private static Output anything(int ports) {
@@ -60,16 +59,16 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
 
     /** Whatever a letter that is held may be looked at for, in whichever configuration. */
     private Attention everything(Budget budget) {
-        Attention all = Attention.none(side.inputs().size());
+        Attention all = Attention.none(system.inputs().size());
         Numbering<Integer> met = new Numbering<>();
-        IntStream.of(side.openings().next()).forEach(met::number);
+        IntStream.of(system.openings().next()).forEach(met::number);
         for (int i = 0; i < met.size(); i++) {
             String exhausted = budget.exhausted(met.size());
             if (exhausted != null) {
                 throw new GivenUp(exhausted);
             }
             int configuration = met.get(i);
-            Attention attention = side.focus(configuration).attention();
+            Attention attention = system.letterClasses(configuration).attention();
             all = all.and(attention);
             for (Value[] letter : letters(attention)) {
                 budget.insist();
@@ -81,17 +80,17 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     }
 
     private List<Value[]> letters(Attention attention) {
-        return Letters.atMost(MOST_LETTERS, side.inputs(), attention.looks());
+        return Letters.atMost(MOST_LETTERS, system.inputs(), attention.looks());
     }
 
     @Override
     public Steps openings() {
-        return waiting(side.openings().next(), List.of());
+        return waiting(system.openings().next(), List.of());
     }
 
     @Override
-    public LetterClasses focus(int configuration) {
-        return focus;
+    public LetterClasses letterClasses(int configuration) {
+        return classes;
     }
 
     @Override
@@ -108,7 +107,7 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
 
     /** Anything may be sent. */
     private Steps waiting(int[] inner, List<Long> held) {
-        StepCollector collector = new StepCollector();
+        Steps.Collector collector = new Steps.Collector();
         for (int each : inner) {
             collector.add(open, number(each, held), List.of(), openWhole);
         }
@@ -116,12 +115,12 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     }
 
     @Override
-    void held(List<Long> kinds, DataPlaces data, DataPlaces.Holding holding) {
+    void tell(List<Long> kinds, DataPlaces data, DataPlaces.Holding holding) {
         for (long kind : kinds) {
             Value[] letter = letters.get(kind);
             for (int i = 0; i < letter.length; i++) {
                 if (letter[i] != null) {
-                    holding.value(data.input(side.inputs().get(i).name()), letter[i]);
+                    holding.value(data.input(system.inputs().get(i).name()), letter[i]);
                 }
             }
         }

@@ -1,7 +1,5 @@
 package arcomat.analysis.search.system;
 
-import arcomat.analysis.search.Numbering;
-import arcomat.analysis.search.step.StepCache;
 import arcomat.analysis.search.step.Steps;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -9,7 +7,6 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.expression.DataSorts;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,161 +14,121 @@ import java.util.Set;
 import java.util.stream.IntStream;
 
 /**
- * A side that remembers, beside each configuration of another one, something about the letters that
- * were read. What is sent and why is the other side's business.
+ * Another system, with something that it remembers beside each configuration about the letters that
+ * were read: a history variable (Abadi, Lamport, "The existence of refinement mappings", 1991).
+ * What is sent and why is the other system's business.
  *
  * @param <M> what is remembered, by equality
  */
-abstract class HistorySystem<M> implements TransitionSystem {
-    final TransitionSystem side;
+abstract class HistorySystem<M> extends NumberedSystem<HistorySystem.State<M>> {
+    final TransitionSystem system;
 
-    /** Where the side's ports stand in its own letters. */
-    final int[] positions;
-
-    private final Numbering<State<M>> states = new Numbering<>();
-    private final List<StepCache> steps = new ArrayList<>();
+    /** Where the system's ports stand in its own letters. */
+    private final int[] positions;
 
     /**
-     * @param inner a configuration of the other side
+     * @param inner a configuration of the other system
      */
     record State<M>(int inner, M memory) {}
 
-    HistorySystem(TransitionSystem side) {
-        this.side = side;
-        this.positions = IntStream.range(0, side.inputs().size()).toArray();
+    HistorySystem(TransitionSystem system) {
+        this.system = system;
+        this.positions = IntStream.range(0, system.inputs().size()).toArray();
     }
-
-    /** The steps with one letter of a kind, the first that was met. */
-    abstract Steps compute(State<M> before, long kind, Value[] letter);
 
     /** What is remembered, in a name; empty where that is nothing. */
     abstract String words(M memory);
 
-    final State<M> state(int configuration) {
-        return states.get(configuration);
-    }
-
     final int number(int inner, M memory) {
-        int number = states.number(new State<>(inner, memory));
-        if (number == steps.size()) {
-            steps.add(new StepCache());
-        }
-        return number;
+        return number(new State<>(inner, memory));
     }
 
-    /** The steps of the other side with a letter. */
+    /** The steps of the other system with a letter. */
     final Steps own(int inner, Value[] letter) {
-        return side.steps(inner, side.focus(inner).kind(letter, positions), letter);
+        return system.steps(inner, system.letterClasses(inner).kind(letter, positions), letter);
     }
 
-    /** Steps of the other side, with what is remembered after them. */
+    /** Steps of the other system, with what is remembered after them. */
     final Steps remembering(Steps own, M memory) {
         int[] next = IntStream.of(own.next()).map(inner -> number(inner, memory)).toArray();
-        return changed(own, own.outputs(), next);
-    }
-
-    /** Steps of the other side that send something else and lead elsewhere. */
-    static Steps changed(Steps own, int[] outputs, int[] next) {
-        boolean[] used = new boolean[own.size()];
-        return new Steps(outputs, next, own.causes(), own.whole(), used, List.of(own));
-    }
-
-    @Override
-    public final Steps steps(int configuration, long kind, Value[] letter) {
-        StepCache known = steps.get(configuration);
-        Steps found = known.find(kind);
-        return found != null ? found : known.add(kind, compute(state(configuration), kind, letter));
+        return own.changed(own.outputs(), next);
     }
 
     @Override
     public final Component.Profile profile() {
-        return side.profile();
+        return system.profile();
     }
 
     @Override
     public final List<Port> inputs() {
-        return side.inputs();
+        return system.inputs();
     }
 
     @Override
     public final List<Port> outputs() {
-        return side.outputs();
+        return system.outputs();
     }
 
     @Override
     public int[] delays() {
-        return side.delays();
+        return system.delays();
     }
 
     @Override
     public final Map<String, String> twins() {
-        return side.twins();
+        return system.twins();
     }
 
     @Override
     public boolean isChaos(int configuration) {
-        return side.isChaos(state(configuration).inner);
+        return system.isChaos(get(configuration).inner);
     }
 
     @Override
     public boolean postpones() {
-        return side.postpones();
+        return system.postpones();
     }
 
     @Override
     public final boolean mayErr() {
-        return side.mayErr();
+        return system.mayErr();
     }
 
     @Override
     public final String describe(int configuration) {
-        return side.describe(state(configuration).inner);
+        return system.describe(get(configuration).inner);
     }
 
     @Override
     public final String name(int configuration) {
-        State<M> state = state(configuration);
+        State<M> state = get(configuration);
         String words = words(state.memory);
-        return side.name(state.inner) + (words.isEmpty() ? "" : " holds " + words);
+        return system.name(state.inner) + (words.isEmpty() ? "" : " holds " + words);
     }
 
     @Override
     public final Set<Trace.Cause> used() {
-        return side.used();
+        return system.used();
     }
 
     @Override
     public final Optional<String> leftOut() {
-        return side.leftOut();
+        return system.leftOut();
     }
 
     /** Tells the values that are remembered, where these are data. */
-    void held(M memory, DataPlaces data, DataPlaces.Holding holding) {}
+    void tell(M memory, DataPlaces data, DataPlaces.Holding holding) {}
 
     @Override
     public final DataPlaces data(DataSorts sorts) {
-        DataPlaces inner = side.data(sorts);
-        return new DataPlaces() {
-            @Override
-            public int input(String port) {
-                return inner.input(port);
-            }
-
-            @Override
-            public int output(int observed) {
-                return inner.output(observed);
-            }
-
-            @Override
-            public void held(int configuration, Holding holding) {
-                inner.held(state(configuration).inner, holding);
-                HistorySystem.this.held(state(configuration).memory, inner, holding);
-            }
-        };
-    }
-
-    @Override
-    public final int size() {
-        return states.size();
+        DataPlaces inner = system.data(sorts);
+        return new DataPlaces(
+                inner.inputs(),
+                inner.outputs(),
+                (configuration, holding) -> {
+                    State<M> state = get(configuration);
+                    inner.memory().tell(state.inner, holding);
+                    tell(state.memory, inner, holding);
+                });
     }
 }

@@ -14,8 +14,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 
 /**
- * A side whose reactions on some ports stand in the slice in which they are seen, one after that in
- * which they are made. Two sides can be compared where one sends with delay and the other one
+ * A system whose reactions on some ports stand in the slice in which they are seen, one after that
+ * in which they are made. Two systems can be compared where one sends with delay and the other one
  * without. Where a run ends, what was sent a slice ago is still seen.
  *
  * <p>Remembers what will be seen in the next slice on those ports.
@@ -27,8 +27,8 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
     private final List<Boolean> total;
 
     private ShiftedSystem(
-            TransitionSystem side, BitSet late, List<Boolean> total, OutputCubes outputs) {
-        super(side);
+            TransitionSystem system, BitSet late, List<Boolean> total, OutputCubes outputs) {
+        super(system);
         this.late = late;
         this.observed = total.size();
         this.total = total;
@@ -36,22 +36,22 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
     }
 
     /**
-     * The side as it is seen beside another one; itself where both send with the same delays.
+     * The system as it is seen beside another one; itself where both send with the same delays.
      *
      * @param total per compared port, whether it carries a message in every slice
      */
     public static TransitionSystem beside(
-            TransitionSystem side,
+            TransitionSystem system,
             TransitionSystem other,
             List<Boolean> total,
             OutputCubes outputs) {
         BitSet late = new BitSet();
-        int[] own = side.delays();
+        int[] own = system.delays();
         int[] others = other.delays();
         for (int port = 0; port < own.length; port++) {
             late.set(port, own[port] == 1 && others[port] == 0);
         }
-        return late.isEmpty() ? side : new ShiftedSystem(side, late, total, outputs);
+        return late.isEmpty() ? system : new ShiftedSystem(system, late, total, outputs);
     }
 
     /** The compared ports that stand in the slice in which they are seen. */
@@ -68,12 +68,12 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
 
     @Override
     public Steps openings() {
-        return shown(side.openings(), silence());
+        return shown(system.openings(), silence());
     }
 
     @Override
-    public LetterClasses focus(int configuration) {
-        return side.focus(state(configuration).inner());
+    public LetterClasses letterClasses(int configuration) {
+        return system.letterClasses(get(configuration).inner());
     }
 
     @Override
@@ -91,7 +91,7 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
             sent[step] = letter ? outputs.number(both) : outputs.end(both);
             next[step] = number(own.next()[step], replaced(silence(), made));
         }
-        return changed(own, sent, next);
+        return own.changed(sent, next);
     }
 
     private List<Sent> silence() {
@@ -108,7 +108,7 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
     /** What is going to be seen has to be open, too. */
     @Override
     public boolean isChaos(int configuration) {
-        List<Sent> memory = state(configuration).memory();
+        List<Sent> memory = get(configuration).memory();
         return super.isChaos(configuration)
                 && late.stream().allMatch(port -> isOpen(memory.get(port), total.get(port)));
     }
@@ -123,14 +123,13 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
     }
 
     private boolean isOpen(int configuration) {
-        List<Sent> memory = state(configuration).memory();
+        List<Sent> memory = get(configuration).memory();
         return late.stream().anyMatch(port -> !(memory.get(port) instanceof Sent.Messages));
     }
 
     @Override
-    void held(List<Sent> memory, DataPlaces data, DataPlaces.Holding holding) {
-        late.stream()
-                .forEach(port -> PlacedData.held(memory.get(port), data.output(port), holding));
+    void tell(List<Sent> memory, DataPlaces data, DataPlaces.Holding holding) {
+        late.stream().forEach(port -> holding.values(memory.get(port), data.outputs().get(port)));
     }
 
     @Override

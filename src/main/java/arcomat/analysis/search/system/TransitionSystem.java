@@ -14,8 +14,9 @@ import java.util.Optional;
 import java.util.Set;
 
 /**
- * One machine of a comparison: its configurations are numbered as they are met, and its steps are
- * remembered. Not for several threads.
+ * A labelled transition system, given by its successor function: one side of a comparison. Its
+ * configurations are numbered as they are met, and its steps are remembered. Not for several
+ * threads.
  */
 public interface TransitionSystem {
     /** Whether a letter is a slice or an event. */
@@ -43,11 +44,11 @@ public interface TransitionSystem {
     /** The beginnings: what is sent before anything is read, and the configurations then. */
     Steps openings();
 
-    /** What a configuration pays attention to. */
-    LetterClasses focus(int configuration);
+    /** The letters that a configuration tells apart. */
+    LetterClasses letterClasses(int configuration);
 
     /**
-     * @param kind of the letter, as the configuration's focus says
+     * @param kind of the letter, as the configuration's letter classes say
      */
     Steps steps(int configuration, long kind, Value[] letter);
 

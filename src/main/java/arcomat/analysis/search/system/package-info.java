@@ -1,5 +1,5 @@
 /**
- * One side of a comparison as configurations with steps: a component, a composition, and both seen
- * through held, late or hidden messages.
+ * One side of a comparison as a labelled transition system, given by its successor function: a
+ * component, a composition, and both seen through held, late or hidden messages.
  */
 package arcomat.analysis.search.system;
