@@ -3,7 +3,6 @@ package arcomat.symbols;
 import arcomat.source.SourceFile;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.ComponentSymbols;
 import arcomat.symbols.bodies.Delays;
 import arcomat.symbols.bodies.Parts;
 import arcomat.symbols.bodies.TestSuiteSymbol;
@@ -17,11 +16,8 @@ import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Outline;
 import arcomat.symbols.names.UnitScope;
-import arcomat.symbols.signatures.Signatures;
-import arcomat.tree.Automaton;
+import arcomat.symbols.signatures.Signature;
 import arcomat.tree.ClassDiagram;
-import arcomat.tree.Component;
-import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -39,8 +35,8 @@ public final class Workspace {
     private final List<Unit> units;
     private final Index index = new Index();
     private final Map<SourceFile, UnitScope> scopes = new IdentityHashMap<>();
-    private final Signatures signatures = new Signatures();
-    private final ComponentSymbols symbols = new ComponentSymbols();
+    private final Map<ComponentDeclaration, Signature> signatures = new IdentityHashMap<>();
+    private final Map<Signature, ComponentSymbol> symbols = new IdentityHashMap<>();
     private final List<ComponentSymbol> topLevel = new ArrayList<>();
     private final List<ComponentSymbol> components = new ArrayList<>();
     private final List<DiagramSymbol> diagrams = new ArrayList<>();
@@ -100,33 +96,32 @@ public final class Workspace {
         UnitScope scope = new UnitScope(unit, index);
         scopes.put(unit.file(), scope);
         index.addQualifier(unit.packageText());
-        if (unit.definition() instanceof Component component) {
-            ComponentDeclaration declaration = ComponentDeclaration.topLevel(scope, component);
-            signatures.add(declaration);
-            ComponentSymbol symbol = symbols.add(signatures.of(declaration));
-            topLevel.add(symbol);
-            addComponent(symbol, seen);
-        } else if (unit.definition() instanceof ClassDiagram diagram) {
-            addDiagram(scope, diagram, seen);
-        } else if (unit.definition() instanceof Automaton automaton) {
-            bareAutomata.add(AutomatonSymbol.bare(automaton, scope));
-        } else if (unit.definition() instanceof TestSuite suite) {
-            testSuites.add(new TestSuiteSymbol(scope, suite, this::symbol));
-        } else {
-            throw new AssertionError(unit.definition());
-        }
+        unit.definition()
+                .match(
+                        component ->
+                                topLevel.add(
+                                        add(ComponentDeclaration.topLevel(scope, component), seen)),
+                        automaton -> bareAutomata.add(AutomatonSymbol.bare(automaton, scope)),
+                        diagram -> diagrams.add(define(scope, diagram, seen)),
+                        suite -> testSuites.add(new TestSuiteSymbol(scope, suite, this::symbol)));
     }
 
-    private void addComponent(ComponentSymbol component, boolean seen) {
-        components.add(component);
+    /** Makes the symbol of a component, then those of the components inside it. */
+    private ComponentSymbol add(ComponentDeclaration declaration, boolean seen) {
+        Signature signature = new Signature(declaration, signatures::get);
+        ComponentSymbol symbol = new ComponentSymbol(signature, symbols::get);
+        signatures.put(declaration, signature);
+        symbols.put(signature, symbol);
+        components.add(symbol);
         if (seen) {
-            index.add(component.signature().declaration());
-            index.addQualifier(component.qualifiedName());
+            index.add(declaration);
+            index.addQualifier(declaration.qualifiedName());
         }
-        component.innerComponents().forEach(inner -> addComponent(inner, seen));
+        declaration.innerComponents().forEach(inner -> add(inner, seen));
+        return symbol;
     }
 
-    private void addDiagram(UnitScope scope, ClassDiagram diagram, boolean seen) {
+    private DiagramSymbol define(UnitScope scope, ClassDiagram diagram, boolean seen) {
         String name = Names.join(scope.unit().packageText(), diagram.name().text());
         List<DefinedType> types = new ArrayList<>();
         for (ClassDiagram.TypeDefinition node : diagram.types()) {
@@ -136,7 +131,7 @@ public final class Workspace {
             index.addQualifier(name);
             types.forEach(index::add);
         }
-        diagrams.add(new DiagramSymbol(scope.unit(), diagram, name, types));
+        return new DiagramSymbol(scope.unit(), diagram, name, types);
     }
 
     private static DefinedType define(
@@ -149,7 +144,7 @@ public final class Workspace {
     }
 
     private ComponentSymbol symbol(ComponentDeclaration declaration) {
-        return symbols.of(signatures.of(declaration));
+        return symbols.get(signatures.get(declaration));
     }
 
     public List<Unit> units() {

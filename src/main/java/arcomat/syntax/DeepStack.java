@@ -1,5 +1,7 @@
 package arcomat.syntax;
 
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.function.Supplier;
 
 /**
@@ -11,47 +13,16 @@ final class DeepStack {
 
     private DeepStack() {}
 
+    /** Waits for the task, also where somebody interrupts. */
     static <T> T call(Supplier<T> task) {
-        Result<T> result = new Result<>(task);
-        Thread thread = new Thread(null, result, "deep syntax", BYTES);
-        thread.start();
-        result.await(thread);
-        return result.value;
+        try {
+            return CompletableFuture.supplyAsync(task, DeepStack::start).join();
+        } catch (CompletionException e) {
+            throw e.getCause() instanceof RuntimeException failure ? failure : e;
+        }
     }
 
-    private static final class Result<T> implements Runnable {
-        private final Supplier<T> task;
-        private T value;
-        private RuntimeException failure;
-
-        Result(Supplier<T> task) {
-            this.task = task;
-        }
-
-        @Override
-        public void run() {
-            try {
-                value = task.get();
-            } catch (RuntimeException e) {
-                failure = e;
-            }
-        }
-
-        void await(Thread thread) {
-            boolean interrupted = false;
-            while (thread.isAlive()) {
-                try {
-                    thread.join();
-                } catch (InterruptedException e) {
-                    interrupted = true;
-                }
-            }
-            if (interrupted) {
-                Thread.currentThread().interrupt();
-            }
-            if (failure != null) {
-                throw failure;
-            }
-        }
+    private static void start(Runnable task) {
+        new Thread(null, task, "deep syntax", BYTES).start();
     }
 }

@@ -38,7 +38,7 @@ final class Gaps {
             return Optional.empty();
         }
         gaps.take(body);
-        return Optional.of(gaps.gaps);
+        return Optional.of(List.copyOf(gaps.gaps));
     }
 
     private void take(ParserRuleContext context) {

@@ -1,5 +1,6 @@
 package arcomat.syntax;
 
+import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatParser;
 
@@ -13,23 +14,17 @@ enum Language {
     STREAM_TEST(".mt", "a test suite", "testsuite Name for Component { }");
 
     private final String ending;
+
+    /** What a file is about, with its article. */
     private final String definition;
+
+    /** The shortest text of such a definition. */
     private final String example;
 
     Language(String ending, String definition, String example) {
         this.ending = ending;
         this.definition = definition;
         this.example = example;
-    }
-
-    /** What a file of this language is about, with its article. */
-    String definition() {
-        return definition;
-    }
-
-    /** The shortest text of such a definition. */
-    String example() {
-        return example;
     }
 
     static Language of(SourceFile file) {
@@ -48,5 +43,18 @@ enum Language {
             case CLASS_DIAGRAM -> parser.classDiagramUnit();
             case STREAM_TEST -> parser.testSuiteUnit();
         };
+    }
+
+    /**
+     * The finding that a file of this language defines nothing.
+     *
+     * @param place where the definition is missed
+     */
+    Diagnostic nothingDefined(SourceFile file, int place) {
+        return Diagnostic.error(
+                Codes.EMPTY,
+                file.span(place, place),
+                "This file defines nothing. Write %s, such as '%s', or delete the file."
+                        .formatted(definition, example));
     }
 }

@@ -6,6 +6,7 @@ import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Comment;
 
+import org.antlr.v4.runtime.ANTLRErrorStrategy;
 import org.antlr.v4.runtime.BailErrorStrategy;
 import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.ParserRuleContext;
@@ -49,8 +50,7 @@ record Reading(
         if (findings.isEmpty()) {
             root = parseFast(file, tokens);
             if (root == null) {
-                // It rejects every text with a syntax error, and might reject a good one.
-                root = SyntaxErrors.parse(file, tokens, findings);
+                root = parseSlow(file, tokens, findings);
             }
         }
         return new Reading(file, tokens, comments(file, tokens), root, findings);
@@ -72,19 +72,39 @@ record Reading(
                                 token.getText()));
             }
         }
-        return comments;
+        return List.copyOf(comments);
     }
 
     /** Null where the fast mode finds no tree. */
     private static ParserRuleContext parseFast(SourceFile file, CommonTokenStream tokens) {
-        ArcomatParser parser = new ArcomatParser(tokens);
-        parser.removeErrorListeners();
-        parser.setErrorHandler(new BailErrorStrategy());
-        parser.getInterpreter().setPredictionMode(PredictionMode.SLL);
         try {
-            return Language.of(file).enter(parser);
+            return parse(file, tokens, new BailErrorStrategy(), PredictionMode.SLL);
         } catch (ParseCancellationException e) {
             return null;
         }
+    }
+
+    /**
+     * Finds the syntax errors in a text that the fast mode rejected, which might be a good one.
+     *
+     * @param findings gets what is wrong, in text order
+     * @return the parse tree; where something is wrong, with gaps
+     */
+    private static ParserRuleContext parseSlow(
+            SourceFile file, CommonTokenStream tokens, List<Diagnostic> findings) {
+        tokens.seek(0);
+        return parse(file, tokens, new Recovery(file, findings), PredictionMode.LL);
+    }
+
+    private static ParserRuleContext parse(
+            SourceFile file,
+            CommonTokenStream tokens,
+            ANTLRErrorStrategy strategy,
+            PredictionMode mode) {
+        ArcomatParser parser = new ArcomatParser(tokens);
+        parser.removeErrorListeners();
+        parser.setErrorHandler(strategy);
+        parser.getInterpreter().setPredictionMode(mode);
+        return Language.of(file).enter(parser);
     }
 }

@@ -16,6 +16,7 @@ import org.antlr.v4.runtime.atn.ATNState;
 import org.antlr.v4.runtime.misc.IntervalSet;
 
 import java.util.List;
+import java.util.Set;
 
 /**
  * Reports one error per element and goes on behind it. An element is what stands in the braces of a
@@ -24,6 +25,42 @@ import java.util.List;
  */
 final class Recovery extends DefaultErrorStrategy {
     private static final int MOST_FINDINGS = 50;
+
+    /** Contexts that are followed by a sibling or by the brace that closes their parent. */
+    private static final Set<Integer> ELEMENTS =
+            Set.of(
+                    ArcomatParser.RULE_packageDeclaration,
+                    ArcomatParser.RULE_importDeclaration,
+                    ArcomatParser.RULE_element,
+                    ArcomatParser.RULE_automatonElement,
+                    ArcomatParser.RULE_row,
+                    ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_suiteMember,
+                    ArcomatParser.RULE_testPart,
+                    ArcomatParser.RULE_portStream,
+                    ArcomatParser.RULE_eventStream);
+
+    /** Elements that may have a body. */
+    private static final Set<Integer> WITH_BODY =
+            Set.of(
+                    ArcomatParser.RULE_element,
+                    ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_suiteMember,
+                    ArcomatParser.RULE_testPart);
+
+    /** Contexts whose braces hold elements. */
+    private static final Set<Integer> BODIES =
+            Set.of(
+                    ArcomatParser.RULE_component,
+                    ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_implementation,
+                    ArcomatParser.RULE_ioTable,
+                    ArcomatParser.RULE_classDiagram,
+                    ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_testSuite,
+                    ArcomatParser.RULE_suiteMember,
+                    ArcomatParser.RULE_testPart);
 
     private final SourceFile file;
     private final List<Diagnostic> findings;
@@ -56,7 +93,8 @@ final class Recovery extends DefaultErrorStrategy {
             return;
         }
         InputMismatchException error = new InputMismatchException(parser);
-        if (!isBody(parser.getContext()) || !next.contains(ArcomatLexer.CLOSE_BRACE)) {
+        if (!BODIES.contains(parser.getContext().getRuleIndex())
+                || !next.contains(ArcomatLexer.CLOSE_BRACE)) {
             throw error;
         }
         reportError(parser, error);
@@ -108,7 +146,10 @@ final class Recovery extends DefaultErrorStrategy {
             if (onlySemicolonMissing) {
                 skipTo(parser, error.getOffendingToken().getTokenIndex());
             } else {
-                skip(parser, context.start.getTokenIndex(), mayHaveBody(context));
+                skip(
+                        parser,
+                        context.start.getTokenIndex(),
+                        WITH_BODY.contains(context.getRuleIndex()));
             }
             endErrorCondition(parser);
         } else if (context.getParent() != null) {
@@ -130,50 +171,7 @@ final class Recovery extends DefaultErrorStrategy {
         }
     }
 
-    /** Contexts that are followed by a sibling or by the brace that closes their parent. */
     static boolean isElement(ParserRuleContext context) {
-        return switch (context.getRuleIndex()) {
-            case ArcomatParser.RULE_packageDeclaration,
-                    ArcomatParser.RULE_importDeclaration,
-                    ArcomatParser.RULE_element,
-                    ArcomatParser.RULE_automatonElement,
-                    ArcomatParser.RULE_row,
-                    ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
-                    ArcomatParser.RULE_suiteMember,
-                    ArcomatParser.RULE_testPart,
-                    ArcomatParser.RULE_portStream,
-                    ArcomatParser.RULE_eventStream ->
-                    true;
-            default -> false;
-        };
-    }
-
-    private static boolean mayHaveBody(ParserRuleContext context) {
-        return switch (context.getRuleIndex()) {
-            case ArcomatParser.RULE_element,
-                    ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_suiteMember,
-                    ArcomatParser.RULE_testPart ->
-                    true;
-            default -> false;
-        };
-    }
-
-    /** Contexts whose braces hold elements. */
-    private static boolean isBody(ParserRuleContext context) {
-        return switch (context.getRuleIndex()) {
-            case ArcomatParser.RULE_component,
-                    ArcomatParser.RULE_automaton,
-                    ArcomatParser.RULE_implementation,
-                    ArcomatParser.RULE_ioTable,
-                    ArcomatParser.RULE_classDiagram,
-                    ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_testSuite,
-                    ArcomatParser.RULE_suiteMember,
-                    ArcomatParser.RULE_testPart ->
-                    true;
-            default -> false;
-        };
+        return ELEMENTS.contains(context.getRuleIndex());
     }
 }

@@ -36,7 +36,7 @@ final class SyntaxErrorMessage {
 
     Diagnostic finding() {
         if (isDefinitionMissing()) {
-            return FileErrors.nothingDefined(file, found.getStartIndex());
+            return Language.of(file).nothingDefined(file, found.getStartIndex());
         }
         if (isSemicolonMissing(parser, error)) {
             return semicolonMissing();

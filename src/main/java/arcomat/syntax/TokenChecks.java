@@ -44,7 +44,7 @@ record TokenChecks(List<Diagnostic> findings, int depth) {
             }
         }
         if (empty) {
-            findings.add(FileErrors.nothingDefined(file, 0));
+            findings.add(Language.of(file).nothingDefined(file, 0));
         }
         return findings;
     }

@@ -10,11 +10,7 @@ public sealed interface AutomatonElement extends Node {
 
     /** {@code variable Integer a = 1, b;}; input and output occur in bare automata only. */
     record Declaration(Span span, Kind kind, TypeReference type, List<Variable> variables)
-            implements AutomatonElement {
-        public Declaration {
-            variables = List.copyOf(variables);
-        }
-    }
+            implements AutomatonElement {}
 
     enum Kind {
         VARIABLE,
@@ -22,24 +18,12 @@ public sealed interface AutomatonElement extends Node {
         OUTPUT
     }
 
-    record States(Span span, List<State> states) implements AutomatonElement {
-        public States {
-            states = List.copyOf(states);
-        }
-    }
+    record States(Span span, List<State> states) implements AutomatonElement {}
 
-    record State(Span span, List<Stereotype> stereotypes, Name name) implements Node {
-        public State {
-            stereotypes = List.copyOf(stereotypes);
-        }
-    }
+    record State(Span span, List<Stereotype> stereotypes, Name name) implements Node {}
 
     record Initial(Span span, List<Name> states, Optional<Block> output)
-            implements AutomatonElement {
-        public Initial {
-            states = List.copyOf(states);
-        }
-    }
+            implements AutomatonElement {}
 
     /** Without a target the transition is a loop. */
     record Transition(

@@ -14,9 +14,5 @@ public sealed interface Behaviour extends Element
      * read as one automaton without a name of its own.
      */
     record Implementation(Span span, Optional<Name> name, List<Automaton> automata)
-            implements Behaviour {
-        public Implementation {
-            automata = List.copyOf(automata);
-        }
-    }
+            implements Behaviour {}
 }

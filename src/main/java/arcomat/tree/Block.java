@@ -7,10 +7,6 @@ import java.util.Optional;
 
 /** {@code {..}}: what a transition reads or writes. */
 public record Block(Span span, List<Item> items) implements Node {
-    public Block {
-        items = List.copyOf(items);
-    }
-
     public sealed interface Item extends Node {}
 
     /** {@code name = value}; the name may be left out. */
@@ -49,10 +45,6 @@ public record Block(Span span, List<Item> items) implements Node {
 
     /** {@code alt {a, b}}: one of them. */
     public record Alternatives(Span span, List<Value> values) implements Value {
-        public Alternatives {
-            values = List.copyOf(values);
-        }
-
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.alternatives(this);
@@ -61,10 +53,6 @@ public record Block(Span span, List<Item> items) implements Node {
 
     /** {@code [a, b]}: one after the other. */
     public record Sequence(Span span, List<Expression> messages) implements Value {
-        public Sequence {
-            messages = List.copyOf(messages);
-        }
-
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.sequence(this);

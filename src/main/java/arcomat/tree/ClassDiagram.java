@@ -4,11 +4,17 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /** A UML/P class diagram that defines message types. */
 public record ClassDiagram(Span span, Name name, List<TypeDefinition> types) implements Definition {
-    public ClassDiagram {
-        types = List.copyOf(types);
+    @Override
+    public <R> R match(
+            Function<Component, R> component,
+            Function<Automaton, R> automaton,
+            Function<ClassDiagram, R> diagram,
+            Function<TestSuite, R> suite) {
+        return diagram.apply(this);
     }
 
     public sealed interface TypeDefinition extends Node {
@@ -16,19 +22,11 @@ public record ClassDiagram(Span span, Name name, List<TypeDefinition> types) imp
     }
 
     public record EnumDefinition(Span span, Name name, List<Name> constants)
-            implements TypeDefinition {
-        public EnumDefinition {
-            constants = List.copyOf(constants);
-        }
-    }
+            implements TypeDefinition {}
 
     public record ClassDefinition(
             Span span, Name name, Optional<TypeReference> superClass, List<Attribute> attributes)
-            implements TypeDefinition {
-        public ClassDefinition {
-            attributes = List.copyOf(attributes);
-        }
-    }
+            implements TypeDefinition {}
 
     public record Attribute(Span span, TypeReference type, Name name) implements Node {}
 }

@@ -4,6 +4,7 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * A component type, top-level or inner.
@@ -23,24 +24,21 @@ public record Component(
         Optional<NamedInstance> instance,
         List<Element> elements)
         implements Definition, Element {
-    public Component {
-        stereotypes = List.copyOf(stereotypes);
-        typeParameters = List.copyOf(typeParameters);
-        parameters = List.copyOf(parameters);
-        refines = List.copyOf(refines);
-        elements = List.copyOf(elements);
-    }
-
     /** {@code a<Integer>} behind the name of a component. */
     public record NamedInstance(Span span, Name name, List<TypeArgument> arguments)
-            implements Node {
-        public NamedInstance {
-            arguments = List.copyOf(arguments);
-        }
-    }
+            implements Node {}
 
     /** The elements of one kind, in text order. */
     public <E extends Element> List<E> elements(Class<E> kind) {
         return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
+    }
+
+    @Override
+    public <R> R match(
+            Function<Component, R> component,
+            Function<Automaton, R> automaton,
+            Function<ClassDiagram, R> diagram,
+            Function<TestSuite, R> suite) {
+        return component.apply(this);
     }
 }

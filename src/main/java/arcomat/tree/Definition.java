@@ -1,5 +1,14 @@
 package arcomat.tree;
 
+import java.util.function.Function;
+
 /** What a file is about. */
 public sealed interface Definition extends Node
-        permits Component, Automaton, ClassDiagram, TestSuite {}
+        permits Component, Automaton, ClassDiagram, TestSuite {
+    /** Takes the sum apart: one answer for each form. */
+    <R> R match(
+            Function<Component, R> component,
+            Function<Automaton, R> automaton,
+            Function<ClassDiagram, R> diagram,
+            Function<TestSuite, R> suite);
+}

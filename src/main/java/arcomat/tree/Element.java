@@ -20,12 +20,7 @@ public sealed interface Element extends Node
                 Element.JavaPart {
 
     /** {@code port in A a, out B b;}. */
-    record Ports(Span span, List<Stereotype> stereotypes, List<Port> ports) implements Element {
-        public Ports {
-            stereotypes = List.copyOf(stereotypes);
-            ports = List.copyOf(ports);
-        }
-    }
+    record Ports(Span span, List<Stereotype> stereotypes, List<Port> ports) implements Element {}
 
     /**
      * One declaration of a port list. It may name several ports, or none: then the port is named
@@ -37,12 +32,7 @@ public sealed interface Element extends Node
             Direction direction,
             TypeReference type,
             List<Name> names)
-            implements Node {
-        public Port {
-            stereotypes = List.copyOf(stereotypes);
-            names = List.copyOf(names);
-        }
-    }
+            implements Node {}
 
     enum Direction {
         IN,
@@ -58,19 +48,9 @@ public sealed interface Element extends Node
             TypeReference type,
             List<Expression> arguments,
             List<Instance> instances)
-            implements Element {
-        public Subcomponent {
-            stereotypes = List.copyOf(stereotypes);
-            arguments = List.copyOf(arguments);
-            instances = List.copyOf(instances);
-        }
-    }
+            implements Element {}
 
-    record Instance(Span span, Name name, List<SimpleConnector> connectors) implements Node {
-        public Instance {
-            connectors = List.copyOf(connectors);
-        }
-    }
+    record Instance(Span span, Name name, List<SimpleConnector> connectors) implements Node {}
 
     /**
      * {@code a -> b.c} inside the brackets of an instance; the source is a port of the instance.
@@ -80,30 +60,16 @@ public sealed interface Element extends Node
             List<Stereotype> stereotypes,
             QualifiedName source,
             List<QualifiedName> targets)
-            implements Node {
-        public SimpleConnector {
-            stereotypes = List.copyOf(stereotypes);
-            targets = List.copyOf(targets);
-        }
-    }
+            implements Node {}
 
     record Connector(
             Span span,
             List<Stereotype> stereotypes,
             QualifiedName source,
             List<QualifiedName> targets)
-            implements Element {
-        public Connector {
-            stereotypes = List.copyOf(stereotypes);
-            targets = List.copyOf(targets);
-        }
-    }
+            implements Element {}
 
-    record Timing(Span span, List<Stereotype> stereotypes, TimingKind kind) implements Element {
-        public Timing {
-            stereotypes = List.copyOf(stereotypes);
-        }
-    }
+    record Timing(Span span, List<Stereotype> stereotypes, TimingKind kind) implements Element {}
 
     /** The five words of the language; what they mean is decided in the room of symbols. */
     enum TimingKind {
@@ -115,11 +81,7 @@ public sealed interface Element extends Node
     }
 
     record Autoconnect(Span span, List<Stereotype> stereotypes, AutoconnectKind kind)
-            implements Element {
-        public Autoconnect {
-            stereotypes = List.copyOf(stereotypes);
-        }
-    }
+            implements Element {}
 
     enum AutoconnectKind {
         TYPE,
@@ -127,11 +89,8 @@ public sealed interface Element extends Node
         OFF
     }
 
-    record Autoinstantiate(Span span, List<Stereotype> stereotypes, boolean on) implements Element {
-        public Autoinstantiate {
-            stereotypes = List.copyOf(stereotypes);
-        }
-    }
+    record Autoinstantiate(Span span, List<Stereotype> stereotypes, boolean on)
+            implements Element {}
 
     /**
      * A condition that always holds, in words of some language.
@@ -143,11 +102,7 @@ public sealed interface Element extends Node
             Span span, Optional<Name> kind, Name name, String text, Optional<Expression> condition)
             implements Element {}
 
-    record Variables(Span span, TypeReference type, List<Variable> variables) implements Element {
-        public Variables {
-            variables = List.copyOf(variables);
-        }
-    }
+    record Variables(Span span, TypeReference type, List<Variable> variables) implements Element {}
 
     /** {@code compute {..}} or {@code init {..}} of 2017 models: Java, kept and reported. */
     record JavaPart(Span span, String keyword, Optional<Name> name, String text)

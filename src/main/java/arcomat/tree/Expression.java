@@ -118,10 +118,6 @@ public sealed interface Expression extends Node {
 
     /** {@code a isin {b, c}}. */
     record Membership(Span span, Expression element, List<Expression> set) implements Expression {
-        public Membership {
-            set = List.copyOf(set);
-        }
-
         @Override
         public List<Expression> operands() {
             return concatenated(Optional.of(element), set);
@@ -173,10 +169,6 @@ public sealed interface Expression extends Node {
     /** {@code f(a)} or {@code x.f(a)}: parsed to be reported as unsupported. */
     record Call(Span span, Optional<Expression> target, Name name, List<Expression> arguments)
             implements Expression {
-        public Call {
-            arguments = List.copyOf(arguments);
-        }
-
         @Override
         public List<Expression> operands() {
             return concatenated(target, arguments);

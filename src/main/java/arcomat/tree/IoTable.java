@@ -12,19 +12,7 @@ public record IoTable(
         List<Name> outputs,
         List<Row> rows)
         implements Behaviour {
-    public IoTable {
-        stereotypes = List.copyOf(stereotypes);
-        inputs = List.copyOf(inputs);
-        outputs = List.copyOf(outputs);
-        rows = List.copyOf(rows);
-    }
-
     /** {@code | a | b | => | c |;}. */
     public record Row(Span span, List<Block.Value> inputs, List<Block.Value> outputs)
-            implements Node {
-        public Row {
-            inputs = List.copyOf(inputs);
-            outputs = List.copyOf(outputs);
-        }
-    }
+            implements Node {}
 }

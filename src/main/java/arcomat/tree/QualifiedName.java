@@ -6,10 +6,6 @@ import java.util.List;
 
 /** Names joined by dots, at least one. */
 public record QualifiedName(Span span, List<Name> parts) implements Node {
-    public QualifiedName {
-        parts = List.copyOf(parts);
-    }
-
     /** The names joined by dots. */
     public String text() {
         if (parts.size() == 1) {

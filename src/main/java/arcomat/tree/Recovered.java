@@ -10,8 +10,4 @@ import java.util.List;
  * @param unit without the elements that have an error
  * @param gaps the texts that were left out, in no order
  */
-public record Recovered(Unit unit, List<Span> gaps) {
-    public Recovered {
-        gaps = List.copyOf(gaps);
-    }
-}
+public record Recovered(Unit unit, List<Span> gaps) {}

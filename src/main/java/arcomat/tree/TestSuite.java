@@ -3,6 +3,7 @@ package arcomat.tree;
 import arcomat.source.Span;
 
 import java.util.List;
+import java.util.function.Function;
 
 /** {@code testsuite Name for Component(args) {..}}. */
 public record TestSuite(
@@ -12,37 +13,29 @@ public record TestSuite(
         List<Expression> arguments,
         List<Member> members)
         implements Definition {
-    public TestSuite {
-        arguments = List.copyOf(arguments);
-        members = List.copyOf(members);
+    @Override
+    public <R> R match(
+            Function<Component, R> component,
+            Function<Automaton, R> automaton,
+            Function<ClassDiagram, R> diagram,
+            Function<TestSuite, R> suite) {
+        return suite.apply(this);
     }
 
     public sealed interface Member extends Node {}
 
     public record Test(Span span, Name name, List<Streams> streams, List<Before> before)
-            implements Member {
-        public Test {
-            streams = List.copyOf(streams);
-            before = List.copyOf(before);
-        }
-    }
+            implements Member {}
 
     /** A field of 2012 suites: kept, reported. */
-    public record Field(Span span, TypeReference type, List<Variable> variables) implements Member {
-        public Field {
-            variables = List.copyOf(variables);
-        }
-    }
+    public record Field(Span span, TypeReference type, List<Variable> variables)
+            implements Member {}
 
     /** {@code @Before {..}} of 2012 suites: kept, reported. */
     public record Before(Span span, Name name, String text) implements Member {}
 
     /** One {@code input}, {@code expect} or {@code events} block. */
-    public record Streams(Span span, Kind kind, List<PortStream> streams) implements Node {
-        public Streams {
-            streams = List.copyOf(streams);
-        }
-    }
+    public record Streams(Span span, Kind kind, List<PortStream> streams) implements Node {}
 
     public enum Kind {
         INPUT,
@@ -51,24 +44,38 @@ public record TestSuite(
     }
 
     public record PortStream(Span span, QualifiedName port, List<StreamElement> elements)
-            implements Node {
-        public PortStream {
-            elements = List.copyOf(elements);
+            implements Node {}
+
+    public sealed interface StreamElement extends Node {
+        /** Takes the sum apart: one answer for each form. */
+        <R> R match(
+                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat);
+    }
+
+    /** {@code Tk}: the end of a time slice. */
+    public record Tick(Span span) implements StreamElement {
+        @Override
+        public <R> R match(
+                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {
+            return tick.apply(this);
         }
     }
 
-    public sealed interface StreamElement extends Node {}
-
-    /** {@code Tk}: the end of a time slice. */
-    public record Tick(Span span) implements StreamElement {}
-
-    public record Message(Span span, Expression expression) implements StreamElement {}
+    public record Message(Span span, Expression expression) implements StreamElement {
+        @Override
+        public <R> R match(
+                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {
+            return message.apply(this);
+        }
+    }
 
     /** {@code n*x} and {@code n*(x, y)}. */
     public record Repeat(Span span, int count, List<StreamElement> elements)
             implements StreamElement {
-        public Repeat {
-            elements = List.copyOf(elements);
+        @Override
+        public <R> R match(
+                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {
+            return repeat.apply(this);
         }
     }
 }

@@ -17,10 +17,6 @@ public record TypeReference(
         Optional<Range> range,
         int dimensions)
         implements Node {
-    public TypeReference {
-        arguments = List.copyOf(arguments);
-    }
-
     /** {@code [low .. high]} on an integer type, both ends included. */
     public record Range(Span span, Expression low, Expression high) implements Node {}
 }

@@ -18,11 +18,6 @@ public record Unit(
         Definition definition,
         List<Comment> comments)
         implements Node {
-    public Unit {
-        imports = List.copyOf(imports);
-        comments = List.copyOf(comments);
-    }
-
     public SourceFile file() {
         return span.file();
     }

@@ -1,6 +1,9 @@
 package arcomat.symbols.bodies;
 
 import arcomat.source.Span;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.ConnectorSymbol.Origin;
+import arcomat.symbols.bodies.ConnectorSymbol.Status;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.TypeRules;
 import arcomat.symbols.names.TypeSymbol;
@@ -14,6 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.Predicate;
 
 /**
  * The connections that {@code autoconnect} makes: between an unused sender and an unused receiver
@@ -23,8 +27,8 @@ import java.util.function.Function;
 final class Autoconnection {
     private final ComponentSymbol component;
     private final Element.Autoconnect statement;
-    private final List<ConnectorSymbol.End> senders = new ArrayList<>();
-    private final List<ConnectorSymbol.End> receivers = new ArrayList<>();
+    private final List<End> senders = new ArrayList<>();
+    private final List<End> receivers = new ArrayList<>();
 
     private Autoconnection(ComponentSymbol component, Element.Autoconnect statement) {
         this.component = component;
@@ -66,13 +70,7 @@ final class Autoconnection {
 
     private void addUnused(Optional<InstanceSymbol> instance, PortSymbol port, Set<String> used) {
         String text = instance.map(i -> i.name() + "." + port.name()).orElse(port.name());
-        ConnectorSymbol.End end =
-                new ConnectorSymbol.End(
-                        statement.span(),
-                        text,
-                        ConnectorSymbol.Status.RESOLVED,
-                        instance,
-                        Optional.of(port));
+        End end = new End(statement.span(), text, Status.RESOLVED, instance, Optional.of(port));
         if (!used.contains(end.key())) {
             (end.isSender() ? senders : receivers).add(end);
         }
@@ -80,14 +78,14 @@ final class Autoconnection {
 
     private List<ConnectorSymbol> connect() {
         boolean byName = statement.kind() == Element.AutoconnectKind.PORT;
-        Function<ConnectorSymbol.End, Object> key =
+        Function<End, Object> key =
                 byName ? e -> e.port().get().name() : e -> e.port().get().type().base();
-        Map<Object, List<ConnectorSymbol.End>> sendersByKey = group(senders, key);
-        Map<Object, List<ConnectorSymbol.End>> receiversByKey = group(receivers, key);
+        Map<Object, List<End>> sendersByKey = group(senders, key);
+        Map<Object, List<End>> receiversByKey = group(receivers, key);
         List<ConnectorSymbol> made = new ArrayList<>();
-        for (ConnectorSymbol.End receiver : receivers) {
+        for (End receiver : receivers) {
             Object group = key.apply(receiver);
-            Optional<ConnectorSymbol.End> sender =
+            Optional<End> sender =
                     only(sendersByKey.getOrDefault(group, List.of()), s -> matches(s, receiver));
             if (sender.isPresent()
                     && only(receiversByKey.get(group), r -> matches(sender.get(), r)).isPresent()) {
@@ -97,15 +95,14 @@ final class Autoconnection {
         return made;
     }
 
-    private static Map<Object, List<ConnectorSymbol.End>> group(
-            List<ConnectorSymbol.End> ends, Function<ConnectorSymbol.End, Object> key) {
-        Map<Object, List<ConnectorSymbol.End>> groups = new HashMap<>();
+    private static Map<Object, List<End>> group(List<End> ends, Function<End, Object> key) {
+        Map<Object, List<End>> groups = new HashMap<>();
         ends.forEach(
                 end -> groups.computeIfAbsent(key.apply(end), k -> new ArrayList<>()).add(end));
         return groups;
     }
 
-    private static boolean matches(ConnectorSymbol.End sender, ConnectorSymbol.End receiver) {
+    private static boolean matches(End sender, End receiver) {
         TypeSymbol from = sender.port().get().type();
         TypeSymbol to = receiver.port().get().type();
         return !sender.instance().equals(receiver.instance())
@@ -115,22 +112,14 @@ final class Autoconnection {
     }
 
     /** The only match; stops at the second one, so that large groups cost little. */
-    private static Optional<ConnectorSymbol.End> only(
-            List<ConnectorSymbol.End> ends,
-            java.util.function.Predicate<ConnectorSymbol.End> matches) {
-        List<ConnectorSymbol.End> two = ends.stream().filter(matches).limit(2).toList();
+    private static Optional<End> only(List<End> ends, Predicate<End> matches) {
+        List<End> two = ends.stream().filter(matches).limit(2).toList();
         return two.size() == 1 ? Optional.of(two.get(0)) : Optional.empty();
     }
 
-    private ConnectorSymbol connector(ConnectorSymbol.End source, ConnectorSymbol.End target) {
+    private ConnectorSymbol connector(End source, End target) {
         Span span = statement.span();
         return new ConnectorSymbol(
-                component,
-                ConnectorSymbol.Origin.AUTOMATIC,
-                statement,
-                span,
-                List.of(),
-                source,
-                target);
+                component, Origin.AUTOMATIC, statement, span, List.of(), source, target);
     }
 }

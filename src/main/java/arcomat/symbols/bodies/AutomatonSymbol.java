@@ -1,15 +1,22 @@
 package arcomat.symbols.bodies;
 
+import arcomat.symbols.bodies.ItemSymbol.Side;
+import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueScope;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.Lazy;
+import arcomat.symbols.names.Resolution;
+import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.signatures.Timing;
 import arcomat.tree.Automaton;
 import arcomat.tree.AutomatonElement;
+import arcomat.tree.Element;
 import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 import arcomat.tree.Unit;
+import arcomat.tree.Variable;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -22,7 +29,9 @@ public final class AutomatonSymbol {
     private final Automaton node;
     private final UnitScope unitScope;
     private final Optional<ComponentSymbol> component;
-    private final AutomatonDeclarations declarations;
+    private final ValueScope constants;
+    private final Lazy<List<PortSymbol>> declaredPorts = new Lazy<>(this::makePorts);
+    private final Lazy<List<VariableSymbol>> variables = new Lazy<>(this::makeVariables);
     private final Lazy<Map<String, StateSymbol>> statesByName = new Lazy<>(this::firstByName);
     private final Lazy<ItemScope> itemScope = new Lazy<>(this::makeItemScope);
     private final Lazy<List<StateSymbol>> states = new Lazy<>(this::makeStates);
@@ -34,11 +43,10 @@ public final class AutomatonSymbol {
         this.node = node;
         this.unitScope = unitScope;
         this.component = component;
-        ValueScope constants =
+        this.constants =
                 component
                         .map(ComponentSymbol::constantScope)
                         .orElseGet(() -> ValueScope.empty(unitScope, unitScope::type));
-        this.declarations = new AutomatonDeclarations(node, constants);
     }
 
     static AutomatonSymbol embedded(Automaton node, ComponentSymbol component) {
@@ -83,12 +91,53 @@ public final class AutomatonSymbol {
 
     /** Inputs and outputs that the automaton itself declares: right in bare automata only. */
     public List<PortSymbol> declaredPorts() {
-        return declarations.ports();
+        return declaredPorts.get();
     }
 
     /** Variables of the automaton itself. */
     public List<VariableSymbol> variables() {
-        return declarations.variables();
+        return variables.get();
+    }
+
+    private List<PortSymbol> makePorts() {
+        List<PortSymbol> all = new ArrayList<>();
+        for (var declaration : node.elements(AutomatonElement.Declaration.class)) {
+            if (declaration.kind() != AutomatonElement.Kind.VARIABLE) {
+                declaration.variables().forEach(v -> all.add(port(declaration, v)));
+            }
+        }
+        return List.copyOf(all);
+    }
+
+    private PortSymbol port(AutomatonElement.Declaration declaration, Variable variable) {
+        boolean input = declaration.kind() == AutomatonElement.Kind.INPUT;
+        return new PortSymbol(
+                variable.name().text(),
+                variable.name().span(),
+                false,
+                input ? Element.Direction.IN : Element.Direction.OUT,
+                declaration.type(),
+                constants.type(declaration.type()),
+                List.of(),
+                Timing.DEFAULT.delay());
+    }
+
+    private List<VariableSymbol> makeVariables() {
+        List<VariableSymbol> all = new ArrayList<>();
+        for (var declaration : node.elements(AutomatonElement.Declaration.class)) {
+            if (declaration.kind() == AutomatonElement.Kind.VARIABLE) {
+                Resolution<TypeSymbol> type = constants.type(declaration.type());
+                for (Variable variable : declaration.variables()) {
+                    all.add(
+                            new VariableSymbol(
+                                    VariableSymbol.Kind.AUTOMATON,
+                                    variable,
+                                    type,
+                                    ExpressionTyping.at(constants)));
+                }
+            }
+        }
+        return List.copyOf(all);
     }
 
     /** What guards and item values may name: ports, variables, constants, parameters. */
@@ -99,7 +148,7 @@ public final class AutomatonSymbol {
     /** A variable that is wrongly named like a port does not hide it: others rely on the port. */
     private ItemScope makeItemScope() {
         List<PortSymbol> ports = ports();
-        ValueScope values = declarations.constants().with(variables()).with(ports);
+        ValueScope values = constants.with(variables()).with(ports);
         return new ItemScope(ports, variables(), values);
     }
 
@@ -144,7 +193,7 @@ public final class AutomatonSymbol {
         for (AutomatonElement.Initial initial : node.elements(AutomatonElement.Initial.class)) {
             List<ItemSymbol> items =
                     initial.output()
-                            .map(b -> itemScope.get().items(b, ItemSymbol.Side.INITIAL))
+                            .map(b -> itemScope.get().items(b, Side.INITIAL))
                             .orElse(List.of());
             for (Name state : initial.states()) {
                 all.add(new InitialSymbol(initial, state, state(state.text()), items));

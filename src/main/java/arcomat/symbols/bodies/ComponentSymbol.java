@@ -22,6 +22,7 @@ import arcomat.tree.Unit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * A component type, top-level or inner, with what stands in its body: parts, connectors, automata
@@ -30,7 +31,7 @@ import java.util.Optional;
  */
 public final class ComponentSymbol {
     private final Signature signature;
-    private final ComponentSymbols components;
+    private final Function<Signature, ComponentSymbol> components;
     private final Lazy<List<AutomatonSymbol>> ownAutomata = new Lazy<>(this::makeAutomata);
     private final Lazy<List<TableSymbol>> ownTables = new Lazy<>(this::makeTables);
     private final Lazy<List<ComponentSymbol>> lineage = new Lazy<>(this::makeLineage);
@@ -44,7 +45,7 @@ public final class ComponentSymbol {
     /**
      * @param components all of them, this one included
      */
-    ComponentSymbol(Signature signature, ComponentSymbols components) {
+    public ComponentSymbol(Signature signature, Function<Signature, ComponentSymbol> components) {
         this.signature = signature;
         this.components = components;
     }
@@ -76,8 +77,8 @@ public final class ComponentSymbol {
         return signature;
     }
 
-    ComponentSymbols components() {
-        return components;
+    ComponentSymbol of(Signature other) {
+        return components.apply(other);
     }
 
     public Component node() {
@@ -107,11 +108,11 @@ public final class ComponentSymbol {
     }
 
     public Optional<ComponentSymbol> enclosing() {
-        return signature.enclosing().map(components::of);
+        return signature.enclosing().map(components);
     }
 
     public List<ComponentSymbol> innerComponents() {
-        return signature.innerComponents().stream().map(components::of).toList();
+        return signature.innerComponents().stream().map(components).toList();
     }
 
     public List<Stereotype> stereotypes() {
@@ -129,7 +130,7 @@ public final class ComponentSymbol {
     }
 
     private List<ComponentSymbol> makeLineage() {
-        return signature.lineage().stream().map(components::of).toList();
+        return signature.lineage().stream().map(components).toList();
     }
 
     // ---- members --------------------------------------------------------------------------
@@ -260,7 +261,7 @@ public final class ComponentSymbol {
 
     /** A component named inside this one: inner components, also of those around, come first. */
     public Resolution<ComponentSymbol> resolveComponent(QualifiedName name) {
-        return signature.resolveComponent(name).map(components::of);
+        return signature.resolveComponent(name).map(components);
     }
 
     @Override

@@ -1,6 +1,9 @@
 package arcomat.symbols.bodies;
 
 import arcomat.source.Span;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.ConnectorSymbol.Origin;
+import arcomat.symbols.bodies.ConnectorSymbol.Status;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.signatures.Signature;
 import arcomat.tree.Element;
@@ -48,30 +51,25 @@ final class Connectors {
 
     private void addWritten(ComponentSymbol declaring) {
         for (Element.Connector node : declaring.node().elements(Element.Connector.class)) {
-            ConnectorSymbol.End source = end(node.source(), node.source().parts());
-            add(ConnectorSymbol.Origin.EXPLICIT, node, node.stereotypes(), source, node.targets());
+            End source = end(node.source(), node.source().parts());
+            add(Origin.EXPLICIT, node, node.stereotypes(), source, node.targets());
         }
         for (InstanceSymbol instance : declaring.ownInstances()) {
             for (Element.SimpleConnector node : instance.simpleConnectors()) {
                 List<Name> parts = new ArrayList<>();
                 parts.add(new Name(instance.nameSpan(), instance.name()));
                 parts.addAll(node.source().parts());
-                ConnectorSymbol.End source = end(node.source(), parts);
-                add(
-                        ConnectorSymbol.Origin.SIMPLE,
-                        node,
-                        node.stereotypes(),
-                        source,
-                        node.targets());
+                End source = end(node.source(), parts);
+                add(Origin.SIMPLE, node, node.stereotypes(), source, node.targets());
             }
         }
     }
 
     private void add(
-            ConnectorSymbol.Origin origin,
+            Origin origin,
             Node node,
             List<Stereotype> stereotypes,
-            ConnectorSymbol.End source,
+            End source,
             List<QualifiedName> targets) {
         for (QualifiedName target : targets) {
             found.add(
@@ -86,46 +84,39 @@ final class Connectors {
         }
     }
 
-    private ConnectorSymbol.End end(QualifiedName written, List<Name> parts) {
+    private End end(QualifiedName written, List<Name> parts) {
         Span span = written.span();
         if (parts.size() == 1) {
             String name = parts.get(0).text();
             Optional<PortSymbol> port = component.port(name);
-            return new ConnectorSymbol.End(
+            return new End(
                     span,
                     name,
-                    port.isPresent()
-                            ? ConnectorSymbol.Status.RESOLVED
-                            : ConnectorSymbol.Status.NO_SUCH_PORT,
+                    port.isPresent() ? Status.RESOLVED : Status.NO_SUCH_PORT,
                     port.isPresent() ? Optional.empty() : component.instance(name),
                     port);
         }
         String text = String.join(".", parts.stream().map(Name::text).toList());
         if (parts.size() > 2) {
-            return unresolved(span, text, ConnectorSymbol.Status.MALFORMED, Optional.empty());
+            return unresolved(span, text, Status.MALFORMED, Optional.empty());
         }
         return endOfInstance(span, text, parts.get(0).text(), parts.get(1).text());
     }
 
-    private ConnectorSymbol.End endOfInstance(
-            Span span, String text, String instanceName, String portName) {
+    private End endOfInstance(Span span, String text, String instanceName, String portName) {
         Optional<InstanceSymbol> instance = component.instance(instanceName);
         if (instance.isEmpty()) {
-            return unresolved(span, text, ConnectorSymbol.Status.NO_SUCH_INSTANCE, instance);
+            return unresolved(span, text, Status.NO_SUCH_INSTANCE, instance);
         }
         if (instance.get().component().isEmpty()) {
-            return unresolved(span, text, ConnectorSymbol.Status.EXCUSED, instance);
+            return unresolved(span, text, Status.EXCUSED, instance);
         }
         Optional<PortSymbol> port = instance.get().port(portName);
         if (port.isPresent()) {
-            return new ConnectorSymbol.End(
-                    span, text, ConnectorSymbol.Status.RESOLVED, instance, port);
+            return new End(span, text, Status.RESOLVED, instance, port);
         }
         boolean excused = lacksAncestor(instance.get().component().get());
-        ConnectorSymbol.Status status =
-                excused
-                        ? ConnectorSymbol.Status.EXCUSED
-                        : ConnectorSymbol.Status.NO_SUCH_PORT_OF_INSTANCE;
+        Status status = excused ? Status.EXCUSED : Status.NO_SUCH_PORT_OF_INSTANCE;
         return unresolved(span, text, status, instance);
     }
 
@@ -138,11 +129,8 @@ final class Connectors {
                 .isPresent();
     }
 
-    private static ConnectorSymbol.End unresolved(
-            Span span,
-            String text,
-            ConnectorSymbol.Status status,
-            Optional<InstanceSymbol> instance) {
-        return new ConnectorSymbol.End(span, text, status, instance, Optional.empty());
+    private static End unresolved(
+            Span span, String text, Status status, Optional<InstanceSymbol> instance) {
+        return new End(span, text, status, instance, Optional.empty());
     }
 }

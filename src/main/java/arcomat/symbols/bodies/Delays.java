@@ -16,8 +16,6 @@ import java.util.concurrent.ConcurrentHashMap;
 public final class Delays {
     private final Map<ComponentSymbol, InstantGraph> graphs = new ConcurrentHashMap<>();
 
-    public Delays() {}
-
     /**
      * The cycles without delay that the connectors of a component close, through parts of parts as
      * well. Cycles that lie inside a part are answers for the component of that part.
@@ -56,7 +54,7 @@ public final class Delays {
         }
         for (ComponentSymbol part : Parts.innermostFirst(component)) {
             if (!graphs.containsKey(part)) {
-                graphs.put(part, new InstantGraph(part, this::known));
+                graphs.put(part, InstantGraph.of(part, this::known));
             }
         }
         return graphs.get(component);

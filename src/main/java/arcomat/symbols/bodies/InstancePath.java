@@ -1,5 +1,6 @@
 package arcomat.symbols.bodies;
 
+import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSubstitution;
@@ -35,9 +36,7 @@ public final class InstancePath {
             return Resolution.unknown();
         }
         TypeSubstitution seen = substitution;
-        return current.port(path.get(path.size() - 1))
-                .<Resolution<PortSymbol>>map(p -> new Resolution.Found<>(p.with(seen)))
-                .orElseGet(Resolution::unknown);
+        return Resolution.of(current.port(path.get(path.size() - 1)).map(p -> p.with(seen)));
     }
 
     /**
@@ -52,8 +51,7 @@ public final class InstancePath {
             current = current.instance(name).flatMap(InstanceSymbol::component).orElseThrow();
         }
         String key = String.join(".", path.subList(path.size() - 2, path.size()));
-        ConnectorSymbol.End source =
-                current.connectorTo(key).map(ConnectorSymbol::source).orElse(null);
+        End source = current.connectorTo(key).map(ConnectorSymbol::source).orElse(null);
         if (source == null || source.port().isEmpty()) {
             return 0;
         }

@@ -90,7 +90,7 @@ public final class InstanceSymbol {
     }
 
     public Optional<ComponentSymbol> component() {
-        return type.component().map(owner.components()::of);
+        return type.component().map(owner::of);
     }
 
     List<Element.SimpleConnector> simpleConnectors() {

@@ -1,5 +1,6 @@
 package arcomat.symbols.bodies;
 
+import arcomat.symbols.bodies.InstanceSymbol.Origin;
 import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
@@ -76,7 +77,7 @@ final class Instances {
                             owner,
                             name,
                             node.type().span(),
-                            InstanceSymbol.Origin.IMPLICIT,
+                            Origin.IMPLICIT,
                             node,
                             type,
                             node.arguments(),
@@ -88,7 +89,7 @@ final class Instances {
                             owner,
                             instance.name().text(),
                             instance.name().span(),
-                            InstanceSymbol.Origin.NAMED,
+                            Origin.NAMED,
                             node,
                             type,
                             node.arguments(),
@@ -103,7 +104,7 @@ final class Instances {
                 owner,
                 inner,
                 name,
-                InstanceSymbol.Origin.NAMED,
+                Origin.NAMED,
                 ComponentReference.resolve(owner.signature(), instance.arguments()));
     }
 
@@ -111,7 +112,7 @@ final class Instances {
             ComponentSymbol owner,
             ComponentSymbol inner,
             Name name,
-            InstanceSymbol.Origin origin,
+            Origin origin,
             List<Resolution<TypeSymbol>> arguments) {
         ComponentReference type =
                 new ComponentReference(
@@ -139,8 +140,7 @@ final class Instances {
                             && inner.parameters().isEmpty();
             if (ready && !used.contains(inner.name())) {
                 Name name = new Name(inner.nameSpan(), Names.implicit(inner.name()));
-                instances.add(
-                        ofInner(owner, inner, name, InstanceSymbol.Origin.AUTOMATIC, List.of()));
+                instances.add(ofInner(owner, inner, name, Origin.AUTOMATIC, List.of()));
             }
         }
     }

@@ -2,6 +2,7 @@ package arcomat.symbols.bodies;
 
 import arcomat.graph.Digraph;
 import arcomat.graph.ShortestCycles;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.expressions.PortSymbol;
 
 import java.util.ArrayList;
@@ -23,17 +24,22 @@ final class InstantGraph {
     private final Map<Long, ConnectorSymbol> connectors = new HashMap<>();
     private final Map<String, List<String>> paths = new LinkedHashMap<>();
 
+    private InstantGraph(ComponentSymbol component) {
+        this.component = component;
+    }
+
     /**
      * @param parts the graphs of components that occur inside
      */
-    InstantGraph(
+    static InstantGraph of(
             ComponentSymbol component, Function<ComponentSymbol, Optional<InstantGraph>> parts) {
-        this.component = component;
+        InstantGraph graph = new InstantGraph(component);
         if (component.isDecomposed()) {
-            component.connectors().forEach(this::addConnector);
-            component.instances().forEach(instance -> addInstance(instance, parts));
-            findPaths();
+            component.connectors().forEach(graph::addConnector);
+            component.instances().forEach(instance -> graph.addInstance(instance, parts));
+            graph.findPaths();
         }
+        return graph;
     }
 
     private void addConnector(ConnectorSymbol connector) {
@@ -51,7 +57,7 @@ final class InstantGraph {
         return (long) from << 32 | to;
     }
 
-    private int node(ConnectorSymbol.End end) {
+    private int node(End end) {
         return node(end.key(), end.instance());
     }
 

@@ -1,6 +1,6 @@
 package arcomat.symbols.bodies;
 
-import arcomat.symbols.expressions.Excuses;
+import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueScope;
@@ -31,7 +31,7 @@ final class ItemScope {
         return values;
     }
 
-    List<ItemSymbol> items(Block block, ItemSymbol.Side side) {
+    List<ItemSymbol> items(Block block, Side side) {
         List<ItemSymbol> items = new ArrayList<>();
         for (Block.Item item : block.items()) {
             if (item instanceof Block.Message message) {
@@ -41,15 +41,12 @@ final class ItemScope {
         return List.copyOf(items);
     }
 
-    private ItemSymbol item(Block.Message node, ItemSymbol.Side side) {
+    private ItemSymbol item(Block.Message node, Side side) {
         if (node.name().isPresent()) {
             Optional<ValueSymbol> target = values.value(node.name().get().text());
             TypeSymbol expected = target.map(ValueSymbol::type).orElse(UnknownType.UNKNOWN);
             ItemValue value = valueFor(node.value(), target.isPresent(), expected);
-            Resolution<ValueSymbol> resolution =
-                    target.<Resolution<ValueSymbol>>map(Resolution.Found::new)
-                            .orElseGet(Resolution::unknown);
-            return new ItemSymbol(node, side, resolution, value);
+            return new ItemSymbol(node, side, Resolution.of(target), value);
         }
         return unnamed(node, side);
     }
@@ -57,10 +54,10 @@ final class ItemScope {
     /** Where the name is unknown, a bare constant cannot be judged: problems would be echoes. */
     private ItemValue valueFor(Block.Value node, boolean judged, TypeSymbol expected) {
         ItemValue value = ItemValue.of(node, values, expected);
-        return judged && !expected.isErroneous() ? value : Excuses.withoutUnknownNames(value);
+        return judged && !expected.isErroneous() ? value : value.withoutUnknownNames();
     }
 
-    private ItemSymbol unnamed(Block.Message node, ItemSymbol.Side side) {
+    private ItemSymbol unnamed(Block.Message node, Side side) {
         List<ValueSymbol> exact = new ArrayList<>();
         List<ValueSymbol> wide = new ArrayList<>();
         for (ValueSymbol candidate : candidates(node.value(), side)) {
@@ -78,7 +75,7 @@ final class ItemScope {
         if (chosen.isEmpty() && hasProblemOfItsOwn(value)) {
             return new ItemSymbol(node, side, Resolution.excused(), value);
         }
-        ItemValue reported = chosen.isEmpty() ? Excuses.withoutUnknownNames(value) : value;
+        ItemValue reported = chosen.isEmpty() ? value.withoutUnknownNames() : value;
         return new ItemSymbol(node, side, resolution(chosen), reported);
     }
 
@@ -88,8 +85,8 @@ final class ItemScope {
     }
 
     /** Without a name, {@code --} and {@code ?} can only mean a port. */
-    private List<ValueSymbol> candidates(Block.Value value, ItemSymbol.Side side) {
-        boolean input = side == ItemSymbol.Side.INPUT;
+    private List<ValueSymbol> candidates(Block.Value value, Side side) {
+        boolean input = side == Side.INPUT;
         List<ValueSymbol> all = new ArrayList<>();
         ports.stream()
                 .filter(port -> port.isInput() == input && !port.type().isErroneous())
@@ -116,6 +113,6 @@ final class ItemScope {
     /** Whether the value is wrong wherever it goes: then its problem is reported, not the name. */
     private static boolean hasProblemOfItsOwn(ItemValue value) {
         return value.expressions().stream()
-                .anyMatch(e -> !e.problems().isEmpty() && !Excuses.isUnknownBareName(e));
+                .anyMatch(e -> !e.problems().isEmpty() && !e.isUnknownBareName());
     }
 }

@@ -3,6 +3,7 @@ package arcomat.symbols.bodies;
 import arcomat.tree.TestSuite;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * How long a stream is once its repetitions are written out; numbers stop at {@link #ENDLESS}.
@@ -17,23 +18,28 @@ public record StreamExtent(long ticks, long messages) {
     private static final long ENDLESS = Long.MAX_VALUE / 4;
 
     static StreamExtent of(List<TestSuite.StreamElement> elements) {
-        long ticks = 0;
-        long messages = 0;
-        for (TestSuite.StreamElement element : elements) {
-            if (element instanceof TestSuite.Tick) {
-                ticks = sum(ticks, 1);
-            } else if (element instanceof TestSuite.Message) {
-                messages = sum(messages, 1);
-            } else if (element instanceof TestSuite.Repeat repeat) {
-                StreamExtent inner = of(repeat.elements());
-                ticks = sum(ticks, product(repeat.count(), inner.ticks));
-                messages = sum(messages, product(repeat.count(), inner.messages));
-            }
-        }
-        return new StreamExtent(ticks, messages);
+        return sum(elements.stream().map(StreamExtent::of));
     }
 
-    static long sum(long a, long b) {
+    private static StreamExtent of(TestSuite.StreamElement element) {
+        return element.match(
+                tick -> new StreamExtent(1, 0),
+                message -> new StreamExtent(0, 1),
+                repeat -> of(repeat.elements()).times(repeat.count()));
+    }
+
+    private StreamExtent times(int count) {
+        return new StreamExtent(product(count, ticks), product(count, messages));
+    }
+
+    /** Of several streams together. */
+    static StreamExtent sum(Stream<StreamExtent> extents) {
+        return extents.reduce(
+                new StreamExtent(0, 0),
+                (a, b) -> new StreamExtent(sum(a.ticks, b.ticks), sum(a.messages, b.messages)));
+    }
+
+    private static long sum(long a, long b) {
         return Math.min(ENDLESS, a + b);
     }
 

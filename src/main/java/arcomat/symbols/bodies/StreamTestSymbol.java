@@ -1,6 +1,5 @@
 package arcomat.symbols.bodies;
 
-import arcomat.symbols.expressions.Excuses;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
@@ -72,11 +71,7 @@ public final class StreamTestSymbol {
      * {@link StreamExtent#LIMIT}.
      */
     public long extent() {
-        long total = 0;
-        for (StreamSymbol stream : streams()) {
-            total = StreamExtent.sum(total, stream.extent().total());
-        }
-        return total;
+        return StreamExtent.sum(streams().stream().map(StreamSymbol::extent)).total();
     }
 
     public boolean isTooLong() {
@@ -109,7 +104,7 @@ public final class StreamTestSymbol {
                 Typed typed =
                         ExpressionTyping.message(
                                 message.expression(), suite.emptyScope(), expected);
-                messages.add(expected.isErroneous() ? Excuses.withoutUnknownNames(typed) : typed);
+                messages.add(expected.isErroneous() ? typed.withoutUnknownNames() : typed);
             } else if (element instanceof TestSuite.Repeat repeat) {
                 collect(repeat.elements(), expected, messages);
             }

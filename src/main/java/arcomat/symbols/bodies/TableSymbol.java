@@ -1,6 +1,5 @@
 package arcomat.symbols.bodies;
 
-import arcomat.symbols.expressions.Excuses;
 import arcomat.symbols.expressions.ItemValue;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueScope;
@@ -96,7 +95,7 @@ public final class TableSymbol {
         for (int i = 0; i < cells.size(); i++) {
             TypeSymbol expected = i < columns.size() ? columns.get(i).type() : UnknownType.UNKNOWN;
             ItemValue value = ItemValue.of(cells.get(i), scope, expected);
-            typed.add(expected.isErroneous() ? Excuses.withoutUnknownNames(value) : value);
+            typed.add(expected.isErroneous() ? value.withoutUnknownNames() : value);
         }
         return typed;
     }

@@ -1,5 +1,6 @@
 package arcomat.symbols.bodies;
 
+import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.names.BuiltinType;
@@ -60,13 +61,13 @@ public final class TransitionSymbol {
 
     private List<ItemSymbol> inputItems() {
         return node.input()
-                .map(block -> automaton.itemScope().items(block, ItemSymbol.Side.INPUT))
+                .map(block -> automaton.itemScope().items(block, Side.INPUT))
                 .orElse(List.of());
     }
 
     private List<ItemSymbol> outputItems() {
         return node.output()
-                .map(block -> automaton.itemScope().items(block, ItemSymbol.Side.OUTPUT))
+                .map(block -> automaton.itemScope().items(block, Side.OUTPUT))
                 .orElse(List.of());
     }
 }

@@ -3,8 +3,8 @@ package arcomat.symbols.expressions;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Block;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 
 /** The right-hand side of an item, or a cell of a table, with types. */
 public sealed interface ItemValue {
@@ -13,6 +13,9 @@ public sealed interface ItemValue {
     /** The expressions in it, in text order. */
     List<Typed> expressions();
 
+    /** The same with other expressions. */
+    ItemValue map(UnaryOperator<Typed> change);
+
     record Alternatives(Block.Alternatives node, List<ItemValue> values) implements ItemValue {
         public Alternatives {
             values = List.copyOf(values);
@@ -20,9 +23,12 @@ public sealed interface ItemValue {
 
         @Override
         public List<Typed> expressions() {
-            List<Typed> all = new ArrayList<>();
-            values.forEach(value -> all.addAll(value.expressions()));
-            return all;
+            return values.stream().flatMap(value -> value.expressions().stream()).toList();
+        }
+
+        @Override
+        public ItemValue map(UnaryOperator<Typed> change) {
+            return new Alternatives(node, values.stream().map(v -> v.map(change)).toList());
         }
     }
 
@@ -30,12 +36,22 @@ public sealed interface ItemValue {
         public Sequence {
             expressions = List.copyOf(expressions);
         }
+
+        @Override
+        public ItemValue map(UnaryOperator<Typed> change) {
+            return new Sequence(node, expressions.stream().map(change).toList());
+        }
     }
 
     record Single(Block.Single node, Typed expression) implements ItemValue {
         @Override
         public List<Typed> expressions() {
             return List.of(expression);
+        }
+
+        @Override
+        public ItemValue map(UnaryOperator<Typed> change) {
+            return new Single(node, change.apply(expression));
         }
     }
 
@@ -45,25 +61,20 @@ public sealed interface ItemValue {
         public List<Typed> expressions() {
             return List.of();
         }
+
+        @Override
+        public ItemValue map(UnaryOperator<Typed> change) {
+            return this;
+        }
     }
 
     /** Types a value for a place of a type. */
     static ItemValue of(Block.Value node, ValueScope scope, TypeSymbol expected) {
-        if (node instanceof Block.Alternatives alternatives) {
-            return new Alternatives(
-                    alternatives,
-                    alternatives.values().stream().map(v -> of(v, scope, expected)).toList());
-        }
-        if (node instanceof Block.Sequence sequence) {
-            return new Sequence(
-                    sequence,
-                    sequence.messages().stream()
-                            .map(m -> ExpressionTyping.type(m, scope, expected))
-                            .toList());
-        }
-        if (node instanceof Block.Single single) {
-            return new Single(single, ExpressionTyping.type(single.expression(), scope, expected));
-        }
-        return new Mark(node);
+        return node.match(new ValueTyping(scope, expected));
+    }
+
+    /** The value without complaints about names that an expected type might have explained. */
+    default ItemValue withoutUnknownNames() {
+        return map(Typed::withoutUnknownNames);
     }
 }

@@ -1,8 +1,8 @@
 package arcomat.symbols.expressions;
 
+import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.BuiltinType;
-import arcomat.symbols.names.Literals;
-import arcomat.tree.Expression;
+import arcomat.symbols.names.LiteralValues;
 import arcomat.tree.Expression.Literal;
 
 import java.util.OptionalLong;
@@ -11,30 +11,31 @@ import java.util.OptionalLong;
 final class LiteralTyping {
     private LiteralTyping() {}
 
-    /** A literal on its own. */
-    static TypedExpression type(Literal literal, boolean negated, ProblemSink problems) {
+    /**
+     * @param negated whether it stands behind a minus
+     */
+    static TypedExpression type(Literal literal, boolean negated, Problems problems) {
         return switch (literal.kind()) {
             case BOOLEAN ->
                     new TypedExpression.Literal(
-                            literal, Literals.isTrue(literal), BuiltinType.BOOLEAN);
+                            literal, LiteralValues.isTrue(literal), BuiltinType.BOOLEAN);
             case INT -> whole(literal, BuiltinType.INTEGER, negated, problems);
             case LONG -> whole(literal, BuiltinType.LONG, negated, problems);
             case FLOAT -> real(literal, BuiltinType.FLOAT, problems);
             case DOUBLE -> real(literal, BuiltinType.DOUBLE, problems);
             case CHAR -> character(literal, problems);
             case STRING -> string(literal, problems);
-            case NULL -> nothing(literal, problems);
+            case NULL ->
+                    problems.erroneous(
+                            Kind.UNSUPPORTED_EXPRESSION,
+                            literal,
+                            "there is no null in models; write -- for no message");
         };
     }
 
-    /** A literal behind a minus: one more than the greatest number is fine there. */
-    static TypedExpression magnitude(Literal literal, ProblemSink problems) {
-        return type(literal, true, problems);
-    }
-
     private static TypedExpression whole(
-            Literal literal, BuiltinType type, boolean negated, ProblemSink problems) {
-        OptionalLong value = Literals.wholeNumber(literal, negated);
+            Literal literal, BuiltinType type, boolean negated, Problems problems) {
+        OptionalLong value = LiteralValues.wholeNumber(literal, negated);
         if (value.isEmpty() || value.getAsLong() < type.low() || value.getAsLong() > type.high()) {
             String advice = type == BuiltinType.INTEGER ? "; append L for a Long" : "";
             return wrong(
@@ -46,15 +47,15 @@ final class LiteralTyping {
         return new TypedExpression.Literal(literal, magnitude, type);
     }
 
-    private static TypedExpression real(Literal literal, BuiltinType type, ProblemSink problems) {
-        double value = Literals.realNumber(literal);
+    private static TypedExpression real(Literal literal, BuiltinType type, Problems problems) {
+        double value = LiteralValues.realNumber(literal);
         return Double.isInfinite(value)
                 ? wrong(literal, "'" + literal.text() + "' is too large for " + type, problems)
                 : new TypedExpression.Literal(literal, value, type);
     }
 
-    private static TypedExpression character(Literal literal, ProblemSink problems) {
-        return Literals.unquoted(literal)
+    private static TypedExpression character(Literal literal, Problems problems) {
+        return LiteralValues.unquoted(literal)
                 .filter(text -> text.length() == 1)
                 .<TypedExpression>map(
                         text ->
@@ -64,8 +65,8 @@ final class LiteralTyping {
                         () -> wrong(literal, literal.text() + " is not one character", problems));
     }
 
-    private static TypedExpression string(Literal literal, ProblemSink problems) {
-        return Literals.unquoted(literal)
+    private static TypedExpression string(Literal literal, Problems problems) {
+        return LiteralValues.unquoted(literal)
                 .<TypedExpression>map(
                         text -> new TypedExpression.Literal(literal, text, BuiltinType.STRING))
                 .orElseGet(
@@ -76,16 +77,7 @@ final class LiteralTyping {
                                         problems));
     }
 
-    private static TypedExpression nothing(Literal literal, ProblemSink problems) {
-        problems.report(
-                ExpressionProblem.Kind.UNSUPPORTED_EXPRESSION,
-                literal,
-                "there is no null in models; write -- for no message");
-        return new TypedExpression.Erroneous(literal, java.util.List.of());
-    }
-
-    private static TypedExpression wrong(Expression literal, String message, ProblemSink problems) {
-        problems.report(ExpressionProblem.Kind.LITERAL_OVERFLOW, literal, message);
-        return new TypedExpression.Erroneous(literal, java.util.List.of());
+    private static TypedExpression wrong(Literal literal, String message, Problems problems) {
+        return problems.erroneous(Kind.LITERAL_OVERFLOW, literal, message);
     }
 }

@@ -1,47 +1,137 @@
 package arcomat.symbols.expressions;
 
+import arcomat.symbols.expressions.ExpressionProblem.Kind;
+import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.ClassSymbol;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.names.UnknownType;
 import arcomat.tree.Expression;
+import arcomat.tree.Name;
+import arcomat.tree.QualifiedName;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
 
-/** Objects written out in stream tests: one value per attribute, inherited ones first. */
+/**
+ * What can be written in stream tests only. Objects, with one value per attribute, inherited ones
+ * first. Numbers of floating point that have no literal, {@code NaN}, {@code Infinity} and {@code
+ * -Infinity}: models compute them, if they must; stream tests have to name them.
+ */
 final class ObjectTyping {
-    private ObjectTyping() {}
+    private final UnitScope unitScope;
+    private final Problems problems;
+    private final BiFunction<Expression, TypeSymbol, TypedExpression> typing;
 
-    static TypedExpression type(
-            Expression.Call call,
-            ClassSymbol type,
-            List<TypedExpression> arguments,
-            ProblemSink problems) {
-        List<ClassSymbol.AttributeSymbol> attributes = type.attributes();
-        if (arguments.size() != attributes.size()) {
-            problems.report(
-                    ExpressionProblem.Kind.OPERAND_TYPE,
-                    call,
-                    type.text()
-                            + " has "
-                            + Texts.count(attributes.size(), "attribute")
-                            + ", but "
-                            + Texts.count(arguments.size(), "value")
-                            + (arguments.size() == 1 ? " is" : " are")
-                            + " given; write one value per attribute");
-            return new TypedExpression.Erroneous(call, arguments);
+    /**
+     * @param typing types the values of attributes
+     */
+    ObjectTyping(
+            UnitScope unitScope,
+            Problems problems,
+            BiFunction<Expression, TypeSymbol, TypedExpression> typing) {
+        this.unitScope = unitScope;
+        this.problems = problems;
+        this.typing = typing;
+    }
+
+    /** The number, where one is expected and its name is written. */
+    static Optional<TypedExpression> namedReal(Expression expression, TypeSymbol expected) {
+        if (!(expected.base() instanceof BuiltinType type) || !type.isReal()) {
+            return Optional.empty();
         }
-        for (int i = 0; i < arguments.size(); i++) {
-            ClassSymbol.AttributeSymbol attribute = attributes.get(i);
-            if (!TypeRules.isAssignable(arguments.get(i), attribute.type())) {
-                problems.report(
-                        ExpressionProblem.Kind.OPERAND_TYPE,
-                        arguments.get(i).node(),
-                        "attribute '"
-                                + attribute.name()
-                                + "' has type "
-                                + attribute.type().text()
-                                + ", not "
-                                + arguments.get(i).type().text());
+        boolean negative =
+                expression instanceof Expression.Unary unary
+                        && unary.operator() == Expression.UnaryOperator.MINUS;
+        return value(negative ? expression.operands().get(0) : expression)
+                .map(value -> negative ? -value : value)
+                .map(value -> new TypedExpression.Literal(expression, value, type));
+    }
+
+    private static Optional<Double> value(Expression expression) {
+        String name =
+                expression instanceof Expression.Reference reference ? reference.name().text() : "";
+        return switch (name) {
+            case "NaN" -> Optional.of(Double.NaN);
+            case "Infinity" -> Optional.of(Double.POSITIVE_INFINITY);
+            default -> Optional.empty();
+        };
+    }
+
+    /** The object that a call constructs; empty for the call of a method. */
+    Optional<TypedExpression> type(Expression.Call call) {
+        Optional<ClassSymbol> type = constructed(call);
+        if (type.isEmpty() && call.target().isEmpty()) {
+            return Optional.of(
+                    problems.erroneous(
+                            Kind.UNKNOWN_NAME,
+                            call,
+                            "there is no class '%s' here; import it or correct the name"
+                                    .formatted(call.name())));
+        }
+        return type.map(symbol -> object(call, symbol));
+    }
+
+    /** The class that {@code Cup(..)} or {@code p.Types.Cup(..)} constructs. */
+    private Optional<ClassSymbol> constructed(Expression.Call call) {
+        List<Name> parts = new ArrayList<>();
+        if (call.target().isPresent()) {
+            if (!(call.target().get() instanceof Expression.Reference target)) {
+                return Optional.empty();
             }
+            parts.addAll(target.name().parts());
         }
-        return new TypedExpression.NewObject(call, type, arguments);
+        parts.add(call.name());
+        return unitScope
+                .type(new QualifiedName(call.span(), List.copyOf(parts)))
+                .found()
+                .filter(ClassSymbol.class::isInstance)
+                .map(ClassSymbol.class::cast);
+    }
+
+    private TypedExpression object(Expression.Call call, ClassSymbol type) {
+        List<ClassSymbol.AttributeSymbol> attributes = type.attributes();
+        List<TypedExpression> values = new ArrayList<>();
+        for (Expression argument : call.arguments()) {
+            int i = values.size();
+            TypeSymbol expected =
+                    i < attributes.size() ? attributes.get(i).type() : UnknownType.UNKNOWN;
+            values.add(typing.apply(argument, expected));
+        }
+        if (values.size() != attributes.size()) {
+            problems.report(
+                    Kind.OPERAND_TYPE,
+                    call,
+                    "%s has %s, but %s given; write one value per attribute"
+                            .formatted(
+                                    type.text(),
+                                    count(attributes.size(), "attribute"),
+                                    count(values.size(), "value")
+                                            + (values.size() == 1 ? " is" : " are")));
+            return new TypedExpression.Erroneous(call, values);
+        }
+        for (int i = 0; i < values.size(); i++) {
+            checkValue(attributes.get(i), values.get(i));
+        }
+        return new TypedExpression.NewObject(call, type, values);
+    }
+
+    private static String count(int number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
+    }
+
+    private void checkValue(ClassSymbol.AttributeSymbol attribute, TypedExpression value) {
+        if (!TypeRules.isAssignable(value, attribute.type())) {
+            problems.report(
+                    Kind.OPERAND_TYPE,
+                    value.node(),
+                    "attribute '%s' has type %s, not %s"
+                            .formatted(
+                                    attribute.name(),
+                                    attribute.type().text(),
+                                    value.type().text()));
+        }
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.symbols.expressions;
 
+import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
@@ -7,7 +8,7 @@ import arcomat.tree.Expression;
 
 import java.util.Optional;
 
-/** What binary operators ask of their operands, and what they yield. */
+/** What operators ask of their operands, and what they yield. */
 final class OperatorTyping {
     /** The type in which the operands meet, and the type of the whole. */
     record Result(TypeSymbol operands, TypeSymbol result) {}
@@ -18,28 +19,56 @@ final class OperatorTyping {
             Expression.Binary node,
             TypedExpression left,
             TypedExpression right,
-            ProblemSink problems) {
+            Problems problems) {
         TypeSymbol a = left.type();
         TypeSymbol b = right.type();
-        boolean yieldsBoolean = yieldsBoolean(node.operator());
-        if (a.isErroneous() || b.isErroneous()) {
-            return new Result(
-                    UnknownType.UNKNOWN, yieldsBoolean ? BuiltinType.BOOLEAN : UnknownType.UNKNOWN);
+        boolean judged = !a.isErroneous() && !b.isErroneous();
+        Optional<TypeSymbol> meet = judged ? operands(node.operator(), a, b) : Optional.empty();
+        if (judged && meet.isEmpty()) {
+            problems.report(Kind.OPERAND_TYPE, node, message(node.operator(), a, b));
         }
-        Optional<TypeSymbol> operands = operands(node.operator(), a, b);
-        if (operands.isEmpty()) {
+        TypeSymbol operands = meet.orElse(UnknownType.UNKNOWN);
+        if (dividesByZero(node.operator(), right, operands)) {
             problems.report(
-                    ExpressionProblem.Kind.OPERAND_TYPE, node, message(node.operator(), a, b));
-            return new Result(
-                    UnknownType.UNKNOWN, yieldsBoolean ? BuiltinType.BOOLEAN : UnknownType.UNKNOWN);
-        }
-        if (dividesByZero(node.operator(), right, operands.get())) {
-            problems.report(
-                    ExpressionProblem.Kind.DIVISION_BY_ZERO,
+                    Kind.DIVISION_BY_ZERO,
                     node.right(),
                     "division by zero would stop the run; correct the divisor");
         }
-        return new Result(operands.get(), yieldsBoolean ? BuiltinType.BOOLEAN : operands.get());
+        return new Result(
+                operands, yieldsBoolean(node.operator()) ? BuiltinType.BOOLEAN : operands);
+    }
+
+    /** The type of the whole. */
+    static TypeSymbol type(Expression.Unary node, TypeSymbol operand, Problems problems) {
+        if (node.operator() == Expression.UnaryOperator.NOT) {
+            check(operand.isBoolean(), "a Boolean", node, operand, problems);
+            return operand.isErroneous() || operand.isBoolean()
+                    ? BuiltinType.BOOLEAN
+                    : UnknownType.UNKNOWN;
+        }
+        boolean whole = node.operator() == Expression.UnaryOperator.COMPLEMENT;
+        boolean applies = whole ? operand.isIntegral() : operand.isNumeric();
+        check(applies, whole ? "a whole number" : "a number", node, operand, problems);
+        return applies ? TypeRules.promoted(operand, operand) : UnknownType.UNKNOWN;
+    }
+
+    private static void check(
+            boolean applies,
+            String wanted,
+            Expression.Unary node,
+            TypeSymbol operand,
+            Problems problems) {
+        if (!applies && !operand.isErroneous()) {
+            problems.report(
+                    Kind.OPERAND_TYPE,
+                    node,
+                    "'%s' needs %s, but %s has type %s"
+                            .formatted(
+                                    node.operator().symbol(),
+                                    wanted,
+                                    Problems.quoted(node.operand()),
+                                    operand.text()));
+        }
     }
 
     private static boolean yieldsBoolean(Expression.BinaryOperator operator) {

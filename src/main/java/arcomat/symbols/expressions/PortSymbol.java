@@ -12,6 +12,7 @@ import arcomat.tree.TypeReference;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * A port of a component, or an input or output of a bare automaton.
@@ -86,39 +87,30 @@ public record PortSymbol(
 
     /** The same port seen through type arguments. */
     public PortSymbol with(TypeSubstitution substitution) {
-        return withType(typeResolution.map(substitution::apply));
+        return changed(name, typeResolution.map(substitution::apply), defaultDelay);
     }
 
     /** The same port as the whole sees it, {@code part.port}. */
     public PortSymbol ofPart(String part) {
-        return new PortSymbol(
-                part + "." + name,
-                nameSpan,
-                implicit,
-                direction,
-                typeNode,
-                typeResolution,
-                stereotypes,
-                defaultDelay);
-    }
-
-    private PortSymbol withType(Resolution<TypeSymbol> type) {
-        return new PortSymbol(
-                name, nameSpan, implicit, direction, typeNode, type, stereotypes, defaultDelay);
+        return changed(part + "." + name, typeResolution, defaultDelay);
     }
 
     /** The same port in a component that inherits it. */
     public PortSymbol inherited(TypeSubstitution substitution, int delayOfHeir) {
-        PortSymbol typed = with(substitution);
+        return changed(name, typeResolution.map(substitution::apply), delayOfHeir);
+    }
+
+    private PortSymbol changed(String newName, Resolution<TypeSymbol> type, int delay) {
         return new PortSymbol(
-                name,
-                nameSpan,
-                implicit,
-                direction,
-                typeNode,
-                typed.typeResolution,
-                stereotypes,
-                delayOfHeir);
+                newName, nameSpan, implicit, direction, typeNode, type, stereotypes, delay);
+    }
+
+    @Override
+    public <R> R match(
+            Function<PortSymbol, R> port,
+            Function<VariableSymbol, R> variable,
+            Function<ParameterSymbol, R> parameter) {
+        return port.apply(this);
     }
 
     /** Ports are the same when the same text declares them, whatever their types are seen as. */

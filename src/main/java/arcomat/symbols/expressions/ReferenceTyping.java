@@ -1,6 +1,7 @@
 package arcomat.symbols.expressions;
 
 import arcomat.source.Nearest;
+import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.Resolution;
@@ -17,9 +18,9 @@ import java.util.OptionalInt;
 /** Tells what names in expressions mean: values, their attributes, constants of enumerations. */
 final class ReferenceTyping {
     private final ValueScope scope;
-    private final ProblemSink problems;
+    private final Problems problems;
 
-    ReferenceTyping(ValueScope scope, ProblemSink problems) {
+    ReferenceTyping(ValueScope scope, Problems problems) {
         this.scope = scope;
         this.problems = problems;
     }
@@ -52,16 +53,10 @@ final class ReferenceTyping {
     }
 
     private static TypedExpression read(Expression.Reference node, ValueSymbol value) {
-        if (value instanceof PortSymbol port) {
-            return new TypedExpression.PortRead(node, port);
-        }
-        if (value instanceof VariableSymbol variable) {
-            return new TypedExpression.VariableRead(node, variable);
-        }
-        if (value instanceof ParameterSymbol parameter) {
-            return new TypedExpression.ParameterRead(node, parameter);
-        }
-        throw new AssertionError(value);
+        return value.match(
+                port -> new TypedExpression.PortRead(node, port),
+                variable -> new TypedExpression.VariableRead(node, variable),
+                parameter -> new TypedExpression.ParameterRead(node, parameter));
     }
 
     /**
@@ -102,14 +97,10 @@ final class ReferenceTyping {
                         ? type.attributes().stream().map(ClassSymbol.AttributeSymbol::name).toList()
                         : List.of();
         problems.report(
-                ExpressionProblem.Kind.UNKNOWN_ATTRIBUTE,
+                Kind.UNKNOWN_ATTRIBUTE,
                 at(reference, part),
-                "type "
-                        + value.type().text()
-                        + " has no attribute '"
-                        + part
-                        + "'"
-                        + Nearest.hint(part.text(), known),
+                "type %s has no attribute '%s'%s"
+                        .formatted(value.type().text(), part, Nearest.hint(part.text(), known)),
                 Nearest.to(part.text(), known));
         return new TypedExpression.Erroneous(reference, List.of(value));
     }
@@ -127,7 +118,7 @@ final class ReferenceTyping {
             known.addAll(0, type.constants());
         }
         problems.report(
-                ExpressionProblem.Kind.UNKNOWN_NAME,
+                Kind.UNKNOWN_NAME,
                 reference,
                 "'" + name + "' is not " + wanted(expected) + hint(name, known, expected),
                 Nearest.to(name, known));
@@ -165,51 +156,29 @@ final class ReferenceTyping {
                 return new TypedExpression.Constant(reference, type, ordinal.getAsInt(), true);
             }
             problems.report(
-                    ExpressionProblem.Kind.UNKNOWN_CONSTANT,
+                    Kind.UNKNOWN_CONSTANT,
                     at(reference, last),
-                    type.text()
-                            + " has no constant '"
-                            + last
-                            + "'"
-                            + Nearest.hint(last.text(), type.constants()),
+                    "%s has no constant '%s'%s"
+                            .formatted(
+                                    type.text(), last, Nearest.hint(last.text(), type.constants())),
                     Nearest.to(last.text(), type.constants()));
         } else if (qualifier.isAmbiguous()) {
             problems.report(
-                    ExpressionProblem.Kind.AMBIGUOUS_NAME,
+                    Kind.AMBIGUOUS_NAME,
                     reference,
                     "several types could be meant by '" + reference.name() + "'; qualify it fully");
         } else if (qualifier.isUnknown() || qualifier.isFound()) {
-            reportUnknown(reference);
+            problems.report(
+                    Kind.UNKNOWN_NAME,
+                    reference,
+                    "'%s' is neither a constant of a known enum nor an attribute of a value%s"
+                            .formatted(
+                                    reference.name(),
+                                    Nearest.hint(
+                                            reference.name().parts().get(0).text(),
+                                            scope.names())));
         }
         return new TypedExpression.Erroneous(reference, List.of());
-    }
-
-    private void reportUnknown(Expression.Reference reference) {
-        String first = reference.name().parts().get(0).text();
-        problems.report(
-                ExpressionProblem.Kind.UNKNOWN_NAME,
-                reference,
-                "'"
-                        + reference.name()
-                        + "' is neither a constant of a known enum nor an attribute of a value"
-                        + Nearest.hint(first, scope.names()));
-    }
-
-    /** The class that {@code Cup(..)} or {@code p.Types.Cup(..)} constructs. */
-    Optional<ClassSymbol> constructed(Expression.Call call) {
-        List<Name> parts = new ArrayList<>();
-        if (call.target().isPresent()) {
-            if (!(call.target().get() instanceof Expression.Reference target)) {
-                return Optional.empty();
-            }
-            parts.addAll(target.name().parts());
-        }
-        parts.add(call.name());
-        return scope.unitScope()
-                .type(new QualifiedName(call.span(), parts))
-                .found()
-                .filter(ClassSymbol.class::isInstance)
-                .map(ClassSymbol.class::cast);
     }
 
     /** The reference, narrowed to one of its names. */

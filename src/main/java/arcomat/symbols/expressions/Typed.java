@@ -1,6 +1,7 @@
 package arcomat.symbols.expressions;
 
 import arcomat.symbols.names.TypeSymbol;
+import arcomat.tree.Expression;
 
 import java.util.List;
 
@@ -12,6 +13,18 @@ import java.util.List;
 public record Typed(TypedExpression expression, List<ExpressionProblem> problems) {
     public Typed {
         problems = List.copyOf(problems);
+    }
+
+    /** The same without a complaint that only follows from another one. */
+    public Typed withoutUnknownNames() {
+        return isUnknownBareName() ? new Typed(expression, List.of()) : this;
+    }
+
+    /** Whether it is a simple name that nothing has: perhaps a constant of some enum. */
+    public boolean isUnknownBareName() {
+        return expression instanceof TypedExpression.Erroneous
+                && expression.node() instanceof Expression.Reference reference
+                && reference.name().isSimple();
     }
 
     public TypeSymbol type() {

@@ -1,18 +1,15 @@
 package arcomat.symbols.expressions;
 
-import arcomat.source.Span;
-import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
-import arcomat.symbols.names.UnknownType;
 import arcomat.tree.Expression;
 import arcomat.tree.Variable;
 
-import java.util.Optional;
 import java.util.function.BiFunction;
+import java.util.function.Function;
 
 /** A variable of an automaton, or a variable of a component that its automata share. */
-public final class VariableSymbol implements ValueSymbol {
+public final class VariableSymbol extends DeclaredValue {
     /** Where a variable is declared. */
     public enum Kind {
         /** Read and written by its automaton. */
@@ -23,21 +20,15 @@ public final class VariableSymbol implements ValueSymbol {
 
     private final Kind kind;
     private final Variable node;
-    private final Resolution<TypeSymbol> typeResolution;
-    private final Lazy<Optional<Typed>> initial;
 
-    /**
-     * @param typing types an expression for this type, at the place of the variable
-     */
     public VariableSymbol(
             Kind kind,
             Variable node,
             Resolution<TypeSymbol> typeResolution,
             BiFunction<Expression, TypeSymbol, Typed> typing) {
+        super(node.name(), node.initial(), typeResolution, typing);
         this.kind = kind;
         this.node = node;
-        this.typeResolution = typeResolution;
-        this.initial = new Lazy<>(() -> node.initial().map(e -> typing.apply(e, type())));
     }
 
     public Kind kind() {
@@ -48,32 +39,11 @@ public final class VariableSymbol implements ValueSymbol {
         return node;
     }
 
-    public Resolution<TypeSymbol> typeResolution() {
-        return typeResolution;
-    }
-
-    /** The initial value. It may read parameters and, in automata, constants of the component. */
-    public Optional<Typed> initial() {
-        return initial.get();
-    }
-
     @Override
-    public String name() {
-        return node.name().text();
-    }
-
-    @Override
-    public TypeSymbol type() {
-        return typeResolution.found().orElse(UnknownType.UNKNOWN);
-    }
-
-    @Override
-    public Span nameSpan() {
-        return node.name().span();
-    }
-
-    @Override
-    public String toString() {
-        return name();
+    public <R> R match(
+            Function<PortSymbol, R> port,
+            Function<VariableSymbol, R> variable,
+            Function<ParameterSymbol, R> parameter) {
+        return variable.apply(this);
     }
 }

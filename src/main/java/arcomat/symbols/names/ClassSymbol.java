@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.function.Function;
 
 /** A class of a class diagram. */
-public final class ClassSymbol implements DefinedType {
+public final class ClassSymbol extends DefinedType {
     /** An attribute with its type; {@code owner} is the class that declares it. */
     public record AttributeSymbol(
             ClassSymbol owner, ClassDiagram.Attribute node, Resolution<TypeSymbol> resolution) {
@@ -25,10 +25,8 @@ public final class ClassSymbol implements DefinedType {
         }
     }
 
-    private final Unit unit;
     private final Function<TypeReference, Resolution<TypeSymbol>> types;
     private final ClassDiagram.ClassDefinition node;
-    private final String qualifiedName;
     private final Lazy<Resolution<ClassSymbol>> superClass = new Lazy<>(this::resolveSuperClass);
     private final Lazy<List<AttributeSymbol>> attributes = new Lazy<>(this::computeAttributes);
 
@@ -40,25 +38,14 @@ public final class ClassSymbol implements DefinedType {
             Function<TypeReference, Resolution<TypeSymbol>> types,
             ClassDiagram.ClassDefinition node,
             String qualifiedName) {
-        this.unit = unit;
+        super(unit, qualifiedName);
         this.types = types;
         this.node = node;
-        this.qualifiedName = qualifiedName;
-    }
-
-    @Override
-    public Unit unit() {
-        return unit;
     }
 
     @Override
     public ClassDiagram.ClassDefinition node() {
         return node;
-    }
-
-    @Override
-    public String qualifiedName() {
-        return qualifiedName;
     }
 
     /** The class it extends; unknown also where an enum or a built-in type is named. */
@@ -111,10 +98,5 @@ public final class ClassSymbol implements DefinedType {
 
     public Optional<AttributeSymbol> attribute(String name) {
         return attributes().stream().filter(a -> a.name().equals(name)).findFirst();
-    }
-
-    @Override
-    public String toString() {
-        return text();
     }
 }

@@ -5,21 +5,38 @@ import arcomat.tree.ClassDiagram;
 import arcomat.tree.Unit;
 
 /** A type that a class diagram defines. */
-public sealed interface DefinedType extends TypeSymbol permits EnumSymbol, ClassSymbol {
-    Unit unit();
+public abstract sealed class DefinedType implements TypeSymbol permits EnumSymbol, ClassSymbol {
+    private final Unit unit;
+    private final String qualifiedName;
 
-    ClassDiagram.TypeDefinition node();
+    DefinedType(Unit unit, String qualifiedName) {
+        this.unit = unit;
+        this.qualifiedName = qualifiedName;
+    }
+
+    public final Unit unit() {
+        return unit;
+    }
+
+    public abstract ClassDiagram.TypeDefinition node();
 
     /** {@code package.Diagram.Type}. */
-    String qualifiedName();
+    public final String qualifiedName() {
+        return qualifiedName;
+    }
 
     @Override
-    default String text() {
+    public final String text() {
         return node().name().text();
     }
 
     /** Where its name is declared. */
-    default Span nameSpan() {
+    public final Span nameSpan() {
         return node().name().span();
+    }
+
+    @Override
+    public final String toString() {
+        return text();
     }
 }

@@ -10,17 +10,14 @@ import java.util.Map;
 import java.util.OptionalInt;
 
 /** An enumeration of a class diagram. */
-public final class EnumSymbol implements DefinedType {
-    private final Unit unit;
+public final class EnumSymbol extends DefinedType {
     private final ClassDiagram.EnumDefinition node;
-    private final String qualifiedName;
     private final List<String> constants;
     private final Lazy<Map<String, Integer>> ordinals = new Lazy<>(this::computeOrdinals);
 
     public EnumSymbol(Unit unit, ClassDiagram.EnumDefinition node, String qualifiedName) {
-        this.unit = unit;
+        super(unit, qualifiedName);
         this.node = node;
-        this.qualifiedName = qualifiedName;
         this.constants = node.constants().stream().map(Name::text).toList();
     }
 
@@ -33,18 +30,8 @@ public final class EnumSymbol implements DefinedType {
     }
 
     @Override
-    public Unit unit() {
-        return unit;
-    }
-
-    @Override
     public ClassDiagram.EnumDefinition node() {
         return node;
-    }
-
-    @Override
-    public String qualifiedName() {
-        return qualifiedName;
     }
 
     /** The constants as declared, duplicates included. */
@@ -56,10 +43,5 @@ public final class EnumSymbol implements DefinedType {
     public OptionalInt ordinal(String constant) {
         Integer ordinal = ordinals.get().get(constant);
         return ordinal == null ? OptionalInt.empty() : OptionalInt.of(ordinal);
-    }
-
-    @Override
-    public String toString() {
-        return text();
     }
 }

@@ -24,18 +24,27 @@ public record Outline(
     }
 
     public static Outline of(Unit unit) {
-        String packageName = unit.packageText();
+        String home = unit.packageText();
+        Outline nothing = new Outline(home, List.of(), Optional.empty(), List.of());
+        return unit.definition()
+                .match(
+                        component -> ofComponent(home, component),
+                        automaton -> nothing,
+                        diagram -> ofDiagram(home, diagram),
+                        suite -> nothing);
+    }
+
+    private static Outline ofComponent(String home, Component component) {
         List<String> components = new ArrayList<>();
-        List<String> types = new ArrayList<>();
-        Optional<String> diagram = Optional.empty();
-        if (unit.definition() instanceof Component component) {
-            add(component, packageName, components);
-        } else if (unit.definition() instanceof ClassDiagram node) {
-            String name = Names.join(packageName, node.name().text());
-            node.types().forEach(type -> types.add(Names.join(name, type.name().text())));
-            diagram = Optional.of(name);
-        }
-        return new Outline(packageName, components, diagram, types);
+        add(component, home, components);
+        return new Outline(home, components, Optional.empty(), List.of());
+    }
+
+    private static Outline ofDiagram(String home, ClassDiagram diagram) {
+        String name = Names.join(home, diagram.name().text());
+        List<String> types =
+                diagram.types().stream().map(t -> Names.join(name, t.name().text())).toList();
+        return new Outline(home, List.of(), Optional.of(name), types);
     }
 
     private static void add(Component component, String qualifier, List<String> components) {

@@ -7,16 +7,48 @@ import java.util.function.Function;
 /** The outcome of looking up a name. */
 public sealed interface Resolution<T> {
 
+    /** The thing, if exactly one has that name. */
+    default Optional<T> found() {
+        return Optional.empty();
+    }
+
+    /** What could be meant; empty unless ambiguous. */
+    default List<T> candidates() {
+        return List.of();
+    }
+
+    <U> Resolution<U> map(Function<? super T, ? extends U> function);
+
     /** Exactly one thing has that name. */
-    record Found<T>(T value) implements Resolution<T> {}
+    record Found<T>(T value) implements Resolution<T> {
+        @Override
+        public Optional<T> found() {
+            return Optional.of(value);
+        }
+
+        @Override
+        public <U> Resolution<U> map(Function<? super T, ? extends U> function) {
+            return new Found<>(function.apply(value));
+        }
+    }
 
     /** Nothing has that name: to be reported where the name stands. */
-    record Unknown<T>() implements Resolution<T> {}
+    record Unknown<T>() implements Resolution<T> {
+        @Override
+        public <U> Resolution<U> map(Function<? super T, ? extends U> function) {
+            return unknown();
+        }
+    }
 
     /** Several things could be meant: to be reported where the name stands. */
     record Ambiguous<T>(List<T> candidates) implements Resolution<T> {
         public Ambiguous {
             candidates = List.copyOf(candidates);
+        }
+
+        @Override
+        public <U> Resolution<U> map(Function<? super T, ? extends U> function) {
+            return new Ambiguous<>(candidates.stream().<U>map(function::apply).toList());
         }
     }
 
@@ -24,14 +56,24 @@ public sealed interface Resolution<T> {
      * Not to be reported here: the file that should define the name did not parse, or the cause is
      * reported elsewhere (an import that leads nowhere, an unknown component).
      */
-    record Excused<T>() implements Resolution<T> {}
+    record Excused<T>() implements Resolution<T> {
+        @Override
+        public <U> Resolution<U> map(Function<? super T, ? extends U> function) {
+            return excused();
+        }
+    }
 
     static <T> Resolution<T> of(List<T> candidates) {
         return switch (candidates.size()) {
-            case 0 -> new Unknown<>();
+            case 0 -> unknown();
             case 1 -> new Found<>(candidates.get(0));
             default -> new Ambiguous<>(candidates);
         };
+    }
+
+    /** Of what has a name of its own or none. */
+    static <T> Resolution<T> of(Optional<T> found) {
+        return found.<Resolution<T>>map(Found::new).orElseGet(Resolution::unknown);
     }
 
     static <T> Resolution<T> excused() {
@@ -40,10 +82,6 @@ public sealed interface Resolution<T> {
 
     static <T> Resolution<T> unknown() {
         return new Unknown<>();
-    }
-
-    default Optional<T> found() {
-        return this instanceof Found<T> found ? Optional.of(found.value()) : Optional.empty();
     }
 
     default boolean isFound() {
@@ -60,21 +98,5 @@ public sealed interface Resolution<T> {
 
     default boolean isAmbiguous() {
         return this instanceof Ambiguous<T>;
-    }
-
-    /** What could be meant; empty unless ambiguous. */
-    default List<T> candidates() {
-        return List.of();
-    }
-
-    default <U> Resolution<U> map(Function<? super T, ? extends U> function) {
-        if (this instanceof Found<T> found) {
-            return new Found<>(function.apply(found.value()));
-        }
-        if (this instanceof Ambiguous<T> ambiguous) {
-            return new Ambiguous<>(
-                    ambiguous.candidates().stream().<U>map(function::apply).toList());
-        }
-        return isUnknown() ? unknown() : excused();
     }
 }

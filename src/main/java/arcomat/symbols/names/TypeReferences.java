@@ -50,10 +50,10 @@ public final class TypeReferences {
         if (expression instanceof Expression.Unary unary
                 && unary.operator() == Expression.UnaryOperator.MINUS
                 && unary.operand() instanceof Expression.Literal literal) {
-            return Literals.wholeNumber(literal, true);
+            return LiteralValues.wholeNumber(literal, true);
         }
         return expression instanceof Expression.Literal literal
-                ? Literals.wholeNumber(literal, false)
+                ? LiteralValues.wholeNumber(literal, false)
                 : OptionalLong.empty();
     }
 

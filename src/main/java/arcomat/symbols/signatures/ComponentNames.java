@@ -57,7 +57,7 @@ final class ComponentNames {
     }
 
     private static Resolution<Signature> fromFile(Signature place, QualifiedName name) {
-        return place.declaration().unitScope().component(name).map(place.signatures()::of);
+        return place.declaration().unitScope().component(name).map(place::of);
     }
 
     private static List<Signature> inside(Signature place, QualifiedName path) {

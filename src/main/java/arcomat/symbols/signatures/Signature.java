@@ -22,6 +22,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * What others can see of a component: what it extends and refines, its ports, parameters and
@@ -33,7 +34,7 @@ public final class Signature {
     public record Refinement(QualifiedName node, Resolution<Signature> resolution) {}
 
     private final ComponentDeclaration declaration;
-    private final Signatures signatures;
+    private final Function<ComponentDeclaration, Signature> signatures;
     private final Timing timing;
     private final Lazy<Optional<ComponentReference>> superComponent;
     private final Lazy<Inheritance> inheritance = new Lazy<>(() -> Inheritance.of(this));
@@ -47,7 +48,9 @@ public final class Signature {
     /**
      * @param signatures those of all components, this one included
      */
-    Signature(ComponentDeclaration declaration, Signatures signatures) {
+    public Signature(
+            ComponentDeclaration declaration,
+            Function<ComponentDeclaration, Signature> signatures) {
         this.declaration = declaration;
         this.signatures = signatures;
         this.timing = Timing.of(declaration.node());
@@ -74,8 +77,8 @@ public final class Signature {
         return declaration;
     }
 
-    Signatures signatures() {
-        return signatures;
+    Signature of(ComponentDeclaration other) {
+        return signatures.apply(other);
     }
 
     public Component node() {
@@ -100,11 +103,11 @@ public final class Signature {
     }
 
     public Optional<Signature> enclosing() {
-        return declaration.enclosing().map(signatures::of);
+        return declaration.enclosing().map(signatures);
     }
 
     public List<Signature> innerComponents() {
-        return declaration.innerComponents().stream().map(signatures::of).toList();
+        return declaration.innerComponents().stream().map(signatures).toList();
     }
 
     public List<TypeVariable> typeParameters() {

@@ -54,7 +54,7 @@ final class AutomatonBuilder extends TreeBuilder<AutomatonElement> {
                 span(context),
                 AutomatonElement.Kind.VARIABLE,
                 phrases.type(context.plainType()),
-                variables);
+                List.copyOf(variables));
     }
 
     private static AutomatonElement.Kind kind(Token token) {

@@ -84,7 +84,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
             if (isName && target instanceof Reference reference) {
                 List<Name> parts = new ArrayList<>(reference.name().parts());
                 parts.add(name);
-                return new Reference(span, new QualifiedName(span, parts));
+                return new Reference(span, new QualifiedName(span, List.copyOf(parts)));
             }
         }
         return new JavaExpression(span, span.text());

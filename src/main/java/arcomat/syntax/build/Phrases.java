@@ -98,7 +98,7 @@ final class Phrases {
     private QualifiedName qualifiedName(ArcomatParser.PlainNameContext context) {
         List<Name> parts = new ArrayList<>(names(context.name()));
         parts.add(0, name(context.start));
-        return qualifiedName(parts);
+        return qualifiedName(List.copyOf(parts));
     }
 
     // ---- types ----------------------------------------------------------------------------

@@ -41,7 +41,11 @@ final class TestSuiteBuilder extends TreeBuilder<Member> {
                 blocks.add(streams(part));
             }
         }
-        return new Test(span(context), phrases.name(context.name()), blocks, before);
+        return new Test(
+                span(context),
+                phrases.name(context.name()),
+                List.copyOf(blocks),
+                List.copyOf(before));
     }
 
     private Streams streams(ArcomatParser.TestPartContext context) {

@@ -31,7 +31,7 @@ final class Columns {
             }
         }
         for (Line row : rows) {
-            if (row.pieces.stream().noneMatch(Piece::breakBefore)) {
+            if (row.pieces.stream().noneMatch(Line.Piece::breakBefore)) {
                 pad(row, cells(row), widths);
             }
         }
@@ -41,7 +41,7 @@ final class Columns {
     private static List<String> cells(Line row) {
         List<String> cells = new ArrayList<>();
         StringBuilder cell = new StringBuilder();
-        for (Piece piece : row.pieces) {
+        for (Line.Piece piece : row.pieces) {
             cell.append(piece.space() ? " " : "").append(piece.text());
             if (piece.column()) {
                 cells.add(cell.toString());
@@ -54,11 +54,11 @@ final class Columns {
     private static void pad(Line row, List<String> cells, List<Integer> widths) {
         int cell = 0;
         for (int i = 0; i < row.pieces.size(); i++) {
-            Piece piece = row.pieces.get(i);
+            Line.Piece piece = row.pieces.get(i);
             if (piece.column()) {
                 String padding = " ".repeat(widths.get(cell) - cells.get(cell).length());
                 row.pieces.set(
-                        i, new Piece(padding + piece.text(), piece.space(), -1, false, true));
+                        i, new Line.Piece(padding + piece.text(), piece.space(), -1, false, true));
                 cell++;
             }
         }

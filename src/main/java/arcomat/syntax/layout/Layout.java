@@ -42,7 +42,7 @@ public final class Layout {
             i = end;
             last = tokens.get(end).getStopIndex() + 1;
         }
-        return Printing.print(lines.all());
+        return print(lines.all());
     }
 
     private void token(Token first, Token last, String gap) {
@@ -67,7 +67,7 @@ public final class Layout {
             // In front of a closing brace a comment still belongs to the body.
             int inner = !atEnd && structure.closesBody(next) ? level + 1 : level;
             lines.begin(inner, isBlank(gap));
-            lines.addComment(Comments.indented(text, inner), false, false);
+            lines.addComment(indented(text, inner), false, false);
         } else {
             lines.addComment(text, ownLine, text.startsWith("//") || breakFollows(comment));
         }
@@ -95,5 +95,44 @@ public final class Layout {
 
     private static String unix(String text) {
         return text.indexOf('\r') < 0 ? text : text.replace("\r\n", "\n").replace('\r', '\n');
+    }
+
+    /** Lines that begin with a star are set below the first one; others are left alone. */
+    private static String indented(String text, int level) {
+        if (!text.startsWith("/*") || text.indexOf('\n') < 0) {
+            return text;
+        }
+        String[] lines = text.split("\n", -1);
+        StringBuilder result = new StringBuilder(lines[0].stripTrailing());
+        for (int i = 1; i < lines.length; i++) {
+            if (!lines[i].strip().startsWith("*")) {
+                return text;
+            }
+            result.append('\n').append("    ".repeat(level)).append(' ').append(lines[i].strip());
+        }
+        return result.toString();
+    }
+
+    // ---- printing -------------------------------------------------------------------------
+
+    private static String print(List<Line> lines) {
+        Columns.align(lines);
+        StringBuilder text = new StringBuilder();
+        Line before = null;
+        for (Line line : lines) {
+            if (before != null && isBlankBetween(before, line)) {
+                text.append('\n');
+            }
+            text.append(Wrapping.wrap(line)).append('\n');
+            before = line;
+        }
+        return text.toString();
+    }
+
+    private static boolean isBlankBetween(Line before, Line line) {
+        if (before.opensBody || line.closesBody) {
+            return false;
+        }
+        return line.blankBefore || before.isPackage || before.isImport && !line.isImport;
     }
 }

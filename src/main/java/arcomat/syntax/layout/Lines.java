@@ -1,9 +1,6 @@
 package arcomat.syntax.layout;
 
 import arcomat.syntax.antlr.ArcomatParser;
-import arcomat.syntax.antlr.ArcomatParser.BinaryExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.InitialContext;
-import arcomat.syntax.antlr.ArcomatParser.TransitionContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
@@ -59,7 +56,7 @@ final class Lines {
         leave(token);
         boolean bar =
                 structure.rule(token) == ArcomatParser.RULE_row && token.getText().equals("|");
-        current.pieces.add(new Piece(text, space, breakLevel(token), mustBreak, bar));
+        current.pieces.add(new Line.Piece(text, space, breakLevel(token), mustBreak, bar));
         enter(token);
         mustBreak = false;
         previous = token;
@@ -71,7 +68,7 @@ final class Lines {
      * @param after whether a line must begin behind it
      */
     void addComment(String text, boolean before, boolean after) {
-        current.pieces.add(new Piece(text, true, -1, before || mustBreak, false));
+        current.pieces.add(new Line.Piece(text, true, -1, before || mustBreak, false));
         mustBreak = after;
         previous = null;
     }
@@ -97,13 +94,14 @@ final class Lines {
         ParserRuleContext left = structure.parent(previous);
         String before = previous.getText();
         if (token.getText().equals("/")
-                && (parent instanceof TransitionContext || parent instanceof InitialContext)) {
+                && (parent instanceof ArcomatParser.TransitionContext
+                        || parent instanceof ArcomatParser.InitialContext)) {
             return 0;
         }
         if (before.equals(",") || before.equals(";")) {
             return 2 * depth + innerLevels(left.getRuleIndex());
         }
-        if (parent instanceof BinaryExpressionContext) {
+        if (parent instanceof ArcomatParser.BinaryExpressionContext) {
             return 2 * depth + 1;
         }
         if (token == parent.start && opensPartOfTransition(parent)) {
@@ -114,7 +112,7 @@ final class Lines {
     }
 
     private static boolean opensPartOfTransition(ParserRuleContext context) {
-        return context.getParent() instanceof TransitionContext transition
+        return context.getParent() instanceof ArcomatParser.TransitionContext transition
                 && (context == transition.guard() || context == transition.input);
     }
 

@@ -1,15 +1,6 @@
 package arcomat.syntax.layout;
 
 import arcomat.syntax.antlr.ArcomatParser;
-import arcomat.syntax.antlr.ArcomatParser.ConditionalExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.EnumDefinitionContext;
-import arcomat.syntax.antlr.ArcomatParser.IncrementItemContext;
-import arcomat.syntax.antlr.ArcomatParser.LiteralMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.NameMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.RepeatedGroupContext;
-import arcomat.syntax.antlr.ArcomatParser.RepeatedMessageContext;
-import arcomat.syntax.antlr.ArcomatParser.UnaryExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.UnaryOperandContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
@@ -29,7 +20,8 @@ final class Spacing {
     }
 
     boolean isNeeded(Token left, Token right) {
-        return wouldMerge(left.getText(), right.getText()) || isWanted(left, right);
+        return wouldMerge(left.getText(), right.getText())
+                || !hugsNext(left) && !hugsPrevious(right);
     }
 
     private static boolean wouldMerge(String left, String right) {
@@ -39,15 +31,13 @@ final class Spacing {
                 || Character.isJavaIdentifierPart(last) && Character.isJavaIdentifierPart(first);
     }
 
-    private boolean isWanted(Token left, Token right) {
-        return !hugsNext(left) && !hugsPrevious(right);
-    }
-
     private boolean hugsNext(Token token) {
         ParserRuleContext parent = structure.parent(token);
         return switch (token.getText()) {
             case "(", "[", ".", "..", "@", "!", "~" -> true;
-            case "{" -> !structure.opensBody(token) && !(parent instanceof EnumDefinitionContext);
+            case "{" ->
+                    !structure.opensBody(token)
+                            && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "-", "+" -> isSign(parent);
             case "<" -> isBracket(parent);
             case "*" -> isRepetition(parent);
@@ -59,48 +49,47 @@ final class Spacing {
         ParserRuleContext parent = structure.parent(token);
         return switch (token.getText()) {
             case ")", "]", ",", ";", ".", ".." -> true;
-            case "}" -> !structure.closesBody(token) && !(parent instanceof EnumDefinitionContext);
+            case "}" ->
+                    !structure.closesBody(token)
+                            && !(parent instanceof ArcomatParser.EnumDefinitionContext);
             case "(" ->
-                    isRule(parent, ArcomatParser.RULE_arguments)
-                            || isRule(parent, ArcomatParser.RULE_parameters)
-                            || parent instanceof RepeatedGroupContext;
+                    parent instanceof ArcomatParser.ArgumentsContext
+                            || parent instanceof ArcomatParser.ParametersContext
+                            || parent instanceof ArcomatParser.RepeatedGroupContext;
             case "[" ->
-                    isRule(parent, ArcomatParser.RULE_typeSuffix)
-                            || isRule(parent, ArcomatParser.RULE_suffix)
-                            || isRule(parent, ArcomatParser.RULE_creator)
-                            || isRule(parent, ArcomatParser.RULE_parameters);
-            case ":" -> !(parent instanceof ConditionalExpressionContext);
+                    parent instanceof ArcomatParser.TypeSuffixContext
+                            || parent instanceof ArcomatParser.SuffixContext
+                            || parent instanceof ArcomatParser.CreatorContext
+                            || parent instanceof ArcomatParser.ParametersContext;
+            case ":" -> !(parent instanceof ArcomatParser.ConditionalExpressionContext);
             case "<" -> isTypeBracket(parent);
             case ">" -> isBracket(parent);
-            case "++", "--" -> parent instanceof IncrementItemContext;
+            case "++", "--" -> parent instanceof ArcomatParser.IncrementItemContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };
     }
 
     private static boolean isSign(ParserRuleContext parent) {
-        return parent instanceof UnaryExpressionContext
-                || parent instanceof UnaryOperandContext
-                || parent instanceof LiteralMessageContext
-                || parent instanceof NameMessageContext;
+        return parent instanceof ArcomatParser.UnaryExpressionContext
+                || parent instanceof ArcomatParser.UnaryOperandContext
+                || parent instanceof ArcomatParser.LiteralMessageContext
+                || parent instanceof ArcomatParser.NameMessageContext;
     }
 
     private static boolean isRepetition(ParserRuleContext parent) {
-        return parent instanceof RepeatedMessageContext || parent instanceof RepeatedGroupContext;
+        return parent instanceof ArcomatParser.RepeatedMessageContext
+                || parent instanceof ArcomatParser.RepeatedGroupContext;
     }
 
     private static boolean isTypeBracket(ParserRuleContext parent) {
-        return isRule(parent, ArcomatParser.RULE_typeArguments)
-                || isRule(parent, ArcomatParser.RULE_typeParameters);
+        return parent instanceof ArcomatParser.TypeArgumentsContext
+                || parent instanceof ArcomatParser.TypeParametersContext;
     }
 
     private static boolean isBracket(ParserRuleContext parent) {
         return isTypeBracket(parent)
-                || isRule(parent, ArcomatParser.RULE_stereotypes)
-                || isRule(parent, ArcomatParser.RULE_stream);
-    }
-
-    private static boolean isRule(ParserRuleContext context, int rule) {
-        return context != null && context.getRuleIndex() == rule;
+                || parent instanceof ArcomatParser.StereotypesContext
+                || parent instanceof ArcomatParser.StreamContext;
     }
 }

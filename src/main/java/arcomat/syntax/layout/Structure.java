@@ -2,13 +2,6 @@ package arcomat.syntax.layout;
 
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
-import arcomat.syntax.antlr.ArcomatParser.BinaryExpressionContext;
-import arcomat.syntax.antlr.ArcomatParser.ClassDefinitionContext;
-import arcomat.syntax.antlr.ArcomatParser.EventsPartContext;
-import arcomat.syntax.antlr.ArcomatParser.PortContext;
-import arcomat.syntax.antlr.ArcomatParser.PortsContext;
-import arcomat.syntax.antlr.ArcomatParser.StreamsPartContext;
-import arcomat.syntax.antlr.ArcomatParser.TestMemberContext;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
@@ -19,9 +12,43 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
 
 /** What the parse tree says of each token, by token index. */
 final class Structure {
+    private static final Set<Integer> STARTING_LINES =
+            Set.of(
+                    ArcomatParser.RULE_packageDeclaration,
+                    ArcomatParser.RULE_importDeclaration,
+                    ArcomatParser.RULE_component,
+                    ArcomatParser.RULE_element,
+                    ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_automatonElement,
+                    ArcomatParser.RULE_ioTable,
+                    ArcomatParser.RULE_tableInputs,
+                    ArcomatParser.RULE_tableOutputs,
+                    ArcomatParser.RULE_row,
+                    ArcomatParser.RULE_classDiagram,
+                    ArcomatParser.RULE_typeDefinition,
+                    ArcomatParser.RULE_attribute,
+                    ArcomatParser.RULE_testSuite,
+                    ArcomatParser.RULE_suiteMember,
+                    ArcomatParser.RULE_testPart,
+                    ArcomatParser.RULE_portStream,
+                    ArcomatParser.RULE_eventStream);
+
+    private static final Set<Integer> WITH_BODY =
+            Set.of(
+                    ArcomatParser.RULE_component,
+                    ArcomatParser.RULE_automaton,
+                    ArcomatParser.RULE_ioTable,
+                    ArcomatParser.RULE_implementation,
+                    ArcomatParser.RULE_classDiagram,
+                    ArcomatParser.RULE_testSuite);
+
+    private static final Set<Integer> VERBATIM =
+            Set.of(ArcomatParser.RULE_javaBlock, ArcomatParser.RULE_invariantBody);
+
     private final boolean[] startsLine;
     private final boolean[] opensBody;
     private final boolean[] closesBody;
@@ -30,7 +57,7 @@ final class Structure {
     private final ParserRuleContext[] parent;
 
     /** The list of ports that was entered last and takes a line for each. */
-    private PortsContext spreadPorts;
+    private ArcomatParser.PortsContext spreadPorts;
 
     private Structure(int tokens) {
         startsLine = new boolean[tokens];
@@ -82,7 +109,7 @@ final class Structure {
     /** A row of operators is a tree that is deep on the left: that side is gone down in a loop. */
     private void visit(ParserRuleContext context, int level) {
         ParserRuleContext next = context;
-        while (next instanceof BinaryExpressionContext row) {
+        while (next instanceof ArcomatParser.BinaryExpressionContext row) {
             parent[row.operator.getTokenIndex()] = row;
             visit(row.expression(1), level);
             next = row.expression(0);
@@ -91,14 +118,15 @@ final class Structure {
     }
 
     private void visitOne(ParserRuleContext context, int level) {
-        if (startsLine(context)) {
+        if (STARTING_LINES.contains(context.getRuleIndex())) {
             markLine(context.start, level);
-        } else if (context instanceof PortContext && context.getParent() == spreadPorts) {
+        } else if (context instanceof ArcomatParser.PortContext
+                && context.getParent() == spreadPorts) {
             markLine(context.start, level + 1);
-        } else if (context instanceof PortsContext ports && isSpread(ports, level)) {
+        } else if (context instanceof ArcomatParser.PortsContext ports && isSpread(ports, level)) {
             spreadPorts = ports;
         }
-        if (isVerbatim(context)) {
+        if (VERBATIM.contains(context.getRuleIndex())) {
             verbatimEnd[context.start.getTokenIndex()] = context.stop.getTokenIndex();
         }
         boolean body = hasBody(context);
@@ -135,7 +163,7 @@ final class Structure {
     /**
      * Ports stand below each other where one line cannot hold them, or where they have comments.
      */
-    private static boolean isSpread(PortsContext ports, int level) {
+    private static boolean isSpread(ArcomatParser.PortsContext ports, int level) {
         List<TerminalNode> leaves = leaves(ports);
         boolean hasComments =
                 ports.stop.getTokenIndex() - ports.start.getTokenIndex() >= leaves.size();
@@ -164,52 +192,11 @@ final class Structure {
         indent[token.getTokenIndex()] = level;
     }
 
-    private static boolean isVerbatim(ParserRuleContext context) {
-        return switch (context.getRuleIndex()) {
-            case ArcomatParser.RULE_javaBlock, ArcomatParser.RULE_invariantBody -> true;
-            default -> false;
-        };
-    }
-
-    private static boolean startsLine(ParserRuleContext context) {
-        return switch (context.getRuleIndex()) {
-            case ArcomatParser.RULE_packageDeclaration,
-                    ArcomatParser.RULE_importDeclaration,
-                    ArcomatParser.RULE_component,
-                    ArcomatParser.RULE_element,
-                    ArcomatParser.RULE_automaton,
-                    ArcomatParser.RULE_automatonElement,
-                    ArcomatParser.RULE_ioTable,
-                    ArcomatParser.RULE_tableInputs,
-                    ArcomatParser.RULE_tableOutputs,
-                    ArcomatParser.RULE_row,
-                    ArcomatParser.RULE_classDiagram,
-                    ArcomatParser.RULE_typeDefinition,
-                    ArcomatParser.RULE_attribute,
-                    ArcomatParser.RULE_testSuite,
-                    ArcomatParser.RULE_suiteMember,
-                    ArcomatParser.RULE_testPart,
-                    ArcomatParser.RULE_portStream,
-                    ArcomatParser.RULE_eventStream ->
-                    true;
-            default -> false;
-        };
-    }
-
     private static boolean hasBody(ParserRuleContext context) {
-        return switch (context.getRuleIndex()) {
-            case ArcomatParser.RULE_component,
-                    ArcomatParser.RULE_automaton,
-                    ArcomatParser.RULE_ioTable,
-                    ArcomatParser.RULE_implementation,
-                    ArcomatParser.RULE_classDiagram,
-                    ArcomatParser.RULE_testSuite ->
-                    true;
-            default ->
-                    context instanceof ClassDefinitionContext
-                            || context instanceof TestMemberContext
-                            || context instanceof StreamsPartContext
-                            || context instanceof EventsPartContext;
-        };
+        return WITH_BODY.contains(context.getRuleIndex())
+                || context instanceof ArcomatParser.ClassDefinitionContext
+                || context instanceof ArcomatParser.TestMemberContext
+                || context instanceof ArcomatParser.StreamsPartContext
+                || context instanceof ArcomatParser.EventsPartContext;
     }
 }

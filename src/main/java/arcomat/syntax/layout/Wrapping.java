@@ -34,14 +34,14 @@ final class Wrapping {
         return true;
     }
 
-    private static List<String> fill(List<Piece> pieces, String indent, int depth) {
+    private static List<String> fill(List<Line.Piece> pieces, String indent, int depth) {
         List<String> lines = new ArrayList<>();
         StringBuilder line = new StringBuilder(indent);
         boolean empty = true;
         int i = 0;
         while (i < pieces.size()) {
             String chunk = chunk(pieces, i, depth);
-            Piece first = pieces.get(i);
+            Line.Piece first = pieces.get(i);
             boolean tooLong = line.length() + 1 + chunk.length() > WIDTH;
             if (!empty && (first.breakBefore() || tooLong && mayBreak(first, depth))) {
                 lines.add(line.toString());
@@ -56,12 +56,12 @@ final class Wrapping {
         return lines;
     }
 
-    private static boolean mayBreak(Piece piece, int depth) {
+    private static boolean mayBreak(Line.Piece piece, int depth) {
         return piece.breakLevel() >= 0 && piece.breakLevel() <= depth;
     }
 
     /** The pieces from one place to break to the next. */
-    private static int chunkEnd(List<Piece> pieces, int start, int depth) {
+    private static int chunkEnd(List<Line.Piece> pieces, int start, int depth) {
         int end = start + 1;
         while (end < pieces.size()
                 && !mayBreak(pieces.get(end), depth)
@@ -71,9 +71,9 @@ final class Wrapping {
         return end;
     }
 
-    private static String chunk(List<Piece> pieces, int start, int depth) {
+    private static String chunk(List<Line.Piece> pieces, int start, int depth) {
         StringBuilder text = new StringBuilder(pieces.get(start).text());
-        for (Piece piece : pieces.subList(start + 1, chunkEnd(pieces, start, depth))) {
+        for (Line.Piece piece : pieces.subList(start + 1, chunkEnd(pieces, start, depth))) {
             text.append(piece.space() ? " " : "").append(piece.text());
         }
         return text.toString();

@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /** The values of literals, by the rules of Java. */
-public final class Literals {
-    private Literals() {}
+public final class LiteralValues {
+    private LiteralValues() {}
 
     /**
      * The value of an integer literal.
@@ -20,6 +20,10 @@ public final class Literals {
         if (literal.kind() != Literal.Kind.INT && literal.kind() != Literal.Kind.LONG) {
             return OptionalLong.empty();
         }
+        if (isShortDecimal(literal.text())) {
+            long value = Long.parseLong(literal.text());
+            return OptionalLong.of(negated ? -value : value);
+        }
         BigInteger magnitude = magnitude(literal.text());
         BigInteger value = negated ? magnitude.negate() : magnitude;
         int bits = literal.kind() == Literal.Kind.INT ? 32 : 64;
@@ -28,6 +32,13 @@ public final class Literals {
             value = negated ? value.negate() : value;
         }
         return value.bitLength() < 64 ? OptionalLong.of(value.longValue()) : OptionalLong.empty();
+    }
+
+    /** As nearly all numbers are: a few digits and nothing else. */
+    private static boolean isShortDecimal(String text) {
+        return text.length() < 10
+                && (text.charAt(0) != '0' || text.length() == 1)
+                && text.chars().allMatch(c -> c >= '0' && c <= '9');
     }
 
     private static boolean isDecimal(String text) {
