@@ -1,5 +1,9 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.automaton.exploration.Exploration;
+import arcomat.analysis.automaton.exploration.Knowledge;
+import arcomat.analysis.automaton.exploration.Situation;
+import arcomat.analysis.automaton.exploration.Solving;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.Subject;

@@ -1,5 +1,8 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.automaton.exploration.Knowledge;
+import arcomat.analysis.automaton.exploration.Situation;
+import arcomat.analysis.automaton.exploration.Visit;
 import arcomat.analysis.search.Moment;
 import arcomat.analysis.search.system.ConfigurationText;
 import arcomat.analysis.smt.Subject;

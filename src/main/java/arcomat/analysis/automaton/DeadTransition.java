@@ -1,5 +1,6 @@
 package arcomat.analysis.automaton;
 
+import arcomat.analysis.automaton.exploration.Knowledge;
 import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;
 import arcomat.source.Diagnostic;

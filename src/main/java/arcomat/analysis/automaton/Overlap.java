@@ -1,6 +1,8 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.automaton.exploration.Knowledge;
+import arcomat.analysis.automaton.exploration.Situation;
+import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.smt.Subject;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.source.Diagnostic;

@@ -1,9 +1,12 @@
 package arcomat.analysis.automaton;
 
-import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.automaton.exploration.Exploration;
+import arcomat.analysis.automaton.exploration.Knowledge;
+import arcomat.analysis.automaton.exploration.Situation;
+import arcomat.analysis.automaton.exploration.Situation.Alternative;
+import arcomat.analysis.automaton.exploration.SureSending;
+import arcomat.analysis.automaton.exploration.Visit;
 import arcomat.analysis.smt.Subject;
-import arcomat.model.Automaton;
-import arcomat.model.Component;
 import arcomat.source.Diagnostic;
 
 import com.carrotsearch.hppc.IntArrayList;
@@ -43,7 +46,7 @@ final class Trap extends Analysis {
             sending.set(number); // a run ends in an error there, and that is found elsewhere
         }
         for (Alternative each : situation.alternatives()) {
-            if (sends(subject, each.taken().transition()) || each.fault().isPresent()) {
+            if (SureSending.sends(subject, each.taken().transition()) || each.fault().isPresent()) {
                 sending.set(number);
             }
             if (each.next() >= 0) {
@@ -55,35 +58,16 @@ final class Trap extends Analysis {
         }
     }
 
-    /** Whether a transition may send. */
-    static boolean sends(Subject subject, Automaton.Transition transition) {
-        return subject.automaton().omitted() == Automaton.Omitted.FREE
-                || transition.sends().stream()
-                        .anyMatch(send -> !(send.emission() instanceof Automaton.Silence));
-    }
-
     @Override
     List<Finding> findings(Knowledge knowledge) {
         Exploration explored = knowledge.explored();
-        if (!knowledge.isExhaustive() || !isToSend(subject)) {
+        if (!knowledge.isExhaustive() || !SureSending.isToSend(subject)) {
             return List.of();
         }
         BitSet trapped = new BitSet();
         trapped.set(0, explored.size());
         trapped.andNot(thoseThatMaySend());
         return groups(trapped, explored).stream().map(this::finding).toList();
-    }
-
-    /** Not one of several requirements that says nothing about outputs. */
-    static boolean isToSend(Subject subject) {
-        Component component = subject.component();
-        boolean sole =
-                component.body() instanceof Component.Atomic atomic
-                        && atomic.automata().size() == 1;
-        return sole
-                ? !component.outputs().isEmpty()
-                : subject.automaton().transitions().stream()
-                        .anyMatch(transition -> sends(subject, transition));
     }
 
     private BitSet thoseThatMaySend() {

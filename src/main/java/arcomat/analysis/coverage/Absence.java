@@ -1,7 +1,7 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.coverage.Exploration.Node;
-import arcomat.analysis.coverage.Exploration.Step;
+import arcomat.analysis.coverage.ReachabilityGraph.Node;
+import arcomat.analysis.coverage.ReachabilityGraph.Step;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Letter;
 import arcomat.model.Port;
@@ -30,14 +30,14 @@ final class Absence {
     /** So many ways to go on are tried. */
     private static final int MOST_TRIED = 300;
 
-    private final Exploration exploration;
+    private final ReachabilityGraph graph;
     private final Behaviour behaviour;
     private final Goal missing;
     private final Budget budget;
 
-    Absence(Exploration exploration, Behaviour behaviour, Goal missing, Budget budget) {
+    Absence(ReachabilityGraph graph, Behaviour behaviour, Goal missing, Budget budget) {
         this.budget = budget;
-        this.exploration = exploration;
+        this.graph = graph;
         this.behaviour = behaviour;
         this.missing = missing;
     }
@@ -70,7 +70,7 @@ final class Absence {
         waiting.add(new Arrival(first, null, null));
         while (!waiting.isEmpty() && seen.size() < MOST_TRIED) {
             Arrival arrival = waiting.remove();
-            for (Step step : exploration.steps(arrival.way.node)) {
+            for (Step step : graph.steps(arrival.way.node)) {
                 Optional<Set<List<Configuration>>> places = advance(arrival.way.places, step);
                 if (places.isEmpty()) {
                     continue;

@@ -2,8 +2,18 @@ package arcomat.analysis.coverage;
 
 import arcomat.model.Automaton;
 
+import java.util.List;
+import java.util.stream.IntStream;
+
 /** A transition of an automaton that a test is wanted for. */
 public record Goal(Automaton automaton, int index) {
+    /** One for each transition, in text order. */
+    static List<Goal> of(Automaton automaton) {
+        return IntStream.range(0, automaton.transitions().size())
+                .mapToObj(index -> new Goal(automaton, index))
+                .toList();
+    }
+
     public Automaton.Transition transition() {
         return automaton.transitions().get(index);
     }

@@ -104,13 +104,8 @@ public final class Mutants {
     }
 
     private static String sends(Emission emission, Port port) {
-        return "sends "
-                + (emission instanceof Automaton.Messages messages
-                        ? text(messages.values().get(0))
-                        : "nothing")
-                + " on '"
-                + port.name()
-                + "'";
+        String what = emission.values().isEmpty() ? "nothing" : text(emission.values().get(0));
+        return "sends %s on '%s'".formatted(what, port.name());
     }
 
     private static String text(Expression value) {
@@ -126,19 +121,17 @@ public final class Mutants {
             others.add(new Automaton.Silence());
         }
         for (Value value : some(port.type())) {
-            Expression constant = new Expression.Constant(value, port.type(), component.span());
-            Emission other = new Automaton.Messages(List.of(constant));
             if (!isSame(send.emission(), value)) {
-                others.add(other);
+                Expression constant = new Expression.Constant(value, port.type(), component.span());
+                others.add(new Automaton.Messages(List.of(constant)));
             }
         }
         return others;
     }
 
     private static boolean isSame(Emission emission, Value value) {
-        return emission instanceof Automaton.Messages messages
-                && messages.values().size() == 1
-                && messages.values().get(0) instanceof Expression.Constant constant
+        return emission.values().size() == 1
+                && emission.values().get(0) instanceof Expression.Constant constant
                 && constant.value().equals(value);
     }
 
@@ -184,22 +177,20 @@ public final class Mutants {
 
     /** As models write it, on one line. */
     private static String asks(Port port, Pattern pattern) {
-        String asked =
-                pattern instanceof Automaton.OneOf oneOf
-                        ? oneOf.values().stream()
-                                .map(Mutants::text)
-                                .collect(Collectors.joining(", "))
-                        : pattern instanceof Automaton.Absent ? "--" : "?";
-        boolean several = pattern instanceof Automaton.OneOf oneOf && oneOf.values().size() > 1;
-        return port.name() + " == " + (several ? "alt {" + asked + "}" : asked);
+        return port.name() + " == " + pattern.match(Mutants::asks, () -> "--", () -> "?");
+    }
+
+    private static String asks(Automaton.OneOf oneOf) {
+        String values =
+                oneOf.values().stream().map(Mutants::text).collect(Collectors.joining(", "));
+        return oneOf.values().size() > 1 ? "alt {" + values + "}" : values;
     }
 
     private static List<Pattern> others(Match match) {
         List<Pattern> others = new ArrayList<>();
-        if (match.pattern() instanceof Automaton.OneOf oneOf) {
-            for (int i = 0; oneOf.values().size() > 1 && i < oneOf.values().size(); i++) {
-                others.add(new Automaton.OneOf(replaced(oneOf.values(), i, List.of())));
-            }
+        List<Expression> values = match.pattern().values();
+        for (int i = 0; values.size() > 1 && i < values.size(); i++) {
+            others.add(new Automaton.OneOf(replaced(values, i, List.of())));
         }
         if (!(match.pattern() instanceof Automaton.Present)) {
             others.add(new Automaton.Present());

@@ -1,7 +1,7 @@
 package arcomat.analysis.coverage;
 
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
-import arcomat.model.Automaton;
+import arcomat.analysis.smt.Subject;
 import arcomat.model.Trace;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Configuration;
@@ -21,7 +21,9 @@ final class Obstacles {
     private final Behaviour behaviour;
     private final Map<Goal, String> wrong = new HashMap<>();
     private final Set<Goal> enabled = new HashSet<>();
-    private final Set<String> states = new HashSet<>();
+    private final Set<Place> states = new HashSet<>();
+
+    private record Place(int automaton, int state) {}
 
     Obstacles(Behaviour behaviour) {
         this.behaviour = behaviour;
@@ -30,7 +32,7 @@ final class Obstacles {
     /** Notes states that can be reached. */
     void visited(List<Configuration> configurations) {
         for (int i = 0; i < configurations.size(); i++) {
-            states.add(i + " " + configurations.get(i).state());
+            states.add(new Place(i, configurations.get(i).state()));
         }
     }
 
@@ -76,7 +78,7 @@ final class Obstacles {
      */
     Uncovered of(Goal goal, Optional<String> stopped) {
         boolean certain = stopped.isEmpty();
-        if (!isConnected(goal)) {
+        if (!Subject.connected(goal.automaton()).get(goal.transition().source())) {
             return new Uncovered(goal, unreachable(goal), true);
         }
         boolean forbidden = enabled.contains(goal);
@@ -91,7 +93,7 @@ final class Obstacles {
         if (!certain) {
             return new Uncovered(goal, "not met so far: " + stopped.get(), false);
         }
-        boolean met = states.contains(automaton(goal) + " " + goal.transition().source());
+        boolean met = states.contains(new Place(automaton(goal), goal.transition().source()));
         String never = "it is never enabled in '" + goal.source() + "'";
         return new Uncovered(goal, met ? never : unreachable(goal), true);
     }
@@ -106,22 +108,5 @@ final class Obstacles {
 
     private static String unreachable(Goal goal) {
         return "'" + goal.source() + "' cannot be reached";
-    }
-
-    /** Whether transitions lead to it, enabled or not. */
-    private static boolean isConnected(Goal goal) {
-        Automaton automaton = goal.automaton();
-        Set<Integer> connected = new HashSet<>();
-        automaton.initials().forEach(initial -> connected.add(initial.state()));
-        int before = 0;
-        while (before < connected.size()) {
-            before = connected.size();
-            for (Automaton.Transition transition : automaton.transitions()) {
-                if (connected.contains(transition.source())) {
-                    connected.add(transition.target());
-                }
-            }
-        }
-        return connected.contains(goal.transition().source());
     }
 }

@@ -49,14 +49,14 @@ final class Stimuli {
     private final Behaviour behaviour;
     private final List<Port> ports;
     private final boolean timed;
-    private final Mentions mentions;
+    private final MentionedValues mentions;
     private String sampled;
 
     Stimuli(Behaviour behaviour, List<Value> arguments) {
         this.behaviour = behaviour;
         this.ports = behaviour.component().inputs();
         this.timed = behaviour.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
-        this.mentions = Mentions.of(behaviour.component(), arguments);
+        this.mentions = MentionedValues.of(behaviour.component(), arguments);
     }
 
     /** What has not been tried, where that is something. */
@@ -84,7 +84,7 @@ final class Stimuli {
         try {
             add(looks, letters);
         } catch (TooManyMessages problem) {
-            for (Mentions transition : transitions(configurations)) {
+            for (MentionedValues transition : transitions(configurations)) {
                 addSome(only(transition, looks), letters);
             }
         }
@@ -99,13 +99,13 @@ final class Stimuli {
     }
 
     /** What the transitions out of a configuration look at, each by itself. */
-    private List<Mentions> transitions(List<Configuration> configurations) {
-        List<Mentions> mentioned = new ArrayList<>();
+    private List<MentionedValues> transitions(List<Configuration> configurations) {
+        List<MentionedValues> mentioned = new ArrayList<>();
         for (int i = 0; i < configurations.size(); i++) {
             Automaton automaton = behaviour.relations().get(i).automaton();
             for (Automaton.Transition transition : automaton.transitions()) {
                 if (transition.source() == configurations.get(i).state()) {
-                    mentioned.add(Mentions.of(transition));
+                    mentioned.add(MentionedValues.of(transition));
                 }
             }
         }
@@ -115,7 +115,7 @@ final class Stimuli {
         return mentioned;
     }
 
-    private Look[] only(Mentions transition, Look[] looks) {
+    private Look[] only(MentionedValues transition, Look[] looks) {
         Look[] own = unseen();
         for (int i = 0; i < own.length; i++) {
             own[i] = transition.port(ports.get(i).name()) ? looks[i] : own[i];

@@ -1,8 +1,8 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.coverage.Exploration.Beginning;
-import arcomat.analysis.coverage.Exploration.Node;
-import arcomat.analysis.coverage.Exploration.Step;
+import arcomat.analysis.coverage.ReachabilityGraph.Beginning;
+import arcomat.analysis.coverage.ReachabilityGraph.Node;
+import arcomat.analysis.coverage.ReachabilityGraph.Step;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Stream tests that together take every transition of an atomic component that can be taken, and go
@@ -71,15 +72,13 @@ public final class TransitionTests {
         public String words() {
             Map<String, Integer> counts = new LinkedHashMap<>();
             mistakes.forEach(each -> counts.merge(each, 1, Integer::sum));
-            List<String> words = new ArrayList<>();
-            counts.forEach(
-                    (mistake, count) ->
-                            words.add(
-                                    mistake
-                                            + (count == 1
-                                                    ? ""
-                                                    : " (in %d places)".formatted(count))));
-            return String.join(", or ", words);
+            return counts.entrySet().stream()
+                    .map(each -> each.getKey() + places(each.getValue()))
+                    .collect(Collectors.joining(", or "));
+        }
+
+        private static String places(int count) {
+            return count == 1 ? "" : " (in %d places)".formatted(count);
         }
     }
 
@@ -143,7 +142,7 @@ public final class TransitionTests {
     private final Promise promise;
     private final String suite;
     private final Budget budget;
-    private final Exploration exploration;
+    private final CoverageSearch search;
     private final Set<Goal> open;
     private final Set<String> names = new LinkedHashSet<>();
 
@@ -151,8 +150,8 @@ public final class TransitionTests {
         this.promise = promise;
         this.suite = suite;
         this.budget = budget;
-        this.exploration = new Exploration(promise, budget);
-        this.open = new LinkedHashSet<>(exploration.reached());
+        this.search = CoverageSearch.of(promise, budget);
+        this.open = new LinkedHashSet<>(search.reached());
     }
 
     /**
@@ -168,20 +167,20 @@ public final class TransitionTests {
         List<Test> tests = new ArrayList<>();
         String spent = Budget.within(() -> cover(tests), reason -> reason);
         List<Uncovered> uncovered = new ArrayList<>();
-        for (Goal goal : exploration.goals()) {
+        for (Goal goal : search.goals()) {
             if (open.contains(goal)) {
                 uncovered.add(new Uncovered(goal, spent, false));
-            } else if (!exploration.reached().contains(goal)) {
-                uncovered.add(exploration.whyNot(goal));
+            } else if (!search.reached().contains(goal)) {
+                uncovered.add(search.whyNot(goal));
             }
         }
         return new Result(
                 tests,
-                exploration.goals().size(),
+                search.goals().size(),
                 uncovered,
                 spent.isEmpty() ? tell(tests) : List.of(),
-                exploration.stopped(),
-                exploration.size());
+                search.stopped(),
+                search.graph().size());
     }
 
     /**
@@ -195,15 +194,7 @@ public final class TransitionTests {
 
     private Test telling(Distinction.Run run) {
         Goal transition = run.mistake().transition();
-        StreamTest streams =
-                new StreamTest(
-                        suite,
-                        nameOf(transition),
-                        promise.component(),
-                        promise.arguments(),
-                        run.inputs(),
-                        run.expected(),
-                        promise.component().span());
+        StreamTest streams = streamTest(nameOf(transition), run.inputs(), run.expected());
         return new Test(streams, List.of(), Optional.of(run.mistake()), run.promised());
     }
 
@@ -226,7 +217,7 @@ public final class TransitionTests {
             take(next, word, covers);
             anew = fromTheBeginning();
             Node end = word.get(word.size() - 1).to();
-            next = exploration.path(List.of(end), open, anew.size());
+            next = search.graph().path(List.of(end), open, anew.size());
         }
         StreamTest streams = streams(nameOf(covers.get(0)), beginning(start), word);
         return new Test(streams, covers, Optional.empty(), true);
@@ -241,7 +232,7 @@ public final class TransitionTests {
         }
         covers.addAll(fresh);
         for (Goal goal : fresh) {
-            List<Step> more = exploration.without(goal).noticed(word);
+            List<Step> more = search.graph().without(goal).noticed(word);
             if (!more.isEmpty()) {
                 take(more, word, covers);
             }
@@ -250,12 +241,12 @@ public final class TransitionTests {
 
     /** A shortest word to a transition that is still open; empty where none is. */
     private List<Step> fromTheBeginning() {
-        List<Node> starts = exploration.beginnings().stream().map(Beginning::node).toList();
-        return open.isEmpty() ? List.of() : exploration.path(starts, open, Integer.MAX_VALUE);
+        List<Node> starts = search.beginnings().stream().map(Beginning::node).toList();
+        return open.isEmpty() ? List.of() : search.graph().path(starts, open, Integer.MAX_VALUE);
     }
 
     private Beginning beginning(Node start) {
-        return exploration.beginnings().stream()
+        return search.beginnings().stream()
                 .filter(each -> each.node() == start)
                 .findFirst()
                 .orElseThrow();
@@ -288,6 +279,12 @@ public final class TransitionTests {
             word.forEach(step -> stream.add(step.sent().messages(port.name())));
             expected.put(port.name(), timed ? stream : List.of(joined(stream)));
         }
+        return streamTest(name, inputs, expected);
+    }
+
+    private StreamTest streamTest(
+            String name, List<Letter> inputs, Map<String, List<List<Value>>> expected) {
+        Component component = promise.component();
         return new StreamTest(
                 suite, name, component, promise.arguments(), inputs, expected, component.span());
     }

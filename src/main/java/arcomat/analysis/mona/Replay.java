@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * Tells a counterexample of MONA's as a run of the models: the left side takes every step of it,
@@ -89,7 +90,7 @@ public final class Replay {
         return steps.stream()
                 .filter(step -> step.next() == state(slice) && step.error() == isError(slice))
                 .filter(step -> slice == 0 || reads(step, question.left(), slice))
-                .filter(step -> step.error() ? stillShows(step, slice) : sends(step, slice))
+                .filter(step -> shows(step, slice))
                 .findFirst();
     }
 
@@ -113,36 +114,25 @@ public final class Replay {
 
     /** Whether a step belongs to the input before a slice. */
     private boolean reads(Step step, ExplicitSystem system, int slice) {
-        for (int i = 0; i < step.inputs().size(); i++) {
-            int code = number(system.inputs().get(i).bits(), slice - 1);
-            if (!step.inputs().get(i).contains(code)) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private boolean sends(Step step, int slice) {
-        for (int i = 0; i < question.observed().size(); i++) {
-            Sent.Messages seen = seen(i, slice);
-            if (!step.sent().ports().get(i).allows(seen.values())) {
-                return false;
-            }
-        }
-        return true;
+        return IntStream.range(0, step.inputs().size())
+                .allMatch(
+                        port -> {
+                            int code = number(system.inputs().get(port).bits(), slice - 1);
+                            return step.inputs().get(port).contains(code);
+                        });
     }
 
     /** Where the run ends, what earlier reactions show counts, where one side has any. */
-    private boolean stillShows(Step step, int slice) {
-        return question.mixed().stream()
-                .allMatch(
-                        port -> {
-                            Sent shown =
-                                    step.sent() == null
-                                            ? Sent.SILENCE
-                                            : step.sent().ports().get(port);
-                            return shown.allows(seen(port, slice).values());
-                        });
+    private boolean shows(Step step, int slice) {
+        IntStream ports =
+                step.error()
+                        ? question.mixed().stream()
+                        : IntStream.range(0, question.observed().size());
+        return ports.allMatch(
+                port -> {
+                    Sent sent = step.sent() == null ? Sent.SILENCE : step.sent().ports().get(port);
+                    return sent.allows(seen(port, slice).values());
+                });
     }
 
     /** What is seen of the reaction: with delay 0 in the slice before. */
@@ -159,7 +149,7 @@ public final class Replay {
         Set<Integer> after = new LinkedHashSet<>();
         if (slice == 0) {
             theirs.openings().stream()
-                    .filter(opening -> sends(opening, slice))
+                    .filter(opening -> shows(opening, slice))
                     .forEach(opening -> after.add(opening.next()));
         }
         for (int state : before) {
@@ -170,9 +160,7 @@ public final class Replay {
                 continue;
             }
             for (Step step : theirs.states().get(state).steps()) {
-                if (step.error() == error
-                        && reads(step, theirs, slice)
-                        && (error ? stillShows(step, slice) : sends(step, slice))) {
+                if (step.error() == error && reads(step, theirs, slice) && shows(step, slice)) {
                     after.add(step.next());
                 }
             }

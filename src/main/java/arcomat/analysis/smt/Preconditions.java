@@ -45,11 +45,7 @@ public record Preconditions(
     /** What a transition sends and assigns. */
     private static List<Expression> effects(Automaton.Transition transition) {
         List<Expression> all = new ArrayList<>();
-        for (Automaton.Send send : transition.sends()) {
-            if (send.emission() instanceof Automaton.Messages messages) {
-                all.addAll(messages.values());
-            }
-        }
+        transition.sends().forEach(send -> all.addAll(send.emission().values()));
         transition.assignments().forEach(assignment -> all.add(assignment.value()));
         return all;
     }

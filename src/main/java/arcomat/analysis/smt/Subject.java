@@ -1,5 +1,6 @@
 package arcomat.analysis.smt;
 
+import arcomat.graph.Digraph;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Type;
@@ -7,6 +8,7 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.StepRelation;
 
+import java.util.BitSet;
 import java.util.List;
 
 /**
@@ -45,6 +47,15 @@ public record Subject(
         return type instanceof Type.BooleanType
                 || type instanceof Type.EnumType
                 || type instanceof Type.IntegerType integer && integer.ranged();
+    }
+
+    /** The states that transitions lead to from a beginning, whatever their guards say. */
+    public static BitSet connected(Automaton automaton) {
+        Digraph states = new Digraph(automaton.states().size());
+        automaton.transitions().forEach(each -> states.addEdge(each.source(), each.target()));
+        int before = states.addNode();
+        automaton.initials().forEach(initial -> states.addEdge(before, initial.state()));
+        return states.reachableFrom(before);
     }
 
     public Automaton.Transition transition(int index) {

@@ -166,14 +166,12 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
                 solver.not(translation.term(when.dividesInGuard())));
     }
 
-    private static List<Expression> values(Send send) {
-        return send.emission() instanceof Messages messages ? messages.values() : List.of();
-    }
-
     private Term leavesRange(int transition) {
         List<Term> any = new ArrayList<>();
         for (Send send : transitions().get(transition).sends()) {
-            values(send).forEach(value -> any.add(isOutside(value, send.port().type())));
+            send.emission()
+                    .values()
+                    .forEach(value -> any.add(isOutside(value, send.port().type())));
         }
         for (Assignment assignment : transitions().get(transition).assignments()) {
             any.add(isOutside(assignment.value(), assignment.variable().type()));

@@ -1,6 +1,5 @@
 package arcomat.analysis.smt;
 
-import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -20,7 +19,7 @@ import java.util.Map;
  * happen then, never happens.
  */
 final class Translation implements Expression.Cases<Term> {
-    private final Constants constants;
+    private final ConstantExpressions constants;
     private final Instant at;
     private final Solver solver;
     private final Encoding codes;
@@ -28,7 +27,7 @@ final class Translation implements Expression.Cases<Term> {
     private final Map<Expression, Term> known = new IdentityHashMap<>();
 
     Translation(Subject subject, Instant at, Solver solver, Encoding codes) {
-        this.constants = new Constants(subject);
+        this.constants = new ConstantExpressions(subject);
         this.at = at;
         this.solver = solver;
         this.codes = codes;
@@ -79,14 +78,12 @@ final class Translation implements Expression.Cases<Term> {
     @Override
     public Term portMatches(Expression.PortMatches matches) {
         Term has = at.has(matches.port());
-        if (matches.pattern() instanceof Automaton.Present) {
-            return has;
-        }
-        if (matches.pattern() instanceof Automaton.Absent) {
-            return solver.not(has);
-        }
         Expression read = new Expression.PortRead(matches.port(), matches.span());
-        return solver.and(has, oneOf(read, ((Automaton.OneOf) matches.pattern()).values()));
+        return matches.pattern()
+                .match(
+                        oneOf -> solver.and(has, oneOf(read, oneOf.values())),
+                        () -> solver.not(has),
+                        () -> has);
     }
 
     @Override

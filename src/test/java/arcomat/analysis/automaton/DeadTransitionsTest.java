@@ -2,6 +2,9 @@ package arcomat.analysis.automaton;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.automaton.exploration.Exploration;
+import arcomat.analysis.automaton.exploration.Knowledge;
+import arcomat.analysis.automaton.exploration.Solving;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;

@@ -3,6 +3,10 @@ package arcomat.analysis.automaton;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.automaton.NaiveExploration.Overlapping;
+import arcomat.analysis.automaton.exploration.Confirmation;
+import arcomat.analysis.automaton.exploration.Exploration;
+import arcomat.analysis.automaton.exploration.RunProperties;
+import arcomat.analysis.automaton.exploration.Stepper;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.Reachability;
 import arcomat.analysis.smt.RunProperty;

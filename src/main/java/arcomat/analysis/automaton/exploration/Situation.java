@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.search.letter.Letters;
 import arcomat.analysis.smt.RunProperty;
@@ -22,7 +22,7 @@ import java.util.Set;
  * @param faults of the guards that go wrong
  * @param wrapping indices of the transitions of which an integer wraps around
  */
-record Situation(
+public record Situation(
         Visit visit,
         Value[] letter,
         List<Alternative> alternatives,
@@ -39,24 +39,24 @@ record Situation(
      * @param reaction empty where the right-hand side goes wrong
      * @param next number of the visit that it leads to; -1 where it goes wrong
      */
-    record Alternative(
+    public record Alternative(
             Trace.Taken taken, Optional<Reaction> reaction, Optional<Fault> fault, int next) {}
 
-    int state() {
+    public int state() {
         return visit.configuration().state();
     }
 
     /** Whether no transition answers, well or wrong. */
-    boolean isUnhandled() {
+    public boolean isUnhandled() {
         return alternatives.isEmpty() && faults.isEmpty();
     }
 
-    boolean isSilent() {
+    public boolean isSilent() {
         return Letters.messages(letter) == 0;
     }
 
     /** The better witness: the way to it is shorter, or has fewer messages; else the first. */
-    static Situation simpler(Situation first, Situation second) {
+    public static Situation simpler(Situation first, Situation second) {
         return SIMPLE_FIRST.compare(second, first) < 0 ? second : first;
     }
 
@@ -65,7 +65,7 @@ record Situation(
     }
 
     /** All that is shown. */
-    Set<RunProperty> shows() {
+    public Set<RunProperty> shows() {
         Set<RunProperty> shown = new HashSet<>();
         shown.add(new RunProperty.Reached(state()));
         faults.forEach(fault -> shown.add(wrong(fault)));

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.smt.Reachability.Place;
 import arcomat.analysis.smt.Reachability.Run;
@@ -20,10 +20,10 @@ import java.util.function.Predicate;
  * Makes a run that the solver found concrete: goes its way with the automaton's own steps, and only
  * what is seen there counts. On the way messages that make no difference are left out.
  */
-record Confirmation(Subject subject, Stepper stepper) {
+public record Confirmation(Subject subject, Stepper stepper) {
 
     /** The situation at the end, if the way is there and the end shows what was asked. */
-    Optional<Situation> of(RunProperty property, Run run) {
+    public Optional<Situation> of(RunProperty property, Run run) {
         Optional<Visit> visit = beginning(run.places().get(0));
         for (int i = 0; i < run.letters().size() && visit.isPresent(); i++) {
             visit = step(visit.get(), run.letters().get(i), run.places().get(i + 1));

@@ -14,7 +14,7 @@ import java.util.function.Predicate;
 import java.util.stream.LongStream;
 
 /** The expressions of an automaton that have one value, or few, wherever it is. */
-record Constants(Subject subject) {
+record ConstantExpressions(Subject subject) {
     private static final long FEW = 64;
 
     /** The argument for a parameter. */

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.smt.Reachability;
 import arcomat.analysis.smt.RunProperty;
@@ -16,14 +16,14 @@ import java.util.Set;
  * @param shown by some run
  * @param answers to the questions that were put to the solver
  */
-record Knowledge(
+public record Knowledge(
         Subject subject,
         Exploration explored,
         Set<RunProperty> shown,
         Map<RunProperty, Reachability> answers) {
 
     /** Whether all configurations have been looked at, one by one. */
-    boolean isExhaustive() {
+    public boolean isExhaustive() {
         return explored.isComplete();
     }
 
@@ -53,12 +53,12 @@ record Knowledge(
     }
 
     /** Whether some run shows it. */
-    boolean happens(RunProperty property) {
+    public boolean happens(RunProperty property) {
         return shown.contains(property);
     }
 
     /** Whether certainly no run shows it. */
-    boolean neverHappens(RunProperty property) {
+    public boolean neverHappens(RunProperty property) {
         if (happens(property)) {
             return false;
         }
@@ -68,7 +68,7 @@ record Knowledge(
     }
 
     /** Why not everything is known: what stays open; empty where nothing does. */
-    String obstacle() {
+    public String obstacle() {
         if (isExhaustive()) {
             return "";
         }

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.search.letter.Letters;
 import arcomat.model.Value;
@@ -20,7 +20,7 @@ import java.util.Set;
  * @param length letters from a beginning
  * @param messages on the whole way
  */
-record Visit(
+public record Visit(
         int number,
         Configuration configuration,
         Set<Integer> latched,
@@ -34,15 +34,15 @@ record Visit(
             Comparator.comparingInt(Visit::length).thenComparingInt(Visit::messages);
 
     /** Where to go on from: visits to the same place are the same. */
-    record Place(Configuration configuration, Set<Integer> latched) {}
+    public record Place(Configuration configuration, Set<Integer> latched) {}
 
     /** Where a run begins that is not one of an exploration. */
-    static Visit beginning(Configuration configuration, Output output) {
+    public static Visit beginning(Configuration configuration, Output output) {
         return new Visit(-1, configuration, Set.of(), null, null, output, 0, 0);
     }
 
     /** One step further. */
-    Visit then(Reaction reaction, Set<Integer> nowLatched, Value[] read) {
+    public Visit then(Reaction reaction, Set<Integer> nowLatched, Value[] read) {
         return new Visit(
                 -1,
                 reaction.next(),
@@ -54,12 +54,12 @@ record Visit(
                 messages + Letters.messages(read));
     }
 
-    Place place() {
+    public Place place() {
         return new Place(configuration, latched);
     }
 
     /** That with the shorter way, or with fewer messages on one as long; else the first. */
-    static Visit simpler(Visit first, Visit second) {
+    public static Visit simpler(Visit first, Visit second) {
         return SIMPLE_FIRST.compare(second, first) < 0 ? second : first;
     }
 }

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.smt.Reachability;
@@ -15,7 +15,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 
 /** Puts to the solver what trying has left open, and shows what it found to who watches. */
-final class Solving {
+public final class Solving {
     /** More questions are not put: two for each pair of transitions, say. */
     private static final int MOST_QUESTIONS = 1500;
 
@@ -28,14 +28,14 @@ final class Solving {
     private final Confirmation confirmation;
     private final Map<RunProperty, Situation> found = new LinkedHashMap<>();
 
-    Solving(Subject subject, Consumer<Situation> watching, Budget budget) {
+    public Solving(Subject subject, Consumer<Situation> watching, Budget budget) {
         this.subject = subject;
         this.watching = watching;
         this.budget = budget;
         this.confirmation = new Confirmation(subject, Stepper.of(subject));
     }
 
-    Knowledge after(Exploration explored) {
+    public Knowledge after(Exploration explored) {
         List<RunProperty> open = open(explored);
         Map<RunProperty, Reachability> answers = Map.of();
         if (!open.isEmpty() && open.size() <= MOST_QUESTIONS) {

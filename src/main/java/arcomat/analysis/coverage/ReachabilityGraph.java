@@ -1,7 +1,6 @@
 package arcomat.analysis.coverage;
 
 import arcomat.analysis.coverage.Stimuli.Stimulus;
-import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
@@ -12,13 +11,11 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
 import arcomat.semantics.automaton.Behaviour.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.GivenUp;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -26,20 +23,17 @@ import java.util.Arrays;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
 /**
- * The configurations of an atomic component that can be reached, breadth first, with one step of
- * each kind between them, until every transition has been met. Configurations in which nothing is
- * promised any more are not entered.
+ * The configurations of an atomic component with one step of each kind between them, on demand.
+ * Those in which nothing is promised any more are left out.
  */
-final class Exploration {
+final class ReachabilityGraph {
     /** So many letters are tried where not all are. */
     private static final long MOST_SAMPLES = 200_000;
 
@@ -74,68 +68,54 @@ final class Exploration {
             Letter sent,
             Node to) {}
 
-    private final Promise promise;
+    private final Component component;
     private final Budget budget;
     private final Behaviour behaviour;
     private final Stimuli stimuli;
-    private final List<Goal> goals = new ArrayList<>();
-    private final Set<Goal> reached = new LinkedHashSet<>();
     private final Obstacles obstacles;
     private final Map<Key, Node> nodes = new LinkedHashMap<>();
-    private final List<Beginning> beginnings = new ArrayList<>();
-    private String stopped;
     private long tried;
 
-    Exploration(Promise promise, Budget budget) {
-        this.promise = promise;
-        behaviour = Behaviour.of(promise.component(), promise.arguments());
-        stimuli = new Stimuli(behaviour, promise.arguments());
-        obstacles = new Obstacles(behaviour);
-        promise.automata()
-                .forEach(
-                        automaton -> {
-                            for (int i = 0; i < automaton.transitions().size(); i++) {
-                                goals.add(new Goal(automaton, i));
-                            }
-                        });
+    ReachabilityGraph(Promise promise, Budget budget) {
+        this.component = promise.component();
         this.budget = budget;
-        try {
-            explore();
-        } catch (GivenUp inTheMiddle) {
-            stopped = inTheMiddle.getMessage();
-        }
-        reached.retainAll(goals);
+        this.behaviour = Behaviour.of(component, promise.arguments());
+        this.stimuli = new Stimuli(behaviour, promise.arguments());
+        this.obstacles = new Obstacles(behaviour);
     }
 
-    private void explore() {
-        Value[] nothing = new Value[promise.component().inputs().size()];
-        Deque<Node> waiting = new ArrayDeque<>();
-        for (JointStart start : behaviour.starts(budget::insist)) {
-            Node node = node(new Key(start.configurations(), Arrays.asList(nothing)));
-            beginnings.add(new Beginning(node, letter(start.output())));
-            waiting.add(node);
-        }
-        Set<Node> seen = new HashSet<>(waiting);
-        while (!waiting.isEmpty() && !reached.containsAll(goals)) {
-            stopped = exhausted();
-            if (stopped != null) {
-                return;
-            }
-            for (Step step : steps(waiting.remove())) {
-                reached.addAll(step.taken);
-                if (seen.add(step.to)) {
-                    waiting.add(step.to);
-                }
-            }
-        }
+    /** A way to begin, with what is sent before anything is read. */
+    List<Beginning> beginnings() {
+        List<Value> nothing = Arrays.asList(new Value[component.inputs().size()]);
+        return behaviour.starts(budget::insist).stream()
+                .map(
+                        start ->
+                                new Beginning(
+                                        node(new Key(start.configurations(), nothing)),
+                                        letter(start.output())))
+                .toList();
     }
 
-    /** Where not all letters are tried, there is no end to it: some have to be enough. */
-    private String exhausted() {
+    /**
+     * Why to look no further. Where not all letters are tried, there is no end to it: some have to
+     * be enough.
+     */
+    Optional<String> exhausted() {
         if (stimuli.sampled().isPresent() && tried > MOST_SAMPLES) {
-            return stimuli.sampled().get();
+            return stimuli.sampled();
         }
-        return budget.exhausted(nodes.size() + tried / LETTERS_OF_A_STATE);
+        long explored = nodes.size() + tried / LETTERS_OF_A_STATE;
+        return Optional.ofNullable(budget.exhausted(explored));
+    }
+
+    /** What was not tried, where that is something. */
+    Optional<String> sampled() {
+        return stimuli.sampled();
+    }
+
+    /** What keeps transitions from being taken, as far as was looked. */
+    Obstacles obstacles() {
+        return obstacles;
     }
 
     private Node node(Key key) {
@@ -147,28 +127,9 @@ final class Exploration {
         return new Absence(this, behaviour, goal, budget);
     }
 
-    /** The transitions that are asked for, in text order. */
-    List<Goal> goals() {
-        return goals;
-    }
-
-    /** Those that can be taken. */
-    Set<Goal> reached() {
-        return reached;
-    }
-
-    List<Beginning> beginnings() {
-        return beginnings;
-    }
-
     /** How many configurations were met. */
     int size() {
         return nodes.size();
-    }
-
-    /** Why not everything was looked at, where that is so. */
-    Optional<String> stopped() {
-        return Optional.ofNullable(stopped).or(stimuli::sampled);
     }
 
     /** The steps out of a configuration, one of each kind. */
@@ -238,7 +199,6 @@ final class Exploration {
 
     /** What is left open is sent as a run without random choices sends it. */
     private Letter letter(Output output) {
-        Component component = promise.component();
         Map<String, List<Value>> messages = new LinkedHashMap<>();
         for (int i = 0; i < output.ports().size(); i++) {
             Port port = component.outputs().get(i);
@@ -250,11 +210,6 @@ final class Exploration {
             }
         }
         return new Letter(messages);
-    }
-
-    /** Why a transition has not been met. */
-    Uncovered whyNot(Goal goal) {
-        return obstacles.of(goal, stopped());
     }
 
     /**

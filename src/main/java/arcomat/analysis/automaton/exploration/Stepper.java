@@ -1,6 +1,6 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
-import arcomat.analysis.automaton.Situation.Alternative;
+import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.smt.Preconditions;
 import arcomat.analysis.smt.Subject;
 import arcomat.model.Component;
@@ -26,15 +26,15 @@ import java.util.function.ToIntFunction;
  *
  * @param wrapping of each state the transitions of which an integer may wrap around
  */
-record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
+public record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
 
     /** When an integer of a transition wraps around. */
-    record Wrapping(
+    public record Wrapping(
             int transition,
             BiPredicate<Configuration, Input> inGuard,
             BiPredicate<Configuration, Input> inEffect) {}
 
-    static Stepper of(Subject subject) {
+    public static Stepper of(Subject subject) {
         List<List<Wrapping>> wrapping = new ArrayList<>();
         subject.automaton().states().forEach(state -> wrapping.add(new ArrayList<>(0)));
         for (int i = 0; i < subject.preconditions().size(); i++) {
@@ -54,7 +54,7 @@ record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
     /**
      * @param next the number of the visit that a reaction leads to
      */
-    Situation situation(Visit visit, Value[] letter, ToIntFunction<Reaction> next) {
+    public Situation situation(Visit visit, Value[] letter, ToIntFunction<Reaction> next) {
         Input input = Input.of(letter);
         List<Alternative> alternatives = new ArrayList<>();
         StepRelation.Choices choices = subject.relation().choices(visit.configuration(), input);
@@ -94,7 +94,7 @@ record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
     }
 
     /** The latched ports that have had a message after a letter. */
-    Set<Integer> latched(Visit before, Value[] letter) {
+    public Set<Integer> latched(Visit before, Value[] letter) {
         if (subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS) {
             return Set.of();
         }

@@ -11,15 +11,15 @@ import java.util.List;
 import java.util.Set;
 
 /** The values and the ports that transitions mention. */
-final class Mentions {
+final class MentionedValues {
     private final Set<Value> values = new LinkedHashSet<>();
     private final Set<String> ports = new LinkedHashSet<>();
 
-    private Mentions() {}
+    private MentionedValues() {}
 
     /** Those of a component with arguments. */
-    static Mentions of(Component component, List<Value> arguments) {
-        Mentions mentions = new Mentions();
+    static MentionedValues of(Component component, List<Value> arguments) {
+        MentionedValues mentions = new MentionedValues();
         mentions.values.addAll(arguments);
         component.constants().forEach(constant -> mentions.add(constant.initial()));
         for (Automaton automaton : component.automata()) {
@@ -28,8 +28,8 @@ final class Mentions {
         return mentions;
     }
 
-    static Mentions of(Automaton.Transition transition) {
-        Mentions mentions = new Mentions();
+    static MentionedValues of(Automaton.Transition transition) {
+        MentionedValues mentions = new MentionedValues();
         mentions.add(transition);
         return mentions;
     }
@@ -38,20 +38,12 @@ final class Mentions {
         transition.guard().ifPresent(this::add);
         for (Automaton.Match match : transition.matches()) {
             ports.add(match.port().name());
-            add(match.pattern());
+            match.pattern().values().forEach(this::add);
         }
         for (Automaton.Send send : transition.sends()) {
-            if (send.emission() instanceof Automaton.Messages messages) {
-                messages.values().forEach(this::add);
-            }
+            send.emission().values().forEach(this::add);
         }
         transition.assignments().forEach(assignment -> add(assignment.value()));
-    }
-
-    private void add(Automaton.Pattern pattern) {
-        if (pattern instanceof Automaton.OneOf oneOf) {
-            oneOf.values().forEach(this::add);
-        }
     }
 
     private void add(Expression expression) {
@@ -63,7 +55,6 @@ final class Mentions {
                         ports.add(read.port().name());
                     } else if (e instanceof Expression.PortMatches matches) {
                         ports.add(matches.port().name());
-                        add(matches.pattern());
                     }
                 });
     }

@@ -1,4 +1,4 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.RunProperty.Difference;
@@ -14,10 +14,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /** All that may be asked about an automaton, and how to say it. */
-record RunProperties(Subject subject) implements RunProperty.Cases<String> {
+public record RunProperties(Subject subject) implements RunProperty.Cases<String> {
 
     /** Whatever an analysis wants to know, what others depend on first. */
-    List<RunProperty> all() {
+    public List<RunProperty> all() {
         List<RunProperty> all = new ArrayList<>();
         int states = subject.automaton().states().size();
         int transitions = subject.automaton().transitions().size();
@@ -64,7 +64,7 @@ record RunProperties(Subject subject) implements RunProperty.Cases<String> {
     }
 
     /** What is asked, to follow "whether". */
-    String words(RunProperty property) {
+    public String words(RunProperty property) {
         return property.match(this);
     }
 

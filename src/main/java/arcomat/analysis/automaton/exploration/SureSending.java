@@ -1,7 +1,10 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
 import arcomat.analysis.smt.RunProperty;
+import arcomat.analysis.smt.Subject;
+import arcomat.model.Automaton;
 import arcomat.model.Automaton.Transition;
+import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Guards;
@@ -14,11 +17,11 @@ import java.util.List;
  * each state that may be reached, transitions that depend on nothing but the letter lead to one
  * that sends.
  */
-record SureSending(Knowledge knowledge) {
+public record SureSending(Knowledge knowledge) {
 
     /** Whether a trap may have been missed. */
-    boolean isOpen() {
-        if (!Trap.isToSend(knowledge.subject())) {
+    public boolean isOpen() {
+        if (!isToSend(knowledge.subject())) {
             return false;
         }
         BitSet fine = new BitSet();
@@ -28,8 +31,7 @@ record SureSending(Knowledge knowledge) {
             for (int i = 0; i < transitions().size(); i++) {
                 Transition transition = transitions().get(i);
                 boolean good =
-                        Trap.sends(knowledge.subject(), transition)
-                                || fine.get(transition.target());
+                        sends(knowledge.subject(), transition) || fine.get(transition.target());
                 if (good && isSure(i)) {
                     fine.set(transition.source());
                 }
@@ -75,5 +77,24 @@ record SureSending(Knowledge knowledge) {
                                 || e instanceof Expression.PortRead read && read.port().latched()
                                 || e instanceof Expression.PortMatches matches
                                         && matches.port().latched());
+    }
+
+    /** Whether a transition may send. */
+    public static boolean sends(Subject subject, Automaton.Transition transition) {
+        return subject.automaton().omitted() == Automaton.Omitted.FREE
+                || transition.sends().stream()
+                        .anyMatch(send -> !(send.emission() instanceof Automaton.Silence));
+    }
+
+    /** Not one of several requirements that says nothing about outputs. */
+    public static boolean isToSend(Subject subject) {
+        Component component = subject.component();
+        boolean sole =
+                component.body() instanceof Component.Atomic atomic
+                        && atomic.automata().size() == 1;
+        return sole
+                ? !component.outputs().isEmpty()
+                : subject.automaton().transitions().stream()
+                        .anyMatch(transition -> sends(subject, transition));
     }
 }

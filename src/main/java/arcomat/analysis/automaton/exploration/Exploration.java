@@ -1,12 +1,10 @@
-package arcomat.analysis.automaton;
+package arcomat.analysis.automaton.exploration;
 
-import arcomat.analysis.automaton.Visit.Place;
+import arcomat.analysis.automaton.exploration.Visit.Place;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Letters;
 import arcomat.analysis.smt.RunProperty;
 import arcomat.analysis.smt.Subject;
-import arcomat.graph.Digraph;
-import arcomat.model.Automaton;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Output;
@@ -30,7 +28,7 @@ import java.util.function.Consumer;
  * a configuration tells apart. Completions lead nowhere new: they keep the configuration, or end in
  * chaos or error.
  */
-final class Exploration {
+public final class Exploration {
     private final Subject subject;
     private final Stepper stepper;
     private final Consumer<Situation> watching;
@@ -44,16 +42,16 @@ final class Exploration {
     private Map<Place, Visit> next = new LinkedHashMap<>();
     private String obstacle = "";
 
-    Exploration(Subject subject, Consumer<Situation> watching, Budget budget) {
+    public Exploration(Subject subject, Consumer<Situation> watching, Budget budget) {
         this.subject = subject;
         this.stepper = Stepper.of(subject);
         this.watching = watching;
         this.budget = budget;
-        this.connected = connected(subject.automaton());
+        this.connected = Subject.connected(subject.automaton());
     }
 
     /** Shows all that can happen to those who watch. */
-    void run() {
+    public void run() {
         for (Start start : subject.relation().starts()) {
             Place place = new Place(start.configuration(), Set.of());
             propose(place, null, null, start.output());
@@ -163,39 +161,31 @@ final class Exploration {
     }
 
     /** Whether everything that can be reached has been seen. */
-    boolean isComplete() {
+    public boolean isComplete() {
         return obstacle.isEmpty();
     }
 
     /** Why not everything has been seen; else empty. */
-    String obstacle() {
+    public String obstacle() {
         return obstacle;
     }
 
     /** Whether transitions lead to a state, whatever their guards say. */
-    boolean isConnected(int state) {
+    public boolean isConnected(int state) {
         return connected.get(state);
     }
 
-    private static BitSet connected(Automaton automaton) {
-        Digraph states = new Digraph(automaton.states().size());
-        automaton.transitions().forEach(each -> states.addEdge(each.source(), each.target()));
-        int before = states.addNode();
-        automaton.initials().forEach(initial -> states.addEdge(before, initial.state()));
-        return states.reachableFrom(before);
-    }
-
     /** What some run shows, as far as it was looked at. */
-    Set<RunProperty> shown() {
+    public Set<RunProperty> shown() {
         return shown;
     }
 
-    Visit visit(int number) {
+    public Visit visit(int number) {
         return byNumber.get(number);
     }
 
     /** How many configurations were met. */
-    int size() {
+    public int size() {
         return byNumber.size();
     }
 }
