@@ -6,12 +6,12 @@ import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.MachineFormats;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.report.finding.Case;
 import arcomat.report.finding.CheckReport;
 import arcomat.report.finding.FileCases;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.finding.JunitXml;
+import arcomat.report.finding.JunitXml.Case;
 import arcomat.report.finding.Reported;
 import arcomat.report.text.Style;
 

@@ -5,7 +5,7 @@ import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Pipeline;
 import arcomat.pipeline.check.Explanations;
 import arcomat.pipeline.step.WrongUse;
-import arcomat.report.finding.ExplanationText;
+import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Parameters;
@@ -47,7 +47,7 @@ public final class ExplainCommand extends Command {
                                                 "there is no finding with the code '"
                                                         + code
                                                         + "'; 'arcomat explain' lists all codes"));
-        print(ExplanationText.render(page, console.style()));
+        print(FindingsText.explanation(page, console.style()));
         return ExitStatus.FINE;
     }
 }

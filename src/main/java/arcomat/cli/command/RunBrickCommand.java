@@ -10,10 +10,8 @@ import arcomat.pipeline.brick.BrickRunRequest;
 import arcomat.pipeline.brick.BrickRunResult;
 import arcomat.pipeline.step.WrongUse;
 import arcomat.report.brick.BrickPage;
-import arcomat.report.brick.BrickTraceCsv;
 import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
-import arcomat.report.brick.LatenessText;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 import arcomat.sim.device.SensorName;
@@ -162,17 +160,17 @@ public final class RunBrickCommand extends Command {
                 run.screen().forEach(row -> printLine("| " + Printable.escape(row)));
                 printLine(summary(run));
                 if (run.lateness().slices() > 0) {
-                    printLine(LatenessText.of(run.lateness()));
+                    printLine(BrickTraceText.of(run.lateness()));
                 }
             }
-            case csv -> print(BrickTraceCsv.render(run.trace()));
+            case csv -> print(BrickTraceText.csv(run.trace()));
             case json -> print(BrickTraceJson.render(run.trace()));
         }
         for (Misfit misfit : run.misfits()) {
             console.err().println(told(misfit));
         }
         if (run.lateness().slices() > 0 && trace != TraceFormat.table) {
-            console.err().println(LatenessText.of(run.lateness()));
+            console.err().println(BrickTraceText.of(run.lateness()));
         }
         if (run.failure().isPresent()) {
             console.err().println("stopped: " + Printable.escape(run.failure().get()));

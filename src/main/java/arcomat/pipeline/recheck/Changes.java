@@ -4,32 +4,16 @@ import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.symbols.names.Outline;
 
 import java.util.ArrayList;
-import java.util.Collection;
-import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
-/** The difference between the files of two checks. */
-final class Changes {
-    private final Map<String, File> before;
-    private final Map<String, File> after;
-
-    Changes(Collection<File> before, Collection<File> after) {
-        this.before = byPath(before);
-        this.after = byPath(after);
-    }
-
-    private static Map<String, File> byPath(Collection<File> files) {
-        Map<String, File> map = new LinkedHashMap<>();
-        files.forEach(file -> map.put(file.path(), file));
-        return map;
-    }
-
+/** The difference between the files of two checks, by their paths. */
+record Changes(Map<String, File> before, Map<String, File> after) {
     /**
      * The files there are now whose findings may be others than before.
      *
@@ -53,12 +37,15 @@ final class Changes {
         return affected;
     }
 
+    /** All there are or were. */
+    Stream<String> paths() {
+        return Stream.concat(before.keySet().stream(), after.keySet().stream()).distinct();
+    }
+
     /** Files that are there once only, or with another text. */
     private Set<String> changed() {
-        Set<String> changed = new HashSet<>(before.keySet());
-        changed.addAll(after.keySet());
-        changed.removeIf(path -> hash(before, path).equals(hash(after, path)));
-        return changed;
+        return paths().filter(path -> !hash(before, path).equals(hash(after, path)))
+                .collect(Collectors.toSet());
     }
 
     private static Optional<String> hash(Map<String, File> files, String path) {
@@ -68,11 +55,10 @@ final class Changes {
     private List<FileReferences> references(Set<String> changed) {
         List<FileReferences> references = new ArrayList<>();
         for (String path : changed) {
-            for (Map<String, File> files : List.of(before, after)) {
-                Optional.ofNullable(files.get(path))
-                        .map(FileReferences::of)
-                        .ifPresent(references::add);
-            }
+            Stream.of(before, after)
+                    .flatMap(files -> Stream.ofNullable(files.get(path)))
+                    .map(FileReferences::of)
+                    .forEach(references::add);
         }
         for (String name : packagesThatCameOrWent()) {
             references.add(
@@ -84,12 +70,9 @@ final class Changes {
     private Set<String> packagesThatCameOrWent() {
         Set<String> old = packages(before);
         Set<String> fresh = packages(after);
-        Set<String> both = new HashSet<>(old);
-        both.retainAll(fresh);
-        Set<String> changed = new HashSet<>(old);
-        changed.addAll(fresh);
-        changed.removeAll(both);
-        return changed;
+        return Stream.concat(old.stream(), fresh.stream())
+                .filter(name -> !old.contains(name) || !fresh.contains(name))
+                .collect(Collectors.toSet());
     }
 
     private static Set<String> packages(Map<String, File> files) {
@@ -105,13 +88,10 @@ final class Changes {
 
     /** How often some files define each name. */
     private static Map<Outline, Long> names(Map<String, File> files, Set<String> paths) {
-        Map<Outline, Long> names = new HashMap<>();
-        paths.stream()
-                .map(files::get)
-                .filter(Objects::nonNull)
+        return paths.stream()
+                .flatMap(path -> Stream.ofNullable(files.get(path)))
                 .flatMap(file -> file.names().stream())
-                .forEach(each -> names.merge(each, 1L, Long::sum));
-        return names;
+                .collect(Collectors.groupingBy(each -> each, Collectors.counting()));
     }
 
     private static boolean isComplete(Map<String, File> files) {

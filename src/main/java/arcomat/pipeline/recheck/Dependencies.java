@@ -86,14 +86,11 @@ final class Dependencies {
     private Map<String, List<String>> claimants() {
         Map<String, List<String>> claimants = new HashMap<>();
         files.forEach(
-                (path, file) ->
-                        file.claims()
-                                .forEach(
-                                        claim ->
-                                                claimants
-                                                        .computeIfAbsent(
-                                                                claim, c -> new ArrayList<>(1))
-                                                        .add(path)));
+                (path, file) -> {
+                    for (String claim : file.claims()) {
+                        claimants.computeIfAbsent(claim, any -> new ArrayList<>(1)).add(path);
+                    }
+                });
         return claimants;
     }
 }

@@ -33,10 +33,7 @@ final class FilesAround {
     FilesAround(PathNames names, Set<Path> searched, Collection<String> files) {
         this.names = names;
         this.searched = searched;
-        for (String file : files) {
-            Path place = place(file);
-            places.add(place);
-        }
+        files.forEach(file -> places.add(place(file)));
     }
 
     /** The files that a unit refers to and that the user did not name, as they are shown. */

@@ -4,24 +4,22 @@ import arcomat.pipeline.step.PathNames;
 import arcomat.report.text.Json;
 import arcomat.report.text.Sha256;
 import arcomat.source.SourceFile;
-import arcomat.source.Span;
 
 import com.fasterxml.jackson.annotation.JsonAutoDetect.Visibility;
+import com.fasterxml.jackson.annotation.JsonValue;
 import com.fasterxml.jackson.annotation.PropertyAccessor;
-import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.json.JsonWriteFeature;
 import com.fasterxml.jackson.databind.BeanProperty;
 import com.fasterxml.jackson.databind.DeserializationContext;
+import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JavaType;
 import com.fasterxml.jackson.databind.JsonDeserializer;
 import com.fasterxml.jackson.databind.ObjectMapper;
-import com.fasterxml.jackson.databind.SerializerProvider;
 import com.fasterxml.jackson.databind.deser.ContextualDeserializer;
 import com.fasterxml.jackson.databind.deser.std.StdDeserializer;
 import com.fasterxml.jackson.databind.module.SimpleModule;
-import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -39,10 +37,11 @@ public record StateFile(String file, PathNames names) {
             Json.mapper()
                     .visibility(PropertyAccessor.CREATOR, Visibility.ANY)
                     .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
+                    .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+                    .addMixIn(SourceFile.class, ByPath.class)
                     .addModule(
                             new SimpleModule()
-                                    .addSerializer(new SpanSerializer())
-                                    .addDeserializer(Span.class, new SpanDeserializer())
+                                    .addDeserializer(SourceFile.class, new SourceDeserializer())
                                     .addDeserializer(
                                             Optional.class, new OptionalDeserializer(null)))
                     .build();
@@ -81,36 +80,23 @@ public record StateFile(String file, PathNames names) {
         }
     }
 
-    /** A span as it is written: the file by its path. */
-    private record Place(String path, int start, int end) {}
-
-    private static final class SpanSerializer extends StdSerializer<Span> {
-        private static final long serialVersionUID = 1L;
-
-        SpanSerializer() {
-            super(Span.class);
-        }
-
-        @Override
-        public void serialize(Span span, JsonGenerator json, SerializerProvider provider)
-                throws IOException {
-            json.writePOJO(new Place(span.file().path(), span.start(), span.end()));
-        }
+    /** How a file is written. */
+    private interface ByPath {
+        @JsonValue
+        String path();
     }
 
-    private static final class SpanDeserializer extends StdDeserializer<Span> {
+    private static final class SourceDeserializer extends StdDeserializer<SourceFile> {
         private static final long serialVersionUID = 1L;
 
-        SpanDeserializer() {
-            super(Span.class);
+        SourceDeserializer() {
+            super(SourceFile.class);
         }
 
         @Override
-        public Span deserialize(JsonParser json, DeserializationContext context)
+        public SourceFile deserialize(JsonParser json, DeserializationContext context)
                 throws IOException {
-            Place place = context.readValue(json, Place.class);
-            Sources sources = (Sources) context.getAttribute(Sources.class);
-            return new Span(sources.at(place.path()), place.start(), place.end());
+            return ((Sources) context.getAttribute(Sources.class)).at(json.getText());
         }
     }
 

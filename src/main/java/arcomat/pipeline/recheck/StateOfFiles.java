@@ -21,6 +21,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
 
 /** What is to be remembered of files. */
 record StateOfFiles(FilesAround around) {
@@ -33,8 +35,8 @@ record StateOfFiles(FilesAround around) {
         loaded.units().forEach(unit -> units.put(unit.file().path(), unit));
         Map<String, Recovered> recovered = new HashMap<>();
         loaded.recovered().forEach(each -> recovered.put(each.unit().file().path(), each));
-        Map<String, List<Diagnostic>> findings = byFile(models.findings());
-        Map<String, List<Suppressed>> suppressed = suppressedByFile(models.suppressed());
+        Map<String, List<Diagnostic>> findings = byFile(models.findings(), each -> each);
+        Map<String, List<Suppressed>> suppressed = byFile(models.suppressed(), Suppressed::finding);
         List<File> files = new ArrayList<>();
         Set<String> unreadable = new HashSet<>(loaded.broken());
         for (SourceFile source : loaded.sources()) {
@@ -83,20 +85,11 @@ record StateOfFiles(FilesAround around) {
         return mentions;
     }
 
-    static Map<String, List<Diagnostic>> byFile(List<Diagnostic> findings) {
-        Map<String, List<Diagnostic>> byFile = new HashMap<>();
-        for (Diagnostic each : findings) {
-            byFile.computeIfAbsent(each.span().file().path(), path -> new ArrayList<>()).add(each);
-        }
-        return byFile;
-    }
-
-    static Map<String, List<Suppressed>> suppressedByFile(List<Suppressed> suppressed) {
-        Map<String, List<Suppressed>> byFile = new HashMap<>();
-        for (Suppressed each : suppressed) {
-            byFile.computeIfAbsent(each.finding().span().file().path(), path -> new ArrayList<>())
-                    .add(each);
-        }
-        return byFile;
+    /**
+     * @param finding of each
+     */
+    static <T> Map<String, List<T>> byFile(List<T> all, Function<T, Diagnostic> finding) {
+        return all.stream()
+                .collect(Collectors.groupingBy(each -> finding.apply(each).span().file().path()));
     }
 }

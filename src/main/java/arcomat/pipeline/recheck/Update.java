@@ -28,7 +28,6 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -37,17 +36,25 @@ import java.util.TreeSet;
 final class Update {
     private final PathNames names;
     private final Progress progress;
-    private final List<File> before;
     private final NamedFiles named;
+    private final StateOfFiles states;
+    private final Map<String, File> before = new LinkedHashMap<>();
     private final Map<String, File> after = new LinkedHashMap<>();
+    private final Changes changes = new Changes(before, after);
     private final Map<String, SourceFile> others = new HashMap<>();
     private final Map<String, Parsed> parsed = new HashMap<>();
     private final Set<String> affected = new TreeSet<>();
     private Dependencies dependencies;
 
-    private Update(List<File> before, NamedFiles named, PathNames names, Progress progress) {
-        this.before = before;
+    private Update(
+            CheckState before,
+            NamedFiles named,
+            StateOfFiles states,
+            PathNames names,
+            Progress progress) {
+        before.files().forEach(file -> this.before.put(file.path(), file));
         this.named = named;
+        this.states = states;
         this.names = names;
         this.progress = progress;
     }
@@ -58,54 +65,48 @@ final class Update {
             StateOfFiles states,
             PathNames names,
             Progress progress) {
-        Update update = new Update(before.files(), named, names, progress);
-        update.compare(states);
+        Update update = new Update(before, named, states, names, progress);
+        update.compare();
         return update;
     }
 
     /** Parses what changed. */
-    private void compare(StateOfFiles states) {
-        Map<String, File> old = new HashMap<>();
-        before.forEach(file -> old.put(file.path(), file));
+    private void compare() {
         for (String path : named.paths()) {
-            SourceFile source = named.readable().get(path);
-            after.put(
-                    path, source == null ? unreadable(path, true) : now(source, true, old, states));
+            after.put(path, now(path, Optional.ofNullable(named.readable().get(path)), true));
         }
-        for (File file : before) {
+        for (File file : before.values()) {
             if (!file.named() && !after.containsKey(file.path())) {
-                after.put(file.path(), notNamed(file, old, states));
+                after.put(file.path(), notNamed(file));
             }
         }
         dependencies = new Dependencies(after.values());
-        affected.addAll(new Changes(before, after.values()).affected(dependencies));
+        affected.addAll(changes.affected(dependencies));
     }
 
-    private static File unreadable(String path, boolean named) {
-        return StateOfFiles.unreadable(path, named);
-    }
-
-    private File notNamed(File file, Map<String, File> old, StateOfFiles states) {
+    private File notNamed(File file) {
         if (Library.isShown(file.path())) {
             return file;
         }
         Optional<SourceFile> source =
                 FileReader.read(names.resolve(file.path()), file.path()).file();
         source.ifPresent(read -> others.put(file.path(), read));
-        return source.map(read -> now(read, false, old, states))
-                .orElseGet(() -> unreadable(file.path(), false));
+        return now(file.path(), source, false);
     }
 
-    private File now(
-            SourceFile source, boolean isNamed, Map<String, File> old, StateOfFiles states) {
-        File known = old.get(source.path());
+    private File now(String path, Optional<SourceFile> readable, boolean isNamed) {
+        if (readable.isEmpty()) {
+            return StateOfFiles.unreadable(path, isNamed);
+        }
+        SourceFile source = readable.get();
+        File known = before.get(path);
         if (known != null
                 && known.named() == isNamed
                 && known.hash().equals(Sha256.hex(source.text()))) {
             return known;
         }
         Parsed result = Parser.parse(source);
-        parsed.put(source.path(), result);
+        parsed.put(path, result);
         return states.of(source, result, isNamed);
     }
 
@@ -114,11 +115,8 @@ final class Update {
      * names; or whether one of them cannot be read.
      */
     boolean surroundingsChange() {
-        Map<String, File> old = new HashMap<>();
-        before.forEach(file -> old.put(file.path(), file));
-        Set<String> all = new HashSet<>(old.keySet());
-        all.addAll(after.keySet());
-        return all.stream().anyMatch(path -> changesSurroundings(old.get(path), after.get(path)));
+        return changes.paths()
+                .anyMatch(path -> changesSurroundings(before.get(path), after.get(path)));
     }
 
     /** Whether a path may be that of a file of the library or that of another one. */
@@ -158,11 +156,10 @@ final class Update {
         for (File file : after.values()) {
             if (file.names().isEmpty()) {
                 broken.add(file.path());
-                if (affected.contains(file.path())) {
-                    Optional.ofNullable(parsed.get(file.path()))
-                            .flatMap(Parsed::recovered)
-                            .ifPresent(recovered::add);
-                }
+                Optional.ofNullable(parsed.get(file.path()))
+                        .filter(any -> affected.contains(file.path()))
+                        .flatMap(Parsed::recovered)
+                        .ifPresent(recovered::add);
             } else if (needed.contains(file.path())) {
                 units.add(parsed.get(file.path()).unit().orElseThrow());
             } else {
@@ -203,26 +200,22 @@ final class Update {
     }
 
     private List<File> merge(Review review) {
-        Map<String, List<Diagnostic>> findings = StateOfFiles.byFile(review.findings());
+        Map<String, List<Diagnostic>> findings =
+                StateOfFiles.byFile(review.findings(), each -> each);
         Map<String, List<Suppressed>> suppressed =
-                StateOfFiles.suppressedByFile(review.suppressed());
-        List<File> merged = new ArrayList<>();
-        for (File file : after.values()) {
-            String path = file.path();
-            if (affected.contains(path)) {
-                TreeSet<Diagnostic> found = new TreeSet<>(Diagnostic.ORDER);
-                Optional.ofNullable(parsed.get(path)).ifPresent(p -> found.addAll(p.findings()));
-                found.addAll(findings.getOrDefault(path, List.of()));
-                found.removeIf(each -> !file.named() && !each.isError());
-                List<Suppressed> meant =
-                        suppressed.getOrDefault(path, List.of()).stream()
-                                .filter(each -> file.named() || each.finding().isError())
-                                .toList();
-                merged.add(file.with(List.copyOf(found), meant));
-            } else {
-                merged.add(Objects.requireNonNull(file));
-            }
+                StateOfFiles.byFile(review.suppressed(), Suppressed::finding);
+        for (String path : affected) {
+            File file = after.get(path);
+            TreeSet<Diagnostic> found = new TreeSet<>(Diagnostic.ORDER);
+            Optional.ofNullable(parsed.get(path)).ifPresent(p -> found.addAll(p.findings()));
+            found.addAll(findings.getOrDefault(path, List.of()));
+            found.removeIf(each -> !file.named() && !each.isError());
+            List<Suppressed> meant =
+                    suppressed.getOrDefault(path, List.of()).stream()
+                            .filter(each -> file.named() || each.finding().isError())
+                            .toList();
+            after.put(path, file.with(List.copyOf(found), meant));
         }
-        return merged;
+        return List.copyOf(after.values());
     }
 }

@@ -2,11 +2,11 @@ package arcomat.report.brick;
 
 import arcomat.report.finding.FindingsText;
 import arcomat.report.page.Page;
-import arcomat.report.page.Remark;
+import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
-import arcomat.report.page.Tone;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.sim.device.MotorName;
@@ -17,6 +17,7 @@ import arcomat.sim.trace.Trace;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /** A program's run on a simulated brick as a page: cycle by cycle, in the brick's time. */
 public final class BrickPage {
@@ -47,7 +48,7 @@ public final class BrickPage {
             flaws.add(new Flaw(length - 1, "", failure.get()));
         }
         if (lateness.slices() > 0) {
-            remarks.add(Remark.of(Tone.OPEN, LatenessText.of(lateness)));
+            remarks.add(Remark.of(Tone.OPEN, BrickTraceText.of(lateness)));
         }
         screen.forEach(row -> remarks.add(Remark.of(Tone.NEUTRAL, "display: " + row)));
         Timeline timeline =
@@ -69,21 +70,15 @@ public final class BrickPage {
     private static List<Track> tracks(BrickRows all) {
         List<Track> tracks = new ArrayList<>();
         for (SensorName sensor : all.sensors()) {
-            Track.Builder track = new Track.Builder("sensors", sensor.name(), Kind.VARIABLE);
-            for (BrickRows.Row row : all.rows()) {
-                Integer value = row.read().get(sensor);
-                track.addUnlessEmpty(value == null ? "" : value.toString());
-            }
-            tracks.add(track.build());
+            Stream<String> values = all.rows().stream().map(row -> row.value(sensor));
+            tracks.add(Track.of("sensors", sensor.name(), Kind.VARIABLE, values));
         }
         for (MotorName motor : all.motors()) {
-            Track.Builder track = new Track.Builder("motors", motor.name(), Kind.VARIABLE);
-            all.rows().forEach(row -> track.addUnlessEmpty(BrickRows.text(row.told().get(motor))));
-            tracks.add(track.build());
+            Stream<String> orders = all.rows().stream().map(row -> row.order(motor));
+            tracks.add(Track.of("motors", motor.name(), Kind.VARIABLE, orders));
         }
-        Track.Builder other = new Track.Builder("brick", OTHER, Kind.PORT);
-        all.rows().forEach(row -> other.addUnlessEmpty(String.join("; ", row.other())));
-        tracks.add(other.build());
+        Stream<String> others = all.rows().stream().map(BrickRows.Row::others);
+        tracks.add(Track.of("brick", OTHER, Kind.PORT, others));
         return tracks;
     }
 }

@@ -2,13 +2,19 @@ package arcomat.report.brick;
 
 import arcomat.brick.BrickReport;
 import arcomat.brick.Origin;
+import arcomat.brick.api.BrickCost;
+import arcomat.brick.need.Need;
+import arcomat.brick.need.Needs;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 
 import java.util.List;
+import java.util.Locale;
 
 /** For people: what a robot's jar is made of, and how full the brick will be. */
 public final class BrickReportText {
+    private static final double THOUSAND = 1000;
+
     private BrickReportText() {}
 
     /** A table by origin and what the linked program needs; findings are shown elsewhere. */
@@ -20,7 +26,7 @@ public final class BrickReportText {
             methods += share.methods();
         }
         add(table, report.classes(), methods, report.bytes(), "all");
-        return table.render(style) + NeedsText.render(report.needs());
+        return table.render(style) + needs(report.needs());
     }
 
     private static void add(TextTable table, int classes, int methods, int bytes, String name) {
@@ -34,5 +40,43 @@ public final class BrickReportText {
             case PLATFORM -> "platform library";
             case HAND_WRITTEN -> "written by hand";
         };
+    }
+
+    /** How full the brick will be, a line for each of its limits. */
+    private static String needs(Needs needs) {
+        return "linked with leJOS: %s%d of %d classes\n"
+                        .formatted(
+                                needs.isExact() ? "" : "about ",
+                                needs.classes(),
+                                BrickReport.CLASSES)
+                + "memory: "
+                + memory(needs.memory())
+                + "\nlongest slice: "
+                + slice(needs)
+                + "\n";
+    }
+
+    private static String memory(Need memory) {
+        return memory.amount().isPresent()
+                ? String.format(
+                        Locale.ROOT,
+                        "about %.1f of %.1f kB",
+                        memory.amount().getAsLong() / THOUSAND,
+                        BrickCost.HEAP_BYTES / THOUSAND)
+                : unknown(memory);
+    }
+
+    private static String slice(Needs needs) {
+        Need slice = needs.slice();
+        if (slice.amount().isEmpty()) {
+            return unknown(slice);
+        }
+        String limit = needs.cycle().isPresent() ? " of " + needs.cycle().getAsInt() : "";
+        double milliseconds = slice.amount().getAsLong() / THOUSAND;
+        return String.format(Locale.ROOT, "about %.1f%s ms", milliseconds, limit);
+    }
+
+    private static String unknown(Need need) {
+        return "not known: " + need.unknown().orElseThrow();
     }
 }

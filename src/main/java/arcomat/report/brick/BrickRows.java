@@ -36,6 +36,31 @@ record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows)
             Map<MotorName, Event.MotorOrdered> told,
             List<String> other) {
 
+        /** The last value of a sensor; empty before the first. */
+        String value(SensorName sensor) {
+            return read.containsKey(sensor) ? read.get(sensor).toString() : "";
+        }
+
+        /** {@code 360}, {@code stop}, {@code to 90}: the last order of a motor; or empty. */
+        String order(MotorName motor) {
+            Event.MotorOrdered order = told.get(motor);
+            if (order == null) {
+                return "";
+            }
+            return switch (order.order()) {
+                case TURN -> String.valueOf(order.value());
+                case TURN_TO -> "to " + order.value();
+                case POWER -> "power " + order.value();
+                case STOP -> "stop";
+                case FLOAT -> "float";
+            };
+        }
+
+        /** What happened besides, as one text. */
+        String others() {
+            return String.join("; ", other);
+        }
+
         /** Whether somebody who reads row after row learns something new. */
         boolean differsFrom(Row before) {
             return !other.isEmpty() || !read.equals(before.read) || !told.equals(before.told);
@@ -60,20 +85,6 @@ record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows)
                                     .toList()));
         }
         return new BrickRows(read.keySet(), told.keySet(), rows);
-    }
-
-    /** {@code 360}, {@code stop}, {@code to 90}: what a motor was told; empty before the first. */
-    static String text(Event.MotorOrdered order) {
-        if (order == null) {
-            return "";
-        }
-        return switch (order.order()) {
-            case TURN -> String.valueOf(order.value());
-            case TURN_TO -> "to " + order.value();
-            case POWER -> "power " + order.value();
-            case STOP -> "stop";
-            case FLOAT -> "float";
-        };
     }
 
     private static String other(Event event) {
@@ -105,12 +116,9 @@ record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows)
     /** A row's cells, as many as there are headings. */
     List<String> cells(Row row) {
         List<String> cells = new ArrayList<>(List.of(String.valueOf(row.time())));
-        for (SensorName sensor : sensors) {
-            Integer value = row.read().get(sensor);
-            cells.add(value == null ? "" : value.toString());
-        }
-        motors.forEach(motor -> cells.add(text(row.told().get(motor))));
-        cells.add(String.join("; ", row.other()));
+        sensors.forEach(sensor -> cells.add(row.value(sensor)));
+        motors.forEach(motor -> cells.add(row.order(motor)));
+        cells.add(row.others());
         return cells;
     }
 }

@@ -1,6 +1,7 @@
 package arcomat.report.finding;
 
-import arcomat.report.finding.Case.Outcome;
+import arcomat.report.finding.JunitXml.Case;
+import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.finding.Reported.Standing;
 import arcomat.report.text.Style;
 import arcomat.source.Diagnostic;

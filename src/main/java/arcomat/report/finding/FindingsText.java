@@ -117,4 +117,22 @@ public final class FindingsText {
     public static String count(long number, String noun) {
         return digits(number) + " " + noun + (number == 1 ? "" : "s");
     }
+
+    /** A page about a law, written in Markdown, as plain text for a terminal. */
+    public static String explanation(String markdown, Style style) {
+        StringBuilder out = new StringBuilder();
+        boolean code = false;
+        for (String line : markdown.split("\n")) {
+            if (line.startsWith("```")) {
+                code = !code;
+            } else if (code) {
+                out.append(line.isEmpty() ? "" : "    " + line).append('\n');
+            } else if (line.startsWith("#")) {
+                out.append(style.strong(line.replaceFirst("^#+ *", ""))).append('\n');
+            } else {
+                out.append(line).append('\n');
+            }
+        }
+        return out.toString();
+    }
 }

@@ -1,6 +1,6 @@
 package arcomat.report.finding;
 
-import arcomat.report.finding.Case.Outcome;
+import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.text.Xml;
 import arcomat.source.Span;
 
@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Cases in the XML of JUnit that build servers read. It has no schema of its own; the elements and
@@ -72,5 +73,31 @@ public final class JunitXml {
 
     private static Map<String, String> message(Case each) {
         return Map.of("message", each.message());
+    }
+
+    /**
+     * One thing that was looked at, with what came of it: a stream test, a promise, a file.
+     *
+     * @param group what it belongs to: a suite, a component
+     * @param name unique in its group
+     * @param place where it is written; a file without text is a place too
+     * @param message in one sentence why it is not in order; empty where it is
+     * @param details in lines what else there is to say, also of what is in order
+     */
+    public record Case(
+            String group,
+            String name,
+            Optional<Span> place,
+            Outcome outcome,
+            String message,
+            String details) {
+
+        /** What came of it. */
+        public enum Outcome {
+            PASSED,
+            FAILED,
+            /** Nobody knows: it could not be decided. */
+            UNDECIDED
+        }
     }
 }

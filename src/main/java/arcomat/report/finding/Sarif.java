@@ -1,14 +1,13 @@
 package arcomat.report.finding;
 
 import arcomat.report.finding.Reported.Standing;
+import arcomat.report.text.Fields;
 import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
+import arcomat.source.Related;
 import arcomat.source.TextEdit;
-
-import com.fasterxml.jackson.annotation.JsonInclude;
-import com.fasterxml.jackson.annotation.JsonProperty;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -41,38 +40,6 @@ public final class Sarif {
      */
     public record Tool(String version, Function<String, Optional<String>> pages) {}
 
-    private record Log(@JsonProperty("$schema") String schema, String version, List<Run> runs) {}
-
-    private record Run(
-            Map<String, Driver> tool,
-            Map<String, ?> originalUriBaseIds,
-            String columnKind,
-            List<Result> results) {}
-
-    private record Driver(String name, String version, List<SarifRules.Rule> rules) {}
-
-    private record Result(
-            String ruleId,
-            int ruleIndex,
-            String level,
-            SarifPlaces.Message message,
-            List<SarifPlaces.Location> locations,
-            Map<String, String> partialFingerprints,
-            @JsonInclude(JsonInclude.Include.NON_EMPTY) List<SarifPlaces.Location> relatedLocations,
-            Optional<List<?>> codeFlows,
-            Optional<List<Change>> fixes,
-            Optional<String> baselineState,
-            List<Suppression> suppressions) {}
-
-    private record Change(SarifPlaces.Message description, List<FileChange> artifactChanges) {}
-
-    private record FileChange(SarifPlaces.File artifactLocation, List<Replacement> replacements) {}
-
-    private record Replacement(
-            SarifPlaces.Region deletedRegion, Map<String, String> insertedContent) {}
-
-    private record Suppression(String kind, String justification) {}
-
     /**
      * @param compared whether findings were compared with a baseline
      */
@@ -80,64 +47,79 @@ public final class Sarif {
             List<Reported> results, boolean compared, Tool tool, SourceRoot root) {
         SarifRules rules = SarifRules.of(results, tool.pages());
         Sarif sarif = new Sarif(new SarifPlaces(root), rules, compared);
-        Driver driver = new Driver("arcomat", tool.version(), rules.all(results));
-        Run run =
-                new Run(
-                        Map.of("driver", driver),
-                        SarifPlaces.bases(),
-                        "utf16CodeUnits",
-                        results.stream().map(sarif::result).toList());
-        return Json.text(new Log(SCHEMA, "2.1.0", List.of(run)));
+        Fields driver =
+                Fields.of("name", "arcomat")
+                        .with("version", tool.version())
+                        .with("rules", rules.all(results));
+        Fields run =
+                Fields.of("tool", Fields.of("driver", driver))
+                        .with("originalUriBaseIds", SarifPlaces.bases())
+                        .with("columnKind", "utf16CodeUnits")
+                        .with("results", results.stream().map(sarif::result).toList());
+        return Json.text(
+                Fields.of("$schema", SCHEMA).with("version", "2.1.0").with("runs", List.of(run)));
     }
 
-    private Result result(Reported result) {
+    private Fields result(Reported result) {
         Diagnostic finding = result.finding();
-        return new Result(
-                finding.code(),
-                rules.index(finding.code()),
-                SarifRules.level(finding),
-                SarifPlaces.message(finding.message()),
-                List.of(places.location(finding.span())),
-                Map.of("place/v1", Baseline.fingerprint(finding.span())),
-                IntStream.range(0, finding.related().size())
-                        .mapToObj(i -> places.related(i + 1, finding.related().get(i)))
-                        .toList(),
-                Optional.of(result.steps()).filter(all -> !all.isEmpty()).map(this::flows),
-                finding.fix().map(fix -> List.of(change(fix))),
-                baselineState(result.standing()),
-                suppressions(result));
+        return Fields.of("ruleId", finding.code())
+                .with("ruleIndex", rules.index(finding.code()))
+                .with("level", FindingsText.word(finding.severity()))
+                .with("message", SarifPlaces.message(finding.message()))
+                .with("locations", List.of(places.location(finding.span())))
+                .with(
+                        "partialFingerprints",
+                        Fields.of("place/v1", Baseline.fingerprint(finding.span())))
+                .with("relatedLocations", unlessEmpty(related(finding.related())))
+                .with("codeFlows", unlessEmpty(result.steps()).map(this::flows))
+                .with("fixes", finding.fix().map(fix -> List.of(change(fix))))
+                .with("baselineState", baselineState(result.standing()))
+                .with("suppressions", suppressions(result));
+    }
+
+    private static <T> Optional<List<T>> unlessEmpty(List<T> all) {
+        return Optional.of(all).filter(each -> !each.isEmpty());
+    }
+
+    private List<Fields> related(List<Related> related) {
+        return IntStream.range(0, related.size())
+                .mapToObj(i -> related(i + 1, related.get(i)))
+                .toList();
+    }
+
+    private Fields related(int id, Related related) {
+        Fields fields = Fields.of("id", id);
+        fields.putAll(places.location(related.span(), related.note()));
+        return fields;
     }
 
     /** A run is one thread of one flow. */
-    private List<?> flows(List<Reported.Step> steps) {
-        List<?> locations =
+    private List<Fields> flows(List<Reported.Step> steps) {
+        List<Fields> locations =
                 steps.stream()
                         .map(step -> places.location(step.place(), step.text()))
-                        .map(location -> Map.of("location", location))
+                        .map(location -> Fields.of("location", location))
                         .toList();
-        return List.of(Map.of("threadFlows", List.of(Map.of("locations", locations))));
+        return List.of(Fields.of("threadFlows", List.of(Fields.of("locations", locations))));
     }
 
-    private Change change(Fix fix) {
+    private Fields change(Fix fix) {
         Map<String, List<TextEdit>> byFile = new LinkedHashMap<>();
         for (TextEdit edit : fix.edits()) {
             byFile.computeIfAbsent(edit.span().file().path(), p -> new ArrayList<>()).add(edit);
         }
-        return new Change(
-                SarifPlaces.message(fix.title()),
-                byFile.values().stream().map(this::change).toList());
+        return Fields.of("description", SarifPlaces.message(fix.title()))
+                .with("artifactChanges", byFile.values().stream().map(this::change).toList());
     }
 
-    private FileChange change(List<TextEdit> edits) {
-        return new FileChange(
-                places.file(edits.get(0).span()),
-                edits.stream()
-                        .map(
-                                edit ->
-                                        new Replacement(
-                                                SarifPlaces.Region.of(edit.span()),
-                                                Map.of("text", edit.text())))
-                        .toList());
+    private Fields change(List<TextEdit> edits) {
+        return Fields.of("artifactLocation", places.file(edits.get(0).span()))
+                .with("replacements", edits.stream().map(Sarif::replacement).toList());
+    }
+
+    private static Fields replacement(TextEdit edit) {
+        return Fields.of("deletedRegion", SarifPlaces.region(edit.span()))
+                .with("insertedContent", Fields.of("text", edit.text()));
     }
 
     /** What is suppressed in a model was not compared with a baseline. */
@@ -146,7 +128,7 @@ public final class Sarif {
                 .filter(any -> compared && standing != Standing.SUPPRESSED);
     }
 
-    private static List<Suppression> suppressions(Reported result) {
+    private static List<Fields> suppressions(Reported result) {
         return switch (result.standing()) {
             case NEW -> List.of();
             case SUPPRESSED -> List.of(suppression("inSource", result.reason()));
@@ -154,7 +136,7 @@ public final class Sarif {
         };
     }
 
-    private static Suppression suppression(String kind, String reason) {
-        return new Suppression(kind, Printable.escapeKeepingLayout(reason));
+    private static Fields suppression(String kind, String reason) {
+        return Fields.of("kind", kind).with("justification", Printable.escapeKeepingLayout(reason));
     }
 }

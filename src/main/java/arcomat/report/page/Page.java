@@ -14,4 +14,12 @@ public record Page(String command, String title, Tone tone, String headline, Lis
     public Page {
         stories = List.copyOf(stories);
     }
+
+    /** How good news is. */
+    public enum Tone {
+        GOOD,
+        BAD,
+        OPEN,
+        NEUTRAL
+    }
 }

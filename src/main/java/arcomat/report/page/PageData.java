@@ -1,5 +1,7 @@
 package arcomat.report.page;
 
+import arcomat.report.page.Story.Drawing;
+import arcomat.report.page.Story.Remark;
 import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
 

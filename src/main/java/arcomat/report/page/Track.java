@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * What one port, state or variable is from step to step, as run lengths.
@@ -21,6 +22,17 @@ public record Track(
     public Track {
         values = List.copyOf(values);
         runs = List.copyOf(runs);
+    }
+
+    /**
+     * A track without drawings.
+     *
+     * @param texts step by step, empty for nothing
+     */
+    public static Track of(String group, String name, Kind kind, Stream<String> texts) {
+        Builder track = new Builder(group, name, kind);
+        texts.forEach(track::addUnlessEmpty);
+        return track.build();
     }
 
     /** What a track tells of. */

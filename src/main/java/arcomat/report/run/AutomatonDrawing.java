@@ -6,7 +6,7 @@ import arcomat.diagram.LayeredLayout;
 import arcomat.diagram.SvgText;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.report.page.Drawing;
+import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 

@@ -3,7 +3,7 @@ package arcomat.report.run;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Trace;
-import arcomat.report.page.Drawing;
+import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 

@@ -1,8 +1,8 @@
 package arcomat.report.run;
 
-import arcomat.report.finding.Case;
-import arcomat.report.finding.Case.Outcome;
 import arcomat.report.finding.FindingsText;
+import arcomat.report.finding.JunitXml.Case;
+import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.text.Style;
 import arcomat.simulate.test.StreamTestResult;
 import arcomat.simulate.test.StreamTestResult.Verdict;

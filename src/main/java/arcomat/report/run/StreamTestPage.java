@@ -3,13 +3,12 @@ package arcomat.report.run;
 import arcomat.model.Component;
 import arcomat.model.StreamTest;
 import arcomat.model.Trace;
-import arcomat.model.Value;
 import arcomat.report.page.Page;
-import arcomat.report.page.Remark;
+import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
-import arcomat.report.page.Tone;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.report.text.Style;
@@ -19,9 +18,10 @@ import arcomat.simulate.test.StreamTestResult.Verdict;
 import arcomat.simulate.test.StreamTests;
 
 import java.util.ArrayList;
-import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Stream tests as a page: what was expected beside what a run with first choices sends. */
 public final class StreamTestPage {
@@ -50,8 +50,8 @@ public final class StreamTestPage {
     }
 
     private static Tone tone(List<StreamTestResult> results) {
-        Set<Verdict> verdicts = EnumSet.noneOf(Verdict.class);
-        results.forEach(each -> verdicts.add(each.verdict()));
+        Set<Verdict> verdicts =
+                results.stream().map(StreamTestResult::verdict).collect(Collectors.toSet());
         if (verdicts.contains(Verdict.FAILED)) {
             return Tone.BAD;
         }
@@ -94,7 +94,7 @@ public final class StreamTestPage {
     }
 
     private List<Track> tracks() {
-        List<Track> all = tracks.inputs();
+        List<Track> all = new ArrayList<>(tracks.inputs());
         for (String port : tracks.outputs()) {
             if (isTimed() && test.expected().containsKey(port)) {
                 all.add(expected(port));
@@ -106,12 +106,12 @@ public final class StreamTestPage {
     }
 
     private Track expected(String port) {
-        Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port + EXPECTED, Kind.PORT);
-        List<List<Value>> stream = test.expected().get(port);
-        for (int slice = 0; slice < tracks.length(); slice++) {
-            track.addUnlessEmpty(slice < stream.size() ? TraceTable.text(stream.get(slice)) : "");
-        }
-        return track.build();
+        Stream<String> expected = test.expected().get(port).stream().map(TraceTable::text);
+        return Track.of(
+                TraceTracks.OUTPUTS,
+                port + EXPECTED,
+                Kind.PORT,
+                Stream.concat(expected, Stream.generate(() -> "")).limit(tracks.length()));
     }
 
     private List<Flaw> flaws() {

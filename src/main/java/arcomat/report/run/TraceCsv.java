@@ -4,7 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.report.text.CsvLine;
+import arcomat.report.text.OneLine;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -32,7 +32,7 @@ public final class TraceCsv implements RunText {
     @Override
     public void begin(Component component, TraceColumns all) {
         columns = all;
-        out.accept(CsvLine.of(headings(columns)));
+        out.accept(OneLine.csv(headings(columns)));
     }
 
     @Override
@@ -44,7 +44,7 @@ public final class TraceCsv implements RunText {
             fields.add(activity == null ? "" : activity.after());
             fields.add(activity == null ? "" : CauseText.brief(activity.cause()));
         }
-        out.accept(CsvLine.of(fields));
+        out.accept(OneLine.csv(fields));
     }
 
     @Override
@@ -53,7 +53,7 @@ public final class TraceCsv implements RunText {
             List<String> fields =
                     fields(steps, RunText.lastInputs(rest), RunText.lastOutputs(rest));
             columns.automata().forEach(automaton -> fields.addAll(List.of("", "")));
-            out.accept(CsvLine.of(fields));
+            out.accept(OneLine.csv(fields));
         }
     }
 

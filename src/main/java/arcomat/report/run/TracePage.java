@@ -3,11 +3,11 @@ package arcomat.report.run;
 import arcomat.model.Trace;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.page.Page;
-import arcomat.report.page.Remark;
+import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
-import arcomat.report.page.Tone;
 import arcomat.simulate.watch.Watch.Violation;
 import arcomat.simulate.watch.Watching.Watched;
 

@@ -46,15 +46,14 @@ public final class TraceTable implements RunText {
 
     @Override
     public void step(Trace.Step step) {
-        List<List<String>> done = new ArrayList<>();
-        for (Trace.Activity activity : step.activities()) {
-            done.add(
-                    did(
-                            TraceColumns.nameOf(activity),
-                            state(activity),
-                            CauseText.of(activity.cause())));
-        }
-        addLines(step.number(), step.inputs(), step.outputs(), done);
+        List<Trace.Activity> done = step.activities();
+        addLines(
+                step.number(),
+                step.inputs(),
+                step.outputs(),
+                done.stream().map(TraceColumns::nameOf).toList(),
+                done.stream().map(TraceTable::state).toList(),
+                done.stream().map(each -> CauseText.of(each.cause())).toList());
         if (step.number() == SLICES_AHEAD) {
             out.accept(table.begin(style, NUMBERS));
             begun = true;
@@ -65,8 +64,13 @@ public final class TraceTable implements RunText {
     @Override
     public void end(int steps, Trace rest) {
         if (RunText.endsInError(rest)) {
-            List<List<String>> done = List.of(did("", "", "error"));
-            addLines(steps, RunText.lastInputs(rest), RunText.lastOutputs(rest), done);
+            addLines(
+                    steps,
+                    RunText.lastInputs(rest),
+                    RunText.lastOutputs(rest),
+                    List.of(),
+                    List.of(),
+                    List.of("error"));
         }
         if (!begun) {
             out.accept(table.render(style));
@@ -88,27 +92,24 @@ public final class TraceTable implements RunText {
                 : List.of(columns.unit(), "input", "output", "state", "because");
     }
 
-    private List<String> did(String automaton, String state, String cause) {
-        return columns.automata().size() > 1
-                ? List.of(automaton, state, cause)
-                : List.of(state, cause);
-    }
-
     /** A step has as many lines as its longest list. */
-    private void addLines(int number, Letter received, Letter shown, List<List<String>> done) {
-        List<String> inputs = messages(received, columns.inputs());
-        List<String> outputs = messages(shown, columns.outputs());
-        int lines = Math.max(1, Math.max(inputs.size(), Math.max(outputs.size(), done.size())));
-        for (int i = 0; i < lines; i++) {
-            List<String> cells = new ArrayList<>();
-            cells.add(i == 0 ? String.valueOf(number) : "");
-            cells.add(i < inputs.size() ? inputs.get(i) : "");
-            cells.add(i < outputs.size() ? outputs.get(i) : "");
-            if (i < done.size()) {
-                cells.addAll(done.get(i));
-            }
-            add(cells);
+    private void addLines(
+            int number,
+            Letter received,
+            Letter shown,
+            List<String> automata,
+            List<String> states,
+            List<String> causes) {
+        List<List<String>> lists = new ArrayList<>();
+        lists.add(List.of(String.valueOf(number)));
+        lists.add(messages(received, columns.inputs()));
+        lists.add(messages(shown, columns.outputs()));
+        if (columns.automata().size() > 1) {
+            lists.add(automata);
         }
+        lists.add(states);
+        lists.add(causes);
+        TextTable.rows(lists).forEach(this::add);
     }
 
     private void add(List<String> cells) {
@@ -125,7 +126,7 @@ public final class TraceTable implements RunText {
         for (String port : ports) {
             List<Value> values = letter.messages(port);
             if (!values.isEmpty()) {
-                cells.add(Printable.escape(port + " = " + text(values)));
+                cells.add(port + " = " + text(values));
             }
         }
         return cells;
@@ -146,6 +147,6 @@ public final class TraceTable implements RunText {
                             .map(v -> v.getKey() + " = " + v.getValue())
                             .collect(Collectors.joining(", ", " (", ")"));
         }
-        return Printable.escape(text);
+        return text;
     }
 }

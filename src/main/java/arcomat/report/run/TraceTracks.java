@@ -2,11 +2,12 @@ package arcomat.report.run;
 
 import arcomat.model.Letter;
 import arcomat.model.Trace;
-import arcomat.report.page.Drawing;
+import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -55,23 +56,24 @@ public final class TraceTracks {
     }
 
     List<Track> all() {
-        List<Track> tracks = inputs();
+        List<Track> tracks = new ArrayList<>(inputs());
         columns.outputs().forEach(port -> tracks.add(output(port)));
         tracks.addAll(states());
         return tracks;
     }
 
     List<Track> inputs() {
-        List<Letter> letters = trace.received();
-        List<Track> tracks = new ArrayList<>();
-        columns.inputs().forEach(port -> tracks.add(port(INPUTS, port, letters)));
-        return tracks;
+        return inputs(columns.inputs(), trace.received());
     }
 
     /** What came in, on the ports that have messages at all. */
     public static List<Track> inputs(List<Letter> letters) {
         Set<String> ports = new LinkedHashSet<>();
         letters.forEach(letter -> ports.addAll(letter.messages().keySet()));
+        return inputs(ports, letters);
+    }
+
+    private static List<Track> inputs(Collection<String> ports, List<Letter> letters) {
         return ports.stream().map(port -> port(INPUTS, port, letters)).toList();
     }
 
@@ -84,9 +86,7 @@ public final class TraceTracks {
     }
 
     List<Track> states() {
-        List<Track> tracks = new ArrayList<>();
-        automata.values().forEach(each -> tracks.addAll(each.tracks()));
-        return tracks;
+        return automata.values().stream().flatMap(each -> each.tracks().stream()).toList();
     }
 
     List<Drawing> drawings(AutomatonDrawing pictures) {
@@ -94,8 +94,10 @@ public final class TraceTracks {
     }
 
     private static Track port(String group, String port, List<Letter> letters) {
-        Track.Builder track = new Track.Builder(group, port, Kind.PORT);
-        letters.forEach(letter -> track.addUnlessEmpty(TraceTable.text(letter.messages(port))));
-        return track.build();
+        return Track.of(
+                group,
+                port,
+                Kind.PORT,
+                letters.stream().map(letter -> TraceTable.text(letter.messages(port))));
     }
 }

@@ -1,11 +1,24 @@
 package arcomat.report.text;
 
-/** Any text on one line of a file, and back again. */
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Any text on one line of a file, and back again; several texts as a line of a table. */
 public final class OneLine {
     private OneLine() {}
 
     public static String of(String text) {
         return text.replace("\\", "\\\\").replace("\n", "\\n").replace("\r", "\\r");
+    }
+
+    /** Comma-separated values as RFC 4180 says, with the line break. */
+    public static String csv(List<String> fields) {
+        return fields.stream().map(OneLine::quoted).collect(Collectors.joining(",", "", "\n"));
+    }
+
+    private static String quoted(String field) {
+        boolean plain = field.chars().noneMatch(c -> c == '"' || c == ',' || c < ' ');
+        return plain ? field : '"' + field.replace("\"", "\"\"") + '"';
     }
 
     /** The text that a line was made of. */

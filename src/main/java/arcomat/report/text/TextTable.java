@@ -2,6 +2,8 @@ package arcomat.report.text;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Columns of text, aligned at the left; the first column at the right, if it holds numbers. */
 public final class TextTable {
@@ -18,13 +20,17 @@ public final class TextTable {
         rows.add(cells);
     }
 
-    /** As many lines as the longest column has, but one at least; with texts of models. */
+    /** As {@link #rows} makes of columns. */
     public void addColumns(List<List<String>> columns) {
-        int lines = Math.max(1, columns.stream().mapToInt(List::size).max().orElse(0));
-        for (int i = 0; i < lines; i++) {
-            int line = i;
-            add(columns.stream().map(column -> cell(column, line)).toList());
-        }
+        rows(columns).forEach(this::add);
+    }
+
+    /** As many rows as the longest column has, but one at least; with texts of models. */
+    public static List<List<String>> rows(List<List<String>> columns) {
+        int rows = Math.max(1, columns.stream().mapToInt(List::size).max().orElse(0));
+        return IntStream.range(0, rows)
+                .mapToObj(row -> columns.stream().map(column -> cell(column, row)).toList())
+                .toList();
     }
 
     private static String cell(List<String> column, int line) {
@@ -50,9 +56,7 @@ public final class TextTable {
     }
 
     private String body() {
-        StringBuilder out = new StringBuilder();
-        rows.forEach(row -> out.append(text(row)));
-        return out.toString();
+        return rows.stream().map(this::more).collect(Collectors.joining());
     }
 
     /**
@@ -71,10 +75,6 @@ public final class TextTable {
 
     /** One more row of a table that has begun. */
     public String more(List<String> cells) {
-        return text(cells);
-    }
-
-    private String text(List<String> cells) {
         StringBuilder out = new StringBuilder();
         layout.lines(cells).forEach(line -> out.append(line).append('\n'));
         return out.toString();

@@ -9,13 +9,13 @@ import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
 import arcomat.model.Letter;
-import arcomat.report.page.Drawing;
 import arcomat.report.page.Page;
-import arcomat.report.page.Remark;
+import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Drawing;
+import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
-import arcomat.report.page.Tone;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.report.run.AutomatonDrawing;
@@ -26,6 +26,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Contradictions as a page: inputs, what may be answered, and the requirements beside them. */
 public final class ConsistencyPage {
@@ -72,22 +73,14 @@ public final class ConsistencyPage {
             AutomatonDrawing pictures) {
         List<Remark> remarks = new ArrayList<>();
         found.notes().forEach(note -> remarks.add(Remark.of(Tone.NEUTRAL, note)));
-        controller.ifPresent(
-                any ->
-                        remarks.add(
-                                Remark.of(
-                                        Tone.GOOD,
-                                        "A controller keeps them all; --out writes it.")));
-        List<Drawing> drawings =
-                asked.automata().stream()
-                        .map(
-                                each ->
-                                        pictures.of(
-                                                ConsistencyText.name(each),
-                                                asked.component(),
-                                                each,
-                                                List.of()))
-                        .toList();
+        if (controller.isPresent()) {
+            remarks.add(Remark.of(Tone.GOOD, "A controller keeps them all; --out writes it."));
+        }
+        List<Drawing> drawings = new ArrayList<>();
+        for (Automaton each : asked.automata()) {
+            String name = ConsistencyText.name(each);
+            drawings.add(pictures.of(name, asked.component(), each, List.of()));
+        }
         Tone tone = VerdictPage.tone(found.answer());
         return new Story("", tone, "", remarks, Timeline.none("step"), drawings);
     }
@@ -114,16 +107,14 @@ public final class ConsistencyPage {
     }
 
     private Track answers() {
-        Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, ANSWERS, Kind.STATE);
-        for (Contradiction.Step step : steps) {
-            track.add(
-                    step.answers().isEmpty()
-                            ? "none complies"
-                            : step.answers().stream()
-                                    .map(this::text)
-                                    .collect(Collectors.joining("  or  ")));
-        }
-        return track.build();
+        return Track.of(
+                TraceTracks.OUTPUTS, ANSWERS, Kind.STATE, steps.stream().map(this::answers));
+    }
+
+    private String answers(Contradiction.Step step) {
+        return step.answers().isEmpty()
+                ? "none complies"
+                : step.answers().stream().map(this::text).collect(Collectors.joining("  or  "));
     }
 
     private String text(Turn.Answer answer) {
@@ -134,13 +125,8 @@ public final class ConsistencyPage {
 
     /** Whether each step is followed by the next one, whatever is answered. */
     private boolean isStraight() {
-        for (int i = 0; i < steps.size(); i++) {
-            int next = i + 1;
-            if (steps.get(i).answers().stream().anyMatch(answer -> answer.next() != next)) {
-                return false;
-            }
-        }
-        return true;
+        return IntStream.range(0, steps.size())
+                .allMatch(i -> steps.get(i).answers().stream().allMatch(a -> a.next() == i + 1));
     }
 
     private Track way(Automaton automaton, String name) {
@@ -159,13 +145,10 @@ public final class ConsistencyPage {
     }
 
     private List<Flaw> flaws() {
-        List<Flaw> flaws = new ArrayList<>();
-        for (int i = 0; i < steps.size(); i++) {
-            if (steps.get(i).answers().isEmpty()) {
-                flaws.add(new Flaw(i, ANSWERS, "whatever is answered breaks a requirement"));
-            }
-        }
-        return flaws;
+        return IntStream.range(0, steps.size())
+                .filter(i -> steps.get(i).answers().isEmpty())
+                .mapToObj(i -> new Flaw(i, ANSWERS, "whatever is answered breaks a requirement"))
+                .toList();
     }
 
     private List<Remark> remarks() {

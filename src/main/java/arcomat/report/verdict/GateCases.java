@@ -2,8 +2,8 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.evolution.Change;
 import arcomat.analysis.evolution.Gate;
-import arcomat.report.finding.Case;
-import arcomat.report.finding.Case.Outcome;
+import arcomat.report.finding.JunitXml.Case;
+import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 

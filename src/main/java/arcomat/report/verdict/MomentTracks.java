@@ -5,7 +5,7 @@ import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.TraceReplay;
 import arcomat.analysis.search.Moment;
 import arcomat.model.Automaton;
-import arcomat.report.page.Drawing;
+import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 import arcomat.report.run.AutomatonDrawing;
@@ -16,6 +16,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** A counterexample as tracks: ports, and where both sides are; with the automata of both. */
 final class MomentTracks {
@@ -55,32 +56,25 @@ final class MomentTracks {
         Set<String> ports = new LinkedHashSet<>();
         trace.forEach(moment -> ports.addAll(moment.outputs().keySet()));
         for (String port : ports) {
-            Track.Builder track = new Track.Builder(TraceTracks.OUTPUTS, port, Kind.PORT);
-            for (Moment moment : trace) {
-                String sent = text(moment.outputs().get(port));
-                track.addUnlessEmpty(moment.error() && sent.isEmpty() ? "error" : sent);
-            }
-            tracks.add(track.build());
+            Stream<String> texts = trace.stream().map(moment -> text(moment, port));
+            tracks.add(Track.of(TraceTracks.OUTPUTS, port, Kind.PORT, texts));
         }
     }
 
-    private static String text(Sent sent) {
-        return sent == null || sent.equals(Sent.SILENCE) ? "" : sent.toString();
+    private static String text(Moment moment, String port) {
+        Sent sent = moment.outputs().getOrDefault(port, Sent.SILENCE);
+        return !sent.equals(Sent.SILENCE) ? sent.toString() : moment.error() ? "error" : "";
     }
 
     private void states() {
         Terms terms = Terms.of(answered);
-        Track.Builder left = new Track.Builder(BOTH, terms.left(), Kind.STATE);
-        Track.Builder right = new Track.Builder(BOTH, terms.right(), Kind.STATE);
-        for (int i = 0; i < trace.size(); i++) {
-            Moment moment = trace.get(i);
-            left.addUnlessEmpty(moment.left());
-            boolean last = i == trace.size() - 1;
-            String possible = String.join("  or  ", moment.right());
-            right.addUnlessEmpty(possible.isEmpty() && last ? terms.end() : possible);
-        }
-        tracks.add(left.build());
-        tracks.add(right.build());
+        List<String> possible = new ArrayList<>();
+        trace.forEach(moment -> possible.add(String.join("  or  ", moment.right())));
+        int last = trace.size() - 1;
+        possible.set(last, possible.get(last).isEmpty() ? terms.end() : possible.get(last));
+        Stream<String> left = trace.stream().map(Moment::left);
+        tracks.add(Track.of(BOTH, terms.left(), Kind.STATE, left));
+        tracks.add(Track.of(BOTH, terms.right(), Kind.STATE, possible.stream()));
     }
 
     private void automata(int position) {

@@ -2,8 +2,8 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
-import arcomat.report.finding.Case;
-import arcomat.report.finding.Case.Outcome;
+import arcomat.report.finding.JunitXml.Case;
+import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.text.Style;
 
 import java.util.List;

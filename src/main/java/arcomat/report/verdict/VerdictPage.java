@@ -6,11 +6,11 @@ import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Moment;
 import arcomat.report.page.Page;
-import arcomat.report.page.Remark;
+import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
+import arcomat.report.page.Story.Remark;
 import arcomat.report.page.Timeline;
 import arcomat.report.page.Timeline.Flaw;
-import arcomat.report.page.Tone;
 import arcomat.report.run.AutomatonDrawing;
 import arcomat.report.text.Style;
 

@@ -1,193 +1,141 @@
 package arcomat.report.world;
 
+import arcomat.report.text.Fields;
 import arcomat.report.text.Json;
 import arcomat.world.Device;
 import arcomat.world.Point;
 import arcomat.world.Recording;
+import arcomat.world.Recording.Event;
+import arcomat.world.Recording.Frame;
+import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Segment;
+import arcomat.world.World;
+import arcomat.world.World.Robot;
 
-import java.util.Iterator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
- * A recording for programs. Places are in mm, angles in degrees, times in milliseconds; numbers are
- * rounded to what can be seen.
- *
- * @param frames made one by one, because there are many
- * @param failures why programs stopped, by robots
+ * A recording for programs, in the form that the page's {@code recording.js} reads. Places are in
+ * mm, angles in degrees, times in milliseconds; numbers are rounded to what can be seen. A frame is
+ * an array per robot, because there are many.
  */
-public record WorldJson(
-        long seed,
-        int period,
-        World world,
-        Iterator<Frame> frames,
-        List<Event> events,
-        Map<String, String> failures) {
+public final class WorldJson {
     private static final double TENTHS = 10;
 
-    /**
-     * The floor.
-     *
-     * @param walls points of each: x, y, x, y
-     */
-    record World(
-            double width,
-            double depth,
-            int goal,
-            List<Line> lines,
-            List<List<Double>> walls,
-            List<Robot> robots,
-            List<Drinker> drinkers) {
-        static World of(arcomat.world.World world) {
-            return new World(
-                    rounded(world.width()),
-                    rounded(world.depth()),
-                    world.goal(),
-                    world.lines().stream().map(Line::of).toList(),
-                    world.walls().stream().map(wall -> points(List.of(wall))).toList(),
-                    world.robots().stream().map(Robot::of).toList(),
-                    world.drinkers().stream()
-                            .map(each -> Drinker.of(each.name(), each.spot()))
-                            .toList());
-        }
-    }
-
-    record Line(double width, List<Double> points) {
-        static Line of(arcomat.world.World.Line line) {
-            return new Line(rounded(line.width()), WorldJson.points(line.pieces()));
-        }
-    }
-
-    record Drinker(String name, double x, double y) {
-        static Drinker of(String name, Point spot) {
-            return new Drinker(name, rounded(spot.x()), rounded(spot.y()));
-        }
-    }
-
-    record Robot(
-            String name,
-            String kind,
-            String program,
-            double radius,
-            boolean moves,
-            List<Sensor> sensors) {
-        static Robot of(arcomat.world.World.Robot robot) {
-            return new Robot(
-                    robot.name(),
-                    robot.kind().name(),
-                    robot.kind().program().name(),
-                    rounded(robot.kind().radius()),
-                    robot.kind().wheels().isPresent(),
-                    robot.kind().sensors().stream().map(Sensor::of).toList());
-        }
-    }
-
-    /** A sensor; where a holder is shows in its cup. */
-    record Sensor(
-            String socket,
-            String type,
-            Optional<Double> x,
-            Optional<Double> y,
-            Optional<Double> facing) {
-        static Sensor of(Device.Sensor sensor) {
-            Optional<Point> place =
-                    sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)
-                            ? Optional.of(placed.place())
-                            : Optional.empty();
-            return new Sensor(
-                    "S" + sensor.socket(),
-                    sensor.getClass().getSimpleName().toLowerCase(Locale.ROOT),
-                    place.map(at -> rounded(at.x())),
-                    place.map(at -> rounded(at.y())),
-                    sensor instanceof Device.Ultrasonic ultrasonic
-                            ? Optional.of(rounded(Math.toDegrees(ultrasonic.facing())))
-                            : Optional.empty());
-        }
-    }
-
-    /**
-     * A moment.
-     *
-     * @param t when
-     * @param robots {@code [x, y, heading, left, right, cup, [readings], display, stock, brewing]}
-     * @param drinkers {@code [present, cups]}
-     */
-    record Frame(int t, List<List<Object>> robots, List<List<Object>> drinkers) {
-        static Frame of(Recording.Frame frame) {
-            return new Frame(
-                    frame.time(),
-                    frame.robots().stream().map(Frame::of).toList(),
-                    frame.drinkers().stream()
-                            .map(each -> List.<Object>of(each.present(), each.cups()))
-                            .toList());
-        }
-
-        private static List<Object> of(Recording.RobotFrame robot) {
-            return List.of(
-                    rounded(robot.pose().x()),
-                    rounded(robot.pose().y()),
-                    rounded(Math.toDegrees(robot.pose().heading())),
-                    Math.round(robot.left()),
-                    Math.round(robot.right()),
-                    robot.cup().ordinal(),
-                    robot.sensors(),
-                    robot.display(),
-                    robot.stock(),
-                    robot.brewing());
-        }
-    }
-
-    /** Something that happened between two, or that one has shown or sent. */
-    record Event(int t, String what, String who, Optional<String> whom, Optional<String> text) {
-        static Event of(Recording.Event event) {
-            if (event instanceof Recording.Event.Happened happened) {
-                Happening happening = happened.happening();
-                return new Event(
-                        event.time(),
-                        happening.what().name(),
-                        happening.who(),
-                        Optional.of(happening.whom()),
-                        Optional.empty());
-            }
-            if (event instanceof Recording.Event.Showed showed) {
-                return of(event, "SHOWED", showed.robot(), showed.text());
-            }
-            Recording.Event.Sent sent = (Recording.Event.Sent) event;
-            return of(event, "SENT", sent.robot(), sent.bytes());
-        }
-
-        private static Event of(Recording.Event event, String what, String who, String text) {
-            return new Event(event.time(), what, who, Optional.empty(), Optional.of(text));
-        }
-    }
+    private WorldJson() {}
 
     public static String render(Recording recording) {
-        Map<String, String> failures = new LinkedHashMap<>();
-        recording.world().robots().stream()
-                .map(arcomat.world.World.Robot::name)
-                .filter(recording.failures()::containsKey)
-                .forEach(name -> failures.put(name, recording.failures().get(name)));
+        Fields failures = new Fields();
+        for (Robot robot : recording.world().robots()) {
+            failures.with(
+                    robot.name(), Optional.ofNullable(recording.failures().get(robot.name())));
+        }
         return Json.compact(
-                new WorldJson(
-                        recording.seed(),
-                        Recording.PERIOD,
-                        World.of(recording.world()),
-                        recording.frames().stream().map(Frame::of).iterator(),
-                        recording.events().stream().map(Event::of).toList(),
-                        failures));
+                Fields.of("seed", recording.seed())
+                        .with("period", Recording.PERIOD)
+                        .with("world", world(recording.world()))
+                        .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
+                        .with("events", recording.events().stream().map(WorldJson::of).toList())
+                        .with("failures", failures));
+    }
+
+    private static Fields world(World world) {
+        return Fields.of("width", rounded(world.width()))
+                .with("depth", rounded(world.depth()))
+                .with("goal", world.goal())
+                .with("lines", world.lines().stream().map(WorldJson::of).toList())
+                .with("walls", world.walls().stream().map(w -> points(List.of(w))).toList())
+                .with("robots", world.robots().stream().map(WorldJson::of).toList())
+                .with(
+                        "drinkers",
+                        world.drinkers().stream()
+                                .map(each -> at(Fields.of("name", each.name()), each.spot()))
+                                .toList());
+    }
+
+    private static Fields of(World.Line line) {
+        return Fields.of("width", rounded(line.width())).with("points", points(line.pieces()));
     }
 
     /** Points of a chain of segments: x, y, x, y. */
     private static List<Double> points(List<Segment> pieces) {
-        return Stream.concat(Stream.of(pieces.get(0).from()), pieces.stream().map(Segment::to))
+        Stream<Point> first = Stream.of(pieces.get(0).from());
+        return Stream.concat(first, pieces.stream().map(Segment::to))
                 .flatMap(point -> Stream.of(rounded(point.x()), rounded(point.y())))
                 .toList();
+    }
+
+    private static Fields at(Fields thing, Point place) {
+        return thing.with("x", rounded(place.x())).with("y", rounded(place.y()));
+    }
+
+    private static Fields of(Robot robot) {
+        return Fields.of("name", robot.name())
+                .with("kind", robot.kind().name())
+                .with("program", robot.kind().program().name())
+                .with("radius", rounded(robot.kind().radius()))
+                .with("moves", robot.kind().wheels().isPresent())
+                .with("sensors", robot.kind().sensors().stream().map(WorldJson::of).toList());
+    }
+
+    private static Fields of(Device.Sensor sensor) {
+        String type = sensor.getClass().getSimpleName().toLowerCase(Locale.ROOT);
+        Fields fields = Fields.of("socket", "S" + sensor.socket()).with("type", type);
+        // Where a holder is shows in its cup.
+        if (sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)) {
+            at(fields, placed.place());
+        }
+        if (sensor instanceof Device.Ultrasonic ultrasonic) {
+            fields.with("facing", rounded(Math.toDegrees(ultrasonic.facing())));
+        }
+        return fields;
+    }
+
+    /**
+     * {@code {"t", "robots": [[x, y, heading, left, right, cup, [readings], display, stock,
+     * brewing]], "drinkers": [[present, cups]]}}.
+     */
+    private static Fields of(Frame frame) {
+        return Fields.of("t", frame.time())
+                .with("robots", frame.robots().stream().map(WorldJson::of).toList())
+                .with(
+                        "drinkers",
+                        frame.drinkers().stream()
+                                .map(each -> List.of(each.present(), each.cups()))
+                                .toList());
+    }
+
+    private static List<Object> of(RobotFrame robot) {
+        return List.of(
+                rounded(robot.pose().x()),
+                rounded(robot.pose().y()),
+                rounded(Math.toDegrees(robot.pose().heading())),
+                Math.round(robot.left()),
+                Math.round(robot.right()),
+                robot.cup().ordinal(),
+                robot.sensors(),
+                robot.display(),
+                robot.stock(),
+                robot.brewing());
+    }
+
+    private static Fields of(Event event) {
+        Fields fields = Fields.of("t", event.time());
+        if (event instanceof Event.Happened happened) {
+            Happening happening = happened.happening();
+            fields.with("what", happening.what().name())
+                    .with("who", happening.who())
+                    .with("whom", happening.whom());
+        } else if (event instanceof Event.Showed showed) {
+            fields.with("what", "SHOWED").with("who", showed.robot()).with("text", showed.text());
+        } else if (event instanceof Event.Sent sent) {
+            fields.with("what", "SENT").with("who", sent.robot()).with("text", sent.bytes());
+        }
+        return fields;
     }
 
     private static double rounded(double value) {

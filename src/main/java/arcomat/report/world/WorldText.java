@@ -1,6 +1,6 @@
 package arcomat.report.world;
 
-import arcomat.report.brick.LatenessText;
+import arcomat.report.brick.BrickTraceText;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
@@ -79,7 +79,7 @@ public final class WorldText {
         }
         for (Recording.Late each : recording.late()) {
             text.append("\nof ").append(each.robot()).append(", ");
-            text.append(LatenessText.of(new Lateness(each.slices(), each.longest())));
+            text.append(BrickTraceText.of(new Lateness(each.slices(), each.longest())));
         }
         recording
                 .stillSince()

@@ -2,7 +2,8 @@ package arcomat.report.finding;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.report.finding.Case.Outcome;
+import arcomat.report.finding.JunitXml.Case;
+import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.text.Printable;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;

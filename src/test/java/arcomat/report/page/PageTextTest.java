@@ -2,6 +2,8 @@ package arcomat.report.page;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.report.page.Page.Tone;
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 

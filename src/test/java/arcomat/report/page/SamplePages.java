@@ -1,5 +1,8 @@
 package arcomat.report.page;
 
+import arcomat.report.page.Page.Tone;
+import arcomat.report.page.Story.Drawing;
+import arcomat.report.page.Story.Remark;
 import arcomat.source.SourceFile;
 
 import java.util.List;
