@@ -17,11 +17,13 @@ import arcomat.analysis.search.system.RunErrors;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
+import arcomat.semantics.automaton.Behaviour;
 
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
@@ -115,13 +117,12 @@ public final class Contradictions {
      * @param ends whether an error is a way to keep what allows it
      */
     private UnsatCores cores(Groups groups, boolean ends) {
-        Component.Profile profile = promise.component().profile();
         List<Requirement> requirements = new ArrayList<>();
         for (int i = 0; i < systems.size(); i++) {
             Automaton automaton = promise.automata().get(i);
             requirements.add(new Requirement(systems.get(i), automaton, ends, choices, budget));
         }
-        UnsatCores cores = new UnsatCores(requirements, groups, choices, profile, budget);
+        UnsatCores cores = new UnsatCores(requirements, groups, choices, budget);
         played.add(cores);
         return cores;
     }
@@ -131,22 +132,14 @@ public final class Contradictions {
         List<Port> outputs = promise.component().outputs();
         List<BitSet> decided = new ArrayList<>();
         for (Automaton automaton : promise.automata()) {
+            Set<String> written = Behaviour.written(automaton);
             BitSet own = new BitSet();
             for (int port = 0; port < outputs.size(); port++) {
-                String name = outputs.get(port).name();
-                boolean sent =
-                        automaton.initials().stream().anyMatch(i -> sends(i.sends(), name))
-                                || automaton.transitions().stream()
-                                        .anyMatch(t -> sends(t.sends(), name));
-                own.set(port, sent);
+                own.set(port, written.contains(outputs.get(port).name()));
             }
             decided.add(own);
         }
         return decided;
-    }
-
-    private static boolean sends(List<Automaton.Send> sends, String port) {
-        return sends.stream().anyMatch(send -> send.port().name().equals(port));
     }
 
     private Consistency told(UnsatCores cores, List<BitSet> found) {

@@ -29,38 +29,17 @@ import java.util.stream.Collectors;
 /**
  * How a component compares with what it was: does it keep what it promised, and does it promise
  * more? Both are compared with the same arguments.
+ *
+ * @param mark what follows the name of the old one in sentences, to tell it from the new one
+ * @param budgets a new one for each comparison
  */
-public final class VersionComparison {
-    private final Component old;
-    private final String mark;
-    private final Component fresh;
-    private final Supplier<Budget> budgets;
-
-    private VersionComparison(
-            Component old, String mark, Component fresh, Supplier<Budget> budgets) {
-        this.old = old;
-        this.mark = mark;
-        this.fresh = fresh;
-        this.budgets = budgets;
-    }
+public record VersionComparison(
+        Component old, String mark, Component fresh, Supplier<Budget> budgets) {
 
     /**
-     * How two versions compare.
-     *
-     * @param mark what follows the name of the old one in sentences, to tell it from the new one
      * @param given arguments to compare with, beside the defaults
-     * @param budgets a new one for each comparison
      */
-    public static Change of(
-            Component old,
-            String mark,
-            Component fresh,
-            Set<List<Value>> given,
-            Supplier<Budget> budgets) {
-        return new VersionComparison(old, mark, fresh, budgets).compare(given);
-    }
-
-    private Change compare(Set<List<Value>> given) {
+    public Change with(Set<List<Value>> given) {
         Optional<Sentence> problem = parameterProblem();
         if (problem.isPresent()) {
             Verdict verdict = Verdict.fails("interface", List.of(problem.get()));

@@ -70,18 +70,13 @@ public final class Arena {
 
     /**
      * @param requirements at least one, all of the same component
-     * @param profile of the component
      * @param budget of time and memory
      */
-    public Arena(
-            List<Requirement> requirements,
-            Choices choices,
-            Component.Profile profile,
-            Budget budget) {
+    public Arena(List<Requirement> requirements, Choices choices, Budget budget) {
         this.budget = budget;
-        this.profile = profile;
         this.requirements = List.copyOf(requirements);
         this.choices = choices;
+        this.profile = requirements.get(0).system().profile();
         this.inputs = requirements.get(0).system().inputs();
         this.identity = IntStream.range(0, inputs.size()).toArray();
         this.latched = LatchedPorts.of(profile, inputs);

@@ -2,7 +2,6 @@ package arcomat.analysis.game;
 
 import com.carrotsearch.hppc.IntArrayList;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -17,32 +16,33 @@ final class AttractorRanks {
     private final int[] ranks;
     private final int[] letters;
 
-    AttractorRanks(List<Game.Demand> demands, int positions) {
+    private AttractorRanks(int positions) {
         ranks = new int[positions];
         letters = new int[positions];
         Arrays.fill(ranks, NEVER);
+    }
+
+    /** Counts round by round from the demands that nothing answers. */
+    static AttractorRanks of(List<Game.Demand> demands, int positions) {
+        AttractorRanks found = new AttractorRanks(positions);
         int[] open = new int[demands.size()];
-        List<IntArrayList> answered = new ArrayList<>();
-        for (int position = 0; position < positions; position++) {
-            answered.add(null);
-        }
+        IntArrayList[] answered = new IntArrayList[positions];
+        Arrays.setAll(answered, position -> new IntArrayList(2));
         IntArrayList level = new IntArrayList();
         for (int demand = 0; demand < open.length; demand++) {
             int[] answers = demands.get(demand).answers();
             open[demand] = answers.length;
             for (int answer : answers) {
-                if (answered.get(answer) == null) {
-                    answered.set(answer, new IntArrayList(2));
-                }
-                answered.get(answer).add(demand);
+                answered[answer].add(demand);
             }
             if (answers.length == 0) {
                 level.add(demand);
             }
         }
         for (int rank = 1; !level.isEmpty(); rank++) {
-            level = next(level, rank, demands, open, answered);
+            level = found.next(level, rank, demands, open, answered);
         }
+        return found;
     }
 
     /**
@@ -53,7 +53,7 @@ final class AttractorRanks {
             int rank,
             List<Game.Demand> demands,
             int[] open,
-            List<IntArrayList> answered) {
+            IntArrayList[] answered) {
         IntArrayList fallen = new IntArrayList();
         for (int i = 0; i < level.size(); i++) {
             Game.Demand demand = demands.get(level.get(i));
@@ -68,8 +68,8 @@ final class AttractorRanks {
         }
         IntArrayList next = new IntArrayList();
         for (int i = 0; i < fallen.size(); i++) {
-            IntArrayList lost = answered.get(fallen.get(i));
-            for (int j = 0; lost != null && j < lost.size(); j++) {
+            IntArrayList lost = answered[fallen.get(i)];
+            for (int j = 0; j < lost.size(); j++) {
                 if (--open[lost.get(j)] == 0) {
                     next.add(lost.get(j));
                 }

@@ -40,7 +40,7 @@ public final class Game {
     private final Attractor lost = new Attractor();
     private final List<Demand> demands = new ArrayList<>();
 
-    /** What was lost before errors were looked for; null until then. */
+    /** What was lost before errors were asked for; null until then. */
     private BitSet lostUnerring;
 
     private final IntArrayList levels = new IntArrayList();
@@ -145,18 +145,16 @@ public final class Game {
     }
 
     /**
-     * Finds out from where the system can be made to err. To be called after the game was played,
-     * which is not played on then.
+     * Whether it is known that every system errs or loses from here, or has done so. Once that was
+     * asked, the game is not played on.
      */
-    void lookForErrors() {
-        lostUnerring = lost.fallen();
-        lost.fall(Arena.END);
-        lost.propagate();
-    }
-
-    /** Whether it is known that every system errs or loses from here, or has done so. */
     boolean errs(int position) {
-        return lostUnerring != null && lost.isFallen(position);
+        if (lostUnerring == null) {
+            lostUnerring = lost.fallen();
+            lost.fall(Arena.END);
+            lost.propagate();
+        }
+        return lost.isFallen(position);
     }
 
     private void expand(int position) {
@@ -184,6 +182,6 @@ public final class Game {
 
     /** How soon the environment wins where it does. */
     AttractorRanks ranks() {
-        return new AttractorRanks(demands, arena.size());
+        return AttractorRanks.of(demands, arena.size());
     }
 }

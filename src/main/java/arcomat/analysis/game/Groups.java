@@ -7,13 +7,10 @@ import java.util.List;
 /**
  * Which requirements have to do with each other, because they decide about a common output. Those
  * that do not are satisfied independently: a system answers each group on its own.
+ *
+ * @param neighbours per requirement those that it has to do with, itself included
  */
-public final class Groups {
-    private final List<BitSet> neighbours;
-
-    private Groups(List<BitSet> neighbours) {
-        this.neighbours = neighbours;
-    }
+public record Groups(List<BitSet> neighbours) {
 
     /**
      * @param decided per requirement the numbers of the output ports that it decides about

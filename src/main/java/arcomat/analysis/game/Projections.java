@@ -3,7 +3,6 @@ package arcomat.analysis.game;
 import arcomat.analysis.game.Requirement.Reply;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.analysis.search.step.OutputCubes;
-import arcomat.model.Component;
 import arcomat.model.Value;
 
 import java.util.ArrayDeque;
@@ -27,12 +26,10 @@ final class Projections {
 
     private final List<Requirement> requirements;
     private final Choices choices;
-    private final Component.Profile profile;
     private final List<Optional<int[]>> asked = new ArrayList<>();
     private int combinations;
 
-    Projections(List<Requirement> requirements, Choices choices, Component.Profile profile) {
-        this.profile = profile;
+    Projections(List<Requirement> requirements, Choices choices) {
         this.requirements = requirements;
         this.choices = choices;
         requirements.forEach(each -> asked.add(null));
@@ -113,7 +110,7 @@ final class Projections {
                 return Optional.empty();
             }
             int set = open.removeFirst();
-            Alphabet alphabet = requirement.alphabet(profile, set);
+            Alphabet alphabet = requirement.alphabet(set);
             for (int letter = 0; letter < alphabet.size(); letter++) {
                 Value[] messages = alphabet.letter(letter);
                 Reply reply = requirement.reply(set, messages);

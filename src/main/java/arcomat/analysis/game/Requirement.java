@@ -10,7 +10,6 @@ import arcomat.analysis.search.system.AutomataSystem;
 import arcomat.analysis.search.system.RunErrors;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Automaton;
-import arcomat.model.Component;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.Output;
@@ -136,9 +135,9 @@ public final class Requirement {
     }
 
     /** The letters that it tells apart. */
-    Alphabet alphabet(Component.Profile profile, int set) {
+    Alphabet alphabet(int set) {
         return new Alphabet(
-                profile, system.inputs(), List.of(letterClasses(set)), List.of(positions));
+                system.profile(), system.inputs(), List.of(letterClasses(set)), List.of(positions));
     }
 
     private Attention attention(int set) {
@@ -154,7 +153,7 @@ public final class Requirement {
         while (replies.size() <= set) {
             replies.add(new LongObjectHashMap<>(4));
         }
-        long kind = letterClasses(set).kind(letter, positions);
+        long kind = letterClasses(set).kind(letter);
         Reply known = replies.get(set).get(kind);
         if (known == null) {
             known = compute(set, letter);
@@ -166,8 +165,7 @@ public final class Requirement {
     private Reply compute(int set, Value[] letter) {
         List<Part> parts = new ArrayList<>();
         for (int member : sets.members(set)) {
-            long kind = system.letterClasses(member).kind(letter, positions);
-            parts.add(new Part(member, system.steps(member, kind, letter)));
+            parts.add(new Part(member, system.steps(member, letter)));
         }
         return reply(parts);
     }

@@ -33,7 +33,6 @@ public final class Synthesis {
     private final Numbering<List<Integer>> states = new Numbering<>();
 
     private Synthesis(List<Game> games, Budget budget) {
-        games.forEach(Game::lookForErrors);
         this.games = games;
         this.budget = budget;
         this.inputs = games.get(0).arena().inputs();

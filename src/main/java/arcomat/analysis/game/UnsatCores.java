@@ -1,7 +1,6 @@
 package arcomat.analysis.game;
 
 import arcomat.analysis.search.Budget;
-import arcomat.model.Component;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -30,7 +29,6 @@ public final class UnsatCores {
     private final List<Requirement> requirements;
     private final Groups groups;
     private final Choices choices;
-    private final Component.Profile profile;
     private final Projections projections;
     private final Budget budget;
     private final Map<BitSet, Game.Winner> known = new HashMap<>();
@@ -41,16 +39,11 @@ public final class UnsatCores {
     private long explored;
 
     public UnsatCores(
-            List<Requirement> requirements,
-            Groups groups,
-            Choices choices,
-            Component.Profile profile,
-            Budget budget) {
-        this.profile = profile;
+            List<Requirement> requirements, Groups groups, Choices choices, Budget budget) {
         this.requirements = requirements;
         this.groups = groups;
         this.choices = choices;
-        this.projections = new Projections(requirements, choices, profile);
+        this.projections = new Projections(requirements, choices);
         this.budget = budget;
     }
 
@@ -210,7 +203,7 @@ public final class UnsatCores {
 
     private Game game(BitSet group, long moves) {
         List<Requirement> members = group.stream().mapToObj(requirements::get).toList();
-        return new Game(new Arena(members, choices, profile, budget), budget, moves);
+        return new Game(new Arena(members, choices, budget), budget, moves);
     }
 
     /** The game of a contradicting subset, to be told. */

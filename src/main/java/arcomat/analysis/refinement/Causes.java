@@ -12,12 +12,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 
 /** Says what the automata of one side did in a step. */
-final class Causes {
-    private final Promise promise;
-
-    Causes(Promise promise) {
-        this.promise = promise;
-    }
+record Causes(Promise promise) {
 
     /**
      * @param causes of a composition in slices one per automaton of its parts, in their order; with

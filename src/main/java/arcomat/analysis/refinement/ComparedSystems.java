@@ -20,34 +20,41 @@ import java.util.stream.Stream;
 /**
  * Both sides of a comparison, ready to be explored. Where only one of them sends with delay, they
  * are compared by what is seen.
+ *
+ * @param plainLeft the left one as it sends
+ * @param plainRight the right one as it sends
+ * @param left the left one as it is seen
+ * @param right the right one as it is seen
+ * @param observed the output ports that are compared
  */
-public final class ComparedSystems {
-    private final TransitionSystem plainLeft;
-    private final TransitionSystem plainRight;
-    private final TransitionSystem left;
-    private final TransitionSystem right;
-    private final List<Port> observed;
-    private final OutputCubes outputs;
+public record ComparedSystems(
+        TransitionSystem plainLeft,
+        TransitionSystem plainRight,
+        TransitionSystem left,
+        TransitionSystem right,
+        List<Port> observed,
+        OutputCubes outputs) {
 
-    private ComparedSystems(
-            TransitionSystem plainLeft,
-            TransitionSystem plainRight,
+    private static ComparedSystems of(
+            TransitionSystem left,
+            TransitionSystem right,
             List<Port> observed,
             OutputCubes outputs) {
-        this.plainLeft = plainLeft;
-        this.plainRight = plainRight;
-        this.observed = observed;
-        this.outputs = outputs;
         List<Boolean> total = observed.stream().map(Port::total).toList();
-        this.left = ShiftedSystem.beside(plainLeft, plainRight, total, outputs);
-        this.right = ShiftedSystem.beside(plainRight, plainLeft, total, outputs);
+        return new ComparedSystems(
+                left,
+                right,
+                ShiftedSystem.beside(left, right, total, outputs),
+                ShiftedSystem.beside(right, left, total, outputs),
+                observed,
+                outputs);
     }
 
     public static ComparedSystems of(Promise left, Promise right, Budget budget) {
         OutputCubes outputs = new OutputCubes();
         List<Port> observed = right.ports().stream().filter(port -> !port.isInput()).toList();
         List<String> names = observed.stream().map(Port::name).toList();
-        return new ComparedSystems(
+        return of(
                 DrivenSystem.of(system(left, names, outputs, budget)),
                 system(right, names, outputs, budget),
                 observed,
@@ -65,24 +72,8 @@ public final class ComparedSystems {
     /** The same with a right side that is so many slices late. */
     ComparedSystems late(int slices, Budget budget) {
         TransitionSystem late =
-                new DelayedSystem(plainRight, slices, observed.size(), outputs, budget);
-        return new ComparedSystems(plainLeft, late, observed, outputs);
-    }
-
-    TransitionSystem left() {
-        return left;
-    }
-
-    TransitionSystem right() {
-        return right;
-    }
-
-    List<Port> observed() {
-        return observed;
-    }
-
-    OutputCubes outputs() {
-        return outputs;
+                DelayedSystem.of(plainRight, slices, observed.size(), outputs, budget);
+        return of(plainLeft, late, observed, outputs);
     }
 
     /** Compared ports on which only one of the sides sends with delay, by name. */

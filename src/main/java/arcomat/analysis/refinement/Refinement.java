@@ -9,7 +9,7 @@ import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Counterexample;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.system.NetworkSystem;
-import arcomat.model.Automaton;
+import arcomat.semantics.automaton.Behaviour;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -17,7 +17,6 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * Whether one component keeps what another one promises: every trace of the first, restricted to
@@ -237,15 +236,8 @@ public final class Refinement {
     private static boolean isAsked(Promise right, String port) {
         return !right.component().isComposite()
                 || right.isComposition()
-                || right.automata().stream().anyMatch(automaton -> writes(automaton, port));
-    }
-
-    private static boolean writes(Automaton automaton, String port) {
-        return Stream.concat(
-                        automaton.initials().stream().map(Automaton.Initial::sends),
-                        automaton.transitions().stream().map(Automaton.Transition::sends))
-                .flatMap(List::stream)
-                .anyMatch(send -> send.port().name().equals(port));
+                || right.automata().stream()
+                        .anyMatch(each -> Behaviour.written(each).contains(port));
     }
 
     /** A step pairs an input with its reaction; not where the delays of both sides differ. */

@@ -173,8 +173,8 @@ public final class GateStep {
         progress.step("comparing " + now.qualifiedName());
         Set<List<Value>> given = old.parameters().isEmpty() ? Set.of() : given(old);
         Change change =
-                VersionComparison.of(
-                        old, " (base)", now, given, () -> request.limits().each().budget());
+                new VersionComparison(old, " (base)", now, () -> request.limits().each().budget())
+                        .with(given);
         return mayBeGivenMore(old) && !change.relation().breaks() ? Change.UNREAD : change;
     }
 

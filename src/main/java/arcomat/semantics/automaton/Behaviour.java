@@ -108,7 +108,8 @@ public final class Behaviour {
         return owned;
     }
 
-    private static Set<String> written(Automaton automaton) {
+    /** Names of the outputs that an automaton writes. */
+    public static Set<String> written(Automaton automaton) {
         Set<String> names = new HashSet<>();
         automaton.initials().forEach(i -> i.sends().forEach(s -> names.add(s.port().name())));
         automaton.transitions().forEach(t -> t.sends().forEach(s -> names.add(s.port().name())));

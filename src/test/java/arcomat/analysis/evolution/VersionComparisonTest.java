@@ -54,12 +54,12 @@ class VersionComparisonTest {
             Promise left = pair.left();
             Promise right = pair.right();
             Change change =
-                    VersionComparison.of(
-                            right.component(),
-                            " (base)",
-                            left.component(),
-                            Set.of(),
-                            Budget::ofMemory);
+                    new VersionComparison(
+                                    right.component(),
+                                    " (base)",
+                                    left.component(),
+                                    Budget::ofMemory)
+                            .with(Set.of());
             Difference difference = Difference.of(left, right, Budget.ofMemory());
             assertThat(change.relation()).isEqualTo(SAME.get(difference.relation()));
             seen.merge(change.relation(), 1, Integer::sum);
@@ -116,12 +116,12 @@ class VersionComparisonTest {
             given.add(List.of(new Value.IntegerValue(Long.parseLong(words[i]))));
         }
         Change change =
-                VersionComparison.of(
-                        old.component(words[0]).orElseThrow(),
-                        " (base)",
-                        fresh.component(words[0]).orElseThrow(),
-                        given,
-                        Budget::ofMemory);
+                new VersionComparison(
+                                old.component(words[0]).orElseThrow(),
+                                " (base)",
+                                fresh.component(words[0]).orElseThrow(),
+                                Budget::ofMemory)
+                        .with(given);
         List<String> lines = new ArrayList<>();
         lines.add(
                 (change.relation().name().toLowerCase(Locale.ROOT) + " " + change.reason())

@@ -11,7 +11,7 @@ import java.util.List;
 /** How many inputs it takes to win, and the first of the inputs that take as few. */
 class AttractorRanksTest {
     private static final AttractorRanks RANKS =
-            new AttractorRanks(
+            AttractorRanks.of(
                     List.of(
                             demand(5, 0, 4, 0),
                             demand(4, 2, 2, 3),

@@ -15,7 +15,6 @@ import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.Attention;
 import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -82,30 +81,24 @@ final class EventReactions {
         leftOut = leftOut == null ? reason : leftOut;
     }
 
+    /** How runs go on: in longer ones, or not at all. */
+    record Branches(List<RunToCompletion> next, List<Unfolding.Step> errors) {}
+
     /** All ways in which a part begins. */
-    void start(
-            RunToCompletion run,
-            int part,
-            List<RunToCompletion> next,
-            List<Unfolding.Step> errors) {
+    void start(RunToCompletion run, int part, Branches found) {
         for (JointStart start : behaviours.get(part).starts(budget::insist)) {
             RunToCompletion longer = run.longer();
             longer.set(part, start.configurations());
-            finish(longer, part, start.output().ports(), next, errors);
+            finish(longer, part, start.output().ports(), found);
         }
     }
 
     /** All ways in which a part is completed where there is nothing that it could handle. */
-    void idle(
-            RunToCompletion run,
-            int part,
-            List<RunToCompletion> next,
-            List<Unfolding.Step> errors) {
-        Behaviour behaviour = behaviours.get(part);
-        Input nothing = Input.of(new Value[behaviour.component().inputs().size()]);
-        Prospect prospect = behaviour.prospect(run.part(part), nothing, budget::insist);
-        prospect.errors().forEach(error -> errors.add(error(run, part, error)));
-        prospect.reactions().forEach(each -> follow(run.longer(), part, each, next, errors));
+    void idle(RunToCompletion run, int part, Branches found) {
+        Value[] nothing = new Value[behaviours.get(part).component().inputs().size()];
+        for (JointReaction reaction : reactions(run, part, nothing, found)) {
+            follow(run.longer(), part, reaction, found);
+        }
     }
 
     /**
@@ -113,51 +106,41 @@ final class EventReactions {
      *
      * @param looks by external input, widened by what the part looks at; null if nobody asks
      */
-    void react(
-            RunToCompletion run,
-            Look[] looks,
-            List<RunToCompletion> next,
-            List<Unfolding.Step> errors) {
+    void react(RunToCompletion run, Look[] looks, Branches found) {
         int part = run.nextPart();
         RunToCompletion.Event event = run.first(part);
         if (looks != null) {
             look(run.part(part), part, event, looks);
         }
-        Input input = Input.of(run.messages(part, event));
-        Prospect prospect = behaviours.get(part).prospect(run.part(part), input, budget::insist);
-        prospect.errors().forEach(error -> errors.add(error(run, part, error)));
-        List<JointReaction> reactions = prospect.reactions();
+        List<JointReaction> reactions = reactions(run, part, run.messages(part, event), found);
         for (JointReaction reaction : reactions) {
             RunToCompletion longer = run.longer();
             longer.take(part);
             if (reactions.size() > 1) {
                 longer.setAlternative();
             }
-            follow(longer, part, reaction, next, errors);
+            follow(longer, part, reaction, found);
         }
     }
 
-    private void follow(
-            RunToCompletion run,
-            int part,
-            JointReaction reaction,
-            List<RunToCompletion> next,
-            List<Unfolding.Step> errors) {
-        reaction.reactions().forEach(each -> run.note(each.cause()));
-        run.set(part, reaction.next());
-        finish(run, part, reaction.output().ports(), next, errors);
+    private List<JointReaction> reactions(
+            RunToCompletion run, int part, Value[] messages, Branches found) {
+        Prospect prospect =
+                behaviours.get(part).prospect(run.part(part), Input.of(messages), budget::insist);
+        prospect.errors().forEach(error -> found.errors.add(error(run, part, error)));
+        return prospect.reactions();
     }
 
-    private void finish(
-            RunToCompletion run,
-            int part,
-            List<Sent> output,
-            List<RunToCompletion> next,
-            List<Unfolding.Step> errors) {
+    private void follow(RunToCompletion run, int part, JointReaction reaction, Branches found) {
+        reaction.reactions().forEach(each -> run.note(each.cause()));
+        run.set(part, reaction.next());
+        finish(run, part, reaction.output().ports(), found);
+    }
+
+    private void finish(RunToCompletion run, int part, List<Sent> output, Branches found) {
         List<List<Sent>> settled = settled(part, output);
         for (List<Sent> sent : settled) {
-            RunToCompletion own = settled.size() == 1 ? run : run.twin();
-            send(own, part, sent, next, errors);
+            send(settled.size() == 1 ? run : run.twin(), part, sent, found);
         }
     }
 
@@ -189,30 +172,21 @@ final class EventReactions {
         }
     }
 
-    private void send(
-            RunToCompletion run,
-            int part,
-            List<Sent> sent,
-            List<RunToCompletion> next,
-            List<Unfolding.Step> errors) {
+    private void send(RunToCompletion run, int part, List<Sent> sent, Branches found) {
         List<Integer> signals = network.instances().get(part).outputSignals();
         for (int i = 0; i < sent.size(); i++) {
-            Optional<String> problem =
-                    sent.get(i) instanceof Sent.Messages messages
-                            ? deliver(
-                                    run, signals.get(i), messages.values(), RunToCompletion.INSIDE)
-                            : open(run, signals.get(i), sent.get(i));
-            if (problem.isPresent()) {
-                errors.add(Unfolding.Step.error(problem.get(), run.causes()));
-                return;
+            if (sent.get(i) instanceof Sent.Messages messages) {
+                Optional<String> problem =
+                        deliver(run, signals.get(i), messages.values(), RunToCompletion.INSIDE);
+                if (problem.isPresent()) {
+                    found.errors.add(Unfolding.Step.error(problem.get(), run.causes()));
+                    return;
+                }
+            } else {
+                run.note(signals.get(i), sent.get(i));
             }
         }
-        next.add(run);
-    }
-
-    private static Optional<String> open(RunToCompletion run, int signal, Sent sent) {
-        run.note(signal, sent);
-        return Optional.empty();
+        found.next.add(run);
     }
 
     /**
@@ -286,7 +260,6 @@ final class EventReactions {
                                     "decide with transitions, or with another completion"));
             return List.of(Sent.SILENCE);
         }
-        Kinds kinds = Kinds.of(wiring.sender[signal], all, new Attention.Whole());
-        return kinds.samples().stream().map(Sent::of).toList();
+        return wiring.samples(signal, all, new Attention.Whole());
     }
 }

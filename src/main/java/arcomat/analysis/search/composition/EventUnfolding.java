@@ -1,6 +1,7 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.composition.EventReactions.Branches;
 import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Component;
 import arcomat.model.FirstValue;
@@ -133,11 +134,7 @@ public final class EventUnfolding implements Unfolding {
 
     /** What a part does when it is its turn, once. */
     private interface Turn {
-        void take(
-                RunToCompletion run,
-                int part,
-                List<RunToCompletion> next,
-                List<Unfolding.Step> errors);
+        void take(RunToCompletion run, int part, Branches found);
     }
 
     /** The parts have their turn one after the other; then what they have caused is worked off. */
@@ -147,7 +144,7 @@ public final class EventUnfolding implements Unfolding {
         for (int part = 0; part < network.instances().size(); part++) {
             List<RunToCompletion> longer = new ArrayList<>();
             for (RunToCompletion run : runs) {
-                turn.take(run, part, longer, outcomes);
+                turn.take(run, part, new Branches(longer, outcomes));
             }
             runs = longer;
         }
@@ -242,7 +239,7 @@ public final class EventUnfolding implements Unfolding {
                 parts.leaveOut("what one event causes can go too many ways");
             } else if (!circles(run, outcomes)) {
                 List<RunToCompletion> next = new ArrayList<>();
-                parts.react(run, looks, next, outcomes);
+                parts.react(run, looks, new Branches(next, outcomes));
                 reactions++;
                 for (int i = next.size() - 1; i >= 0; i--) {
                     open.push(next.get(i));

@@ -2,7 +2,6 @@ package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Representatives;
-import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
@@ -18,7 +17,6 @@ import arcomat.semantics.network.Network;
 import arcomat.semantics.value.Attention;
 import arcomat.semantics.value.Attention.Look;
 import arcomat.semantics.value.Attention.Unseen;
-import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -226,10 +224,7 @@ public final class SliceUnfolding implements Unfolding {
         for (Wiring.Reader reader : wiring.readers.get(signal)) {
             look = look.and(look(before, reader.part(), reader.port()));
         }
-        Port port = wiring.sender[signal];
-        return Kinds.of(port, !open.allows(List.of()), look).samples().stream()
-                .map(Sent::of)
-                .toList();
+        return wiring.samples(signal, !open.allows(List.of()), look);
     }
 
     /** What a part looks at, in the configuration before the slice. */
@@ -294,10 +289,6 @@ public final class SliceUnfolding implements Unfolding {
         if (sent instanceof Sent.Messages || !wiring.shared[signal]) {
             return List.of(sent);
         }
-        Look whole = new Attention.Whole();
-        boolean total = !sent.allows(List.of());
-        return Kinds.of(wiring.sender[signal], total, whole).samples().stream()
-                .map(Sent::of)
-                .toList();
+        return wiring.samples(signal, !sent.allows(List.of()), new Attention.Whole());
     }
 }

@@ -3,6 +3,8 @@ package arcomat.analysis.search.composition;
 import arcomat.model.Port;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
+import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.Kinds;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -75,5 +77,14 @@ final class Wiring {
         Sent[] silent = new Sent[delayed.length];
         Arrays.fill(silent, Sent.SILENCE);
         return silent;
+    }
+
+    /**
+     * What a message that is left open is divided into.
+     *
+     * @param present whether there is one for certain; else silence is among the samples
+     */
+    List<Sent> samples(int signal, boolean present, Look look) {
+        return Kinds.of(sender[signal], present, look).samples().stream().map(Sent::of).toList();
     }
 }

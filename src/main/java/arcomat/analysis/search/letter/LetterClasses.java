@@ -32,6 +32,7 @@ public final class LetterClasses {
     private final Attention attention;
     private final Kinds[] kinds;
     private final int[] ports;
+    private final int[] identity;
     private final long[] strides;
 
     /** Ports of too many values to be numbered beforehand. */
@@ -42,6 +43,7 @@ public final class LetterClasses {
     public LetterClasses(int number, Attention attention, List<Port> inputs) {
         this.number = number;
         this.attention = attention;
+        this.identity = IntStream.range(0, inputs.size()).toArray();
         List<Look> looks = attention.looks();
         kinds = new Kinds[inputs.size()];
         strides = new long[inputs.size()];
@@ -89,8 +91,13 @@ public final class LetterClasses {
         return attention;
     }
 
+    /** The class of a letter of this system's own ports. */
+    public long kind(Value[] letter) {
+        return kind(letter, identity);
+    }
+
     /**
-     * The number of a letter.
+     * The class of a letter.
      *
      * @param letter messages by position
      * @param positions where the ports of this system stand in the letter

@@ -22,9 +22,7 @@ import com.carrotsearch.hppc.LongObjectHashMap;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 
 /**
  * The product of the left system with the subset construction of the right one: the letters that a
@@ -46,8 +44,10 @@ final class Product {
     private final boolean mayErr;
     private final int[] leftPositions;
     private final int[] rightPositions;
-    private final Map<List<Integer>, Integer> classLists = new HashMap<>();
-    private final List<List<LetterClasses>> distinctClasses = new ArrayList<>();
+
+    /** What the members of a set tell apart, each once. */
+    private final Numbering<List<LetterClasses>> classLists = new Numbering<>();
+
     private final List<Integer> classListOfSet = new ArrayList<>();
     private final DataIndependence data;
     private final StepTable leftSteps = new StepTable();
@@ -107,9 +107,9 @@ final class Product {
         Alphabet known = alphabets.get(held).get(key);
         if (known == null) {
             List<LetterClasses> all = new ArrayList<>(List.of(own));
-            all.addAll(distinctClasses.get(list));
+            all.addAll(classLists.get(list));
             List<int[]> positions = new ArrayList<>(List.of(leftPositions));
-            distinctClasses.get(list).forEach(each -> positions.add(rightPositions));
+            classLists.get(list).forEach(each -> positions.add(rightPositions));
             Representatives representatives =
                     data.any() ? data.representatives(held) : Representatives.NONE;
             known = new Alphabet(left.profile(), inputs, all, positions, representatives);
@@ -131,13 +131,7 @@ final class Product {
                     distinct.add(classes);
                 }
             }
-            known =
-                    classLists.computeIfAbsent(
-                            distinct.stream().map(LetterClasses::number).toList(),
-                            key -> {
-                                distinctClasses.add(distinct);
-                                return distinctClasses.size() - 1;
-                            });
+            known = classLists.number(distinct);
             classListOfSet.set(set, known);
         }
         return known;
@@ -145,7 +139,7 @@ final class Product {
 
     /** Which of an alphabet's classes is that of a member of the set. */
     int classesIndex(int set, int member) {
-        return 1 + distinctClasses.get(classList(set)).indexOf(right.letterClasses(member));
+        return 1 + classLists.get(classList(set)).indexOf(right.letterClasses(member));
     }
 
     /** The steps of the left side with each letter of an alphabet that is made for it. */

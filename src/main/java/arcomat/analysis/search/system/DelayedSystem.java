@@ -37,6 +37,19 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     private final Output openWhole;
     private final Map<Long, Value[]> letters = new HashMap<>();
 
+    private DelayedSystem(
+            TransitionSystem system,
+            int slices,
+            LetterClasses classes,
+            int observed,
+            OutputCubes outputs) {
+        super(system);
+        this.slices = slices;
+        this.classes = classes;
+        this.open = outputs.number(anything(observed));
+        this.openWhole = anything(system.outputs().size());
+    }
+
     /**
      * @param system works in slices
      * @param slices at least 1
@@ -44,13 +57,10 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
      * @throws TooManyMessages where there are too many letters to hold
      * @throws GivenUp where the budget does not suffice to explore the system
      */
-    public DelayedSystem(
+    public static DelayedSystem of(
             TransitionSystem system, int slices, int observed, OutputCubes outputs, Budget budget) {
-        super(system);
-        this.slices = slices;
-        this.classes = new LetterClasses(0, everything(budget), system.inputs());
-        this.open = outputs.number(anything(observed));
-        this.openWhole = anything(system.outputs().size());
+        LetterClasses classes = new LetterClasses(0, everything(system, budget), system.inputs());
+        return new DelayedSystem(system, slices, classes, observed, outputs);
     }
 
     private static Output anything(int ports) {
@@ -58,7 +68,7 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     }
 
     /** Whatever a letter that is held may be looked at for, in whichever configuration. */
-    private Attention everything(Budget budget) {
+    private static Attention everything(TransitionSystem system, Budget budget) {
         Attention all = Attention.none(system.inputs().size());
         Numbering<Integer> met = new Numbering<>();
         IntStream.of(system.openings().next()).forEach(met::number);
@@ -70,16 +80,16 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
             int configuration = met.get(i);
             Attention attention = system.letterClasses(configuration).attention();
             all = all.and(attention);
-            for (Value[] letter : letters(attention)) {
+            for (Value[] letter : letters(system, attention)) {
                 budget.insist();
-                IntStream.of(own(configuration, letter).next()).forEach(met::number);
+                IntStream.of(system.steps(configuration, letter).next()).forEach(met::number);
             }
         }
-        letters(all); // to be told that there are too many
+        letters(system, all); // to be told that there are too many
         return all;
     }
 
-    private List<Value[]> letters(Attention attention) {
+    private static List<Value[]> letters(TransitionSystem system, Attention attention) {
         return Letters.atMost(MOST_LETTERS, system.inputs(), attention.looks());
     }
 
@@ -102,7 +112,7 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
             return waiting(new int[] {before.inner()}, held);
         }
         Value[] oldest = letters.get(held.remove(0));
-        return remembering(own(before.inner(), oldest), held);
+        return remembering(system.steps(before.inner(), oldest), held);
     }
 
     /** Anything may be sent. */

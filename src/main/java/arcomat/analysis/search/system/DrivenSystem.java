@@ -49,7 +49,7 @@ public final class DrivenSystem extends HistorySystem<Long> {
     @Override
     Steps compute(State<Long> before, long kind, Value[] letter) {
         return latched.isPossible(before.memory(), letter)
-                ? remembering(own(before.inner(), letter), latched.held(letter))
+                ? remembering(system.steps(before.inner(), letter), latched.held(letter))
                 : new Steps.Collector().steps();
     }
 

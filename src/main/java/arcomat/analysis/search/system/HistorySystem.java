@@ -4,7 +4,6 @@ import arcomat.analysis.search.step.Steps;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Trace;
-import arcomat.model.Value;
 import arcomat.semantics.expression.DataSorts;
 
 import java.util.List;
@@ -23,9 +22,6 @@ import java.util.stream.IntStream;
 abstract class HistorySystem<M> extends NumberedSystem<HistorySystem.State<M>> {
     final TransitionSystem system;
 
-    /** Where the system's ports stand in its own letters. */
-    private final int[] positions;
-
     /**
      * @param inner a configuration of the other system
      */
@@ -33,7 +29,6 @@ abstract class HistorySystem<M> extends NumberedSystem<HistorySystem.State<M>> {
 
     HistorySystem(TransitionSystem system) {
         this.system = system;
-        this.positions = IntStream.range(0, system.inputs().size()).toArray();
     }
 
     /** What is remembered, in a name; empty where that is nothing. */
@@ -41,11 +36,6 @@ abstract class HistorySystem<M> extends NumberedSystem<HistorySystem.State<M>> {
 
     final int number(int inner, M memory) {
         return number(new State<>(inner, memory));
-    }
-
-    /** The steps of the other system with a letter. */
-    final Steps own(int inner, Value[] letter) {
-        return system.steps(inner, system.letterClasses(inner).kind(letter, positions), letter);
     }
 
     /** Steps of the other system, with what is remembered after them. */

@@ -78,7 +78,7 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
 
     @Override
     Steps compute(State<List<Sent>> before, long kind, Value[] letter) {
-        return shown(own(before.inner(), letter), before.memory());
+        return shown(system.steps(before.inner(), letter), before.memory());
     }
 
     private Steps shown(Steps own, List<Sent> seen) {

@@ -52,6 +52,11 @@ public interface TransitionSystem {
      */
     Steps steps(int configuration, long kind, Value[] letter);
 
+    /** The steps with a letter of whichever kind. */
+    default Steps steps(int configuration, Value[] letter) {
+        return steps(configuration, letterClasses(configuration).kind(letter), letter);
+    }
+
     /** Whether any output may be sent from here on; that a run ends in an error is not allowed. */
     boolean isChaos(int configuration);
 
