@@ -2,7 +2,7 @@ package arcomat.analysis.contradiction;
 
 import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.game.Choices;
-import arcomat.analysis.game.Controllers;
+import arcomat.analysis.game.controller.Controllers;
 import arcomat.analysis.game.CounterStrategy;
 import arcomat.analysis.game.Groups;
 import arcomat.analysis.game.Requirement;

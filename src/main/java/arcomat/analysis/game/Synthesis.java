@@ -1,5 +1,6 @@
 package arcomat.analysis.game;
 
+import arcomat.analysis.game.controller.MealyMachine;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Numbering;
 import arcomat.model.FirstValue;

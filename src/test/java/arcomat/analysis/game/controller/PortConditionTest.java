@@ -1,4 +1,4 @@
-package arcomat.analysis.game;
+package arcomat.analysis.game.controller;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

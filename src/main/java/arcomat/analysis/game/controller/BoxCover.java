@@ -1,4 +1,4 @@
-package arcomat.analysis.game;
+package arcomat.analysis.game.controller;
 
 import arcomat.analysis.search.IntKey;
 
