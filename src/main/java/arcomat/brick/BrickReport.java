@@ -1,5 +1,7 @@
 package arcomat.brick;
 
+import arcomat.brick.jar.RobotJar.Origin;
+import arcomat.brick.law.SimulationCheck;
 import arcomat.brick.need.Needs;
 import arcomat.source.Diagnostic;
 import arcomat.source.Severity;
@@ -12,12 +14,9 @@ import java.util.stream.Stream;
  *
  * @param findings in the order of {@link Diagnostic#ORDER}; the jar fits if there is no error
  * @param shares the jar's classes by origin, in the order of {@link Origin}; none without a class
- * @param needs of the linked program; the machine has room for {@link #CLASSES}
+ * @param needs of the linked program; the machine has room for {@link Needs#MOST_CLASSES}
  */
 public record BrickReport(List<Diagnostic> findings, List<Share> shares, Needs needs) {
-    /** What a linked program has room for. */
-    public static final int CLASSES = 256;
-
     /**
      * The classes of one origin.
      *

@@ -1,11 +1,8 @@
 package arcomat.brick;
 
 import org.objectweb.asm.ClassReader;
-import org.objectweb.asm.ClassVisitor;
-import org.objectweb.asm.FieldVisitor;
-import org.objectweb.asm.MethodVisitor;
-import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.Type;
+import org.objectweb.asm.tree.ClassNode;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
@@ -47,27 +44,10 @@ public final class ReachableClasses {
         ClassReader reader = new ClassReader(file);
         Set<String> names = new HashSet<>();
         addConstants(reader, names);
-        reader.accept(
-                new ClassVisitor(Opcodes.ASM9) {
-                    @Override
-                    public FieldVisitor visitField(
-                            int access, String name, String type, String signature, Object value) {
-                        add(Type.getType(type), names);
-                        return null;
-                    }
-
-                    @Override
-                    public MethodVisitor visitMethod(
-                            int access,
-                            String name,
-                            String type,
-                            String signature,
-                            String[] exceptions) {
-                        add(Type.getType(type), names);
-                        return null;
-                    }
-                },
-                ClassReader.SKIP_CODE);
+        ClassNode node = new ClassNode();
+        reader.accept(node, ClassReader.SKIP_CODE);
+        node.fields.forEach(field -> add(Type.getType(field.desc), names));
+        node.methods.forEach(method -> add(Type.getType(method.desc), names));
         return names;
     }
 

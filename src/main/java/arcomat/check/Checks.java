@@ -3,7 +3,6 @@ package arcomat.check;
 import arcomat.check.behaviour.automaton.AutomatonLaws;
 import arcomat.check.behaviour.expression.ExpressionLaws;
 import arcomat.check.behaviour.item.ItemLaws;
-import arcomat.check.behaviour.table.TableLaws;
 import arcomat.check.behaviour.total.TotalLaws;
 import arcomat.check.diagrams.DiagramLaws;
 import arcomat.check.law.Law;
@@ -53,7 +52,6 @@ public final class Checks {
                             AutomatonLaws.LAWS,
                             ExpressionLaws.LAWS,
                             ItemLaws.LAWS,
-                            TableLaws.LAWS,
                             TotalLaws.LAWS,
                             RefinementLaws.LAWS,
                             StereotypeLaws.all(() -> Checks.LAWS),

@@ -27,24 +27,10 @@ final class SureFindings {
     /** Guards, and the connectors of a part, which is declared in front of them. */
     private static final Pattern BRACKETS = Pattern.compile("\\[[^\\]]*\\]");
 
-    private static final Set<String> DECLARING =
-            Set.of(
-                    "automaton",
-                    "class",
-                    "component",
-                    "enum",
-                    "extends",
-                    "import",
-                    "in",
-                    "input",
-                    "out",
-                    "output",
-                    "port",
-                    "ports",
-                    "state",
-                    "table",
-                    "var",
-                    "variable");
+    private static final Pattern DECLARING =
+            Pattern.compile(
+                    "automaton|class|component|enum|extends|import|in|input|out|output|port|ports"
+                            + "|state|table|var|variable");
 
     private static final Map<String, Needs> NEEDS =
             Checks.LAWS.stream().collect(Collectors.toMap(Law::code, Law::needs));
@@ -60,7 +46,8 @@ final class SureFindings {
     /** A misspelt word may be that of a declaration, and its name a misspelt one. */
     private static boolean mayDeclare(Span gap) {
         String outside = BRACKETS.matcher(gap.text()).replaceAll(" ");
-        return !ARROW.matcher(outside).find() || words(gap).stream().anyMatch(DECLARING::contains);
+        return !ARROW.matcher(outside).find()
+                || words(gap).stream().anyMatch(w -> DECLARING.matcher(w).matches());
     }
 
     /** Whether nothing that a gap may hold is at the bottom of a finding. */

@@ -8,17 +8,8 @@ import arcomat.symbols.bodies.InstanceSymbol;
 import java.util.List;
 
 /** The inside of a decomposed component: parts with all their arguments, single connections. */
-final class CompositionLowering {
-    private final ComponentLowering components;
-    private final Instantiation whole;
-    private final Environment environment;
-
-    CompositionLowering(
-            ComponentLowering components, Instantiation whole, Environment environment) {
-        this.components = components;
-        this.whole = whole;
-        this.environment = environment;
-    }
+record CompositionLowering(
+        ComponentLowering components, Instantiation whole, Environment environment) {
 
     Component.Composite lower() {
         List<Component.Part> parts =

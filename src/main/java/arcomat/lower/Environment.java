@@ -11,6 +11,7 @@ import arcomat.symbols.names.TypeSymbol;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 
 /**
  * What the names in one component mean in the model.
@@ -34,14 +35,12 @@ record Environment(
     }
 
     Environment withPorts(List<Port> more) {
-        Map<String, Port> all = new HashMap<>(ports);
-        more.forEach(port -> all.put(port.name(), port));
+        Map<String, Port> all = with(ports, more, Port::name);
         return new Environment(types, all, parameters, arguments, constants, variables);
     }
 
     Environment withParameters(List<Parameter> more) {
-        Map<String, Parameter> all = new HashMap<>(parameters);
-        more.forEach(parameter -> all.put(parameter.name(), parameter));
+        Map<String, Parameter> all = with(parameters, more, Parameter::name);
         return new Environment(types, ports, all, arguments, constants, variables);
     }
 
@@ -50,14 +49,19 @@ record Environment(
     }
 
     Environment withConstants(List<Variable> more) {
-        Map<String, Variable> all = new HashMap<>(constants);
-        more.forEach(constant -> all.put(constant.name(), constant));
+        Map<String, Variable> all = with(constants, more, Variable::name);
         return new Environment(types, ports, parameters, arguments, all, variables);
     }
 
     Environment withVariables(List<Variable> more) {
-        Map<String, Variable> all = new HashMap<>(variables);
-        more.forEach(variable -> all.put(variable.name(), variable));
+        Map<String, Variable> all = with(variables, more, Variable::name);
         return new Environment(types, ports, parameters, arguments, constants, all);
+    }
+
+    private static <T> Map<String, T> with(
+            Map<String, T> known, List<T> more, Function<T, String> name) {
+        Map<String, T> all = new HashMap<>(known);
+        more.forEach(each -> all.put(name.apply(each), each));
+        return all;
     }
 }

@@ -17,12 +17,7 @@ import java.util.List;
 import java.util.Map;
 
 /** Typed expressions of the text as expressions of the model. */
-final class ExpressionLowering implements TypedExpression.Cases<Expression> {
-    private final Environment environment;
-
-    ExpressionLowering(Environment environment) {
-        this.environment = environment;
-    }
+record ExpressionLowering(Environment environment) implements TypedExpression.Cases<Expression> {
 
     /** The expression, converted to the type of the place it stands in. */
     Expression lower(Typed typed, Type target) {

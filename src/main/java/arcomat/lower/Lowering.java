@@ -6,7 +6,6 @@ import arcomat.model.StreamTest;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.names.Resolution;
 
 import java.util.ArrayList;
@@ -70,10 +69,8 @@ public final class Lowering {
 
     private List<StreamTest> tests() {
         StreamTestLowering lowering = new StreamTestLowering(components, workspace.delays());
-        List<StreamTest> tests = new ArrayList<>();
-        for (TestSuiteSymbol suite : workspace.testSuites()) {
-            tests.addAll(lowering.lower(suite));
-        }
-        return tests;
+        return workspace.testSuites().stream()
+                .flatMap(suite -> lowering.lower(suite).stream())
+                .toList();
     }
 }

@@ -49,13 +49,23 @@ final class StreamTestLowering {
         List<Value> arguments = arguments(suite, instantiation, component.parameters());
         List<StreamTest> tests = new ArrayList<>();
         for (StreamTestSymbol test : suite.tests()) {
+            Streams streams =
+                    symbol.isEventDriven() ? eventDriven(test) : timeSynchronous(symbol, test);
             tests.add(
-                    symbol.isEventDriven()
-                            ? eventDriven(suite, test, component, arguments)
-                            : timeSynchronous(suite, test, component, arguments));
+                    new StreamTest(
+                            suite.name(),
+                            test.name(),
+                            component,
+                            arguments,
+                            streams.driven(),
+                            Collections.unmodifiableMap(streams.expected()),
+                            test.node().span()));
         }
         return tests;
     }
+
+    /** What drives a component, letter by letter, and what is expected of it by port and slice. */
+    private record Streams(List<Letter> driven, Map<String, List<List<Value>>> expected) {}
 
     private List<Value> arguments(
             TestSuiteSymbol suite, Instantiation instantiation, List<Parameter> parameters) {
@@ -72,12 +82,7 @@ final class StreamTestLowering {
 
     // ---- time-synchronous -----------------------------------------------------------------
 
-    private StreamTest timeSynchronous(
-            TestSuiteSymbol suite,
-            StreamTestSymbol test,
-            Component component,
-            List<Value> arguments) {
-        ComponentSymbol symbol = suite.component().found().orElseThrow();
+    private Streams timeSynchronous(ComponentSymbol symbol, StreamTestSymbol test) {
         Map<String, List<List<Value>>> inputs = new LinkedHashMap<>();
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         Map<String, Integer> delayOf = new LinkedHashMap<>();
@@ -98,14 +103,7 @@ final class StreamTestLowering {
         }
         int slices = length;
         expected.replaceAll((port, written) -> padded(written, slices + delayOf.get(port)));
-        return new StreamTest(
-                suite.name(),
-                test.name(),
-                component,
-                arguments,
-                letters(inputs, slices),
-                Collections.unmodifiableMap(expected),
-                test.node().span());
+        return new Streams(letters(inputs, slices), expected);
     }
 
     private static List<List<Value>> padded(List<List<Value>> slices, int length) {
@@ -142,11 +140,7 @@ final class StreamTestLowering {
 
     // ---- event-driven ---------------------------------------------------------------------
 
-    private StreamTest eventDriven(
-            TestSuiteSymbol suite,
-            StreamTestSymbol test,
-            Component component,
-            List<Value> arguments) {
+    private Streams eventDriven(StreamTestSymbol test) {
         List<Letter> events = new ArrayList<>();
         Map<String, List<List<Value>>> expected = new LinkedHashMap<>();
         for (StreamSymbol stream : test.streams()) {
@@ -158,14 +152,7 @@ final class StreamTestLowering {
                 messages.forEach(m -> events.add(Letter.of(Map.of(port, m))));
             }
         }
-        return new StreamTest(
-                suite.name(),
-                test.name(),
-                component,
-                arguments,
-                events,
-                Collections.unmodifiableMap(expected),
-                test.node().span());
+        return new Streams(events, expected);
     }
 
     private List<Value> values(StreamSymbol stream) {

@@ -13,12 +13,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Right-hand sides of items, and cells of tables. */
-final class ValueLowering {
-    private final ExpressionLowering expressions;
-
-    ValueLowering(ExpressionLowering expressions) {
-        this.expressions = expressions;
-    }
+record ValueLowering(ExpressionLowering expressions) {
 
     /** What a value on the input side asks of a port; empty for {@code *}. */
     Optional<PortCondition> condition(Port port, ItemValue value) {

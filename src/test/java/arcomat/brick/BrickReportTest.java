@@ -2,6 +2,9 @@ package arcomat.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.brick.jar.RobotJar;
+import arcomat.brick.jar.RobotJar.Origin;
+import arcomat.brick.jar.RobotJar.RobotClass;
 import arcomat.source.Diagnostic;
 
 import org.junit.jupiter.api.BeforeAll;

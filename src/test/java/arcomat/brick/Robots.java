@@ -1,6 +1,9 @@
 package arcomat.brick;
 
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.jar.RobotJar;
+import arcomat.brick.jar.RobotJar.Origin;
+import arcomat.brick.jar.RobotJar.RobotClass;
 import arcomat.source.SourceFile;
 
 import java.util.List;
@@ -8,18 +11,18 @@ import java.util.Map;
 import java.util.Optional;
 
 /** Jars for tests. */
-final class Robots {
-    static final BrickTable TABLE = BrickTable.leJos();
+public final class Robots {
+    public static final BrickTable TABLE = BrickTable.leJos();
 
     private Robots() {}
 
     /** Classes written by hand, without their texts. */
-    static RobotJar jar(Map<String, byte[]> classes) {
+    public static RobotJar jar(Map<String, byte[]> classes) {
         return jar(classes, List.of());
     }
 
     /** Classes written by hand; a class belongs to the text of its outermost class. */
-    static RobotJar jar(Map<String, byte[]> classes, List<SourceFile> texts) {
+    public static RobotJar jar(Map<String, byte[]> classes, List<SourceFile> texts) {
         return new RobotJar(
                 "robot.jar",
                 classes.entrySet().stream()
@@ -27,7 +30,7 @@ final class Robots {
                         .toList());
     }
 
-    static BrickReport check(Map<String, byte[]> classes) {
+    public static BrickReport check(Map<String, byte[]> classes) {
         return BrickCheck.check(jar(classes), TABLE);
     }
 

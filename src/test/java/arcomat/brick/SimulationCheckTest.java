@@ -2,6 +2,7 @@ package arcomat.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.brick.jar.RobotJar;
 import arcomat.check.DataFile;
 import arcomat.check.Expectation;
 import arcomat.source.Diagnostic;

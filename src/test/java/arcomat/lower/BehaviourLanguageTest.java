@@ -45,6 +45,19 @@ class BehaviourLanguageTest {
                         "src/main/java/arcomat/lower/ComponentLowering.java");
     }
 
+    /** A list of laws names each of them, and is no place to think about. */
+    @Test
+    void thePageForNewcomersNamesEachPlace() throws IOException {
+        String page = Files.readString(Path.of("docs/extend.md"));
+        String section = page.substring(page.indexOf("\n## A behaviour language\n"));
+        assertThat(Stream.of("tree", "syntax", "symbols", "check", "lower"))
+                .flatMap(room -> mentions(MAIN.resolve(room)))
+                .map(file -> file.replaceFirst(".*/(\\w+)\\.java", "$1"))
+                .filteredOn(name -> !name.endsWith("Laws"))
+                .isNotEmpty()
+                .allSatisfy(name -> assertThat(section).contains("`" + name + "`"));
+    }
+
     @Test
     void nothingBehindTheModelKnowsIt() {
         for (String room : List.of("model", "semantics", "simulate", "generate", "report")) {

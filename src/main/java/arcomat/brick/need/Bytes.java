@@ -30,7 +30,7 @@ final class Bytes extends MethodWeights {
      * @param isWithTexts whether texts written in the code count, too: the machine makes them anew
      *     each time
      */
-    Bytes(Code code, Library library, boolean isWithTexts) {
+    Bytes(Code code, LibraryCost library, boolean isWithTexts) {
         super(code, library);
         this.isWithTexts = isWithTexts;
         this.stacks = new Stacks(code);

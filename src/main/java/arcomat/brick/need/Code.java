@@ -40,6 +40,11 @@ final class Code {
         }
     }
 
+    /** All methods of the program itself. */
+    Set<MethodName> methods() {
+        return methods.keySet();
+    }
+
     Collection<ClassNode> classes() {
         return classes.values();
     }

@@ -9,16 +9,11 @@ import java.util.List;
 import java.util.OptionalInt;
 
 /** Where a program starts, and what it says there about its slices. */
-final class Entry {
+record Entry(Code code) {
+
     private static final String ROBOT = "arcomat/nxt/Robot";
     private static final MethodName SLICES =
             new MethodName(ROBOT, "runSlices", "(Larcomat/rt/Cycle;)V");
-
-    private final Code code;
-
-    Entry(Code code) {
-        this.code = code;
-    }
 
     /**
      * The method that the machine calls.

@@ -11,11 +11,12 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /**
  * The classes of the linked program. Which of leJOS' classes another one needs is written in bodies
- * that the table does not have: {@link Library} has it for what robots use. For all else, what its
- * head and its members name stands for that, and the number is an estimate.
+ * that the table does not have: {@link LibraryCost} has it for what robots use. For all else, what
+ * its head and its members name stands for that, and the number is an estimate.
  */
 final class LinkedClasses {
     /** Classes of the empty program, as the linker counts them, its main class left out. */
@@ -26,20 +27,20 @@ final class LinkedClasses {
             List.of("java/lang/Object", "java/lang/String", "java/lang/System", "java/lang/Thread");
 
     private final BrickTable table;
-    private final Library library;
+    private final LibraryCost library;
     private final Set<String> names = new TreeSet<>();
     private final Deque<String> open = new ArrayDeque<>();
     private boolean isExact = true;
 
-    private LinkedClasses(BrickTable table, Library library) {
+    private LinkedClasses(BrickTable table, LibraryCost library) {
         this.table = table;
         this.library = library;
     }
 
-    static LinkedClasses of(Code code, Library library, BrickTable table) {
+    static LinkedClasses of(Code code, LibraryCost library, BrickTable table) {
         LinkedClasses linked = new LinkedClasses(table, library);
         Set<String> empty = linked.emptyProgram();
-        for (String name : Linked.from(linked.starts(code), code)) {
+        for (String name : Linked.from(starts(code), code)) {
             if (!empty.contains(name)) {
                 linked.add(name, code, empty);
             } else if (!library.emptyProgram().contains(name)) {
@@ -54,22 +55,12 @@ final class LinkedClasses {
     }
 
     /** Where nobody calls a main method, all methods might be. */
-    private Set<MethodName> starts(Code code) {
-        Set<MethodName> mains = new HashSet<>();
-        Set<MethodName> all = new HashSet<>();
-        code.classes()
-                .forEach(
-                        node ->
-                                node.methods.forEach(
-                                        m -> {
-                                            MethodName name =
-                                                    new MethodName(node.name, m.name, m.desc);
-                                            all.add(name);
-                                            if (m.name.equals("main")) {
-                                                mains.add(name);
-                                            }
-                                        }));
-        return mains.isEmpty() ? all : mains;
+    private static Set<MethodName> starts(Code code) {
+        Set<MethodName> mains =
+                code.methods().stream()
+                        .filter(method -> method.name().equals("main"))
+                        .collect(Collectors.toSet());
+        return mains.isEmpty() ? code.methods() : mains;
     }
 
     private void add(String name, Code code, Set<String> empty) {

@@ -18,21 +18,11 @@ import java.util.OptionalLong;
 /**
  * How often a loop goes round that counts: a local variable starts at constants, each round changes
  * it by the same step and compares it with a constant. Of any other loop nothing is said.
+ *
+ * @param loop a knot of instructions
+ * @param head the only one of them that is reached from outside
  */
-final class LoopCounter {
-    private final FlowGraph graph;
-    private final BitSet loop;
-    private final int head;
-
-    /**
-     * @param loop a knot of instructions
-     * @param head the only one of them that is reached from outside
-     */
-    LoopCounter(FlowGraph graph, BitSet loop, int head) {
-        this.graph = graph;
-        this.loop = loop;
-        this.head = head;
-    }
+record LoopCounter(FlowGraph graph, BitSet loop, int head) {
 
     /** At most so many times the end leads back to the head. */
     OptionalLong rounds() {

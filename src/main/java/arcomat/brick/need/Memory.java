@@ -6,24 +6,13 @@ import org.objectweb.asm.tree.AbstractInsnNode;
  * How much memory a program needs at most: what it makes along its heaviest way, the stacks of its
  * threads, and what leJOS keeps for itself.
  */
-final class Memory {
+record Memory(Code code, LibraryCost library, Entry entry, LinkedClasses linked) {
+
     /**
      * What leJOS has made before the first of the program's instructions, and the classes of every
      * program keep. Calibrated on one robot (the preparer of the case study); the others test it.
      */
     private static final long LEJOS = 1850;
-
-    private final Code code;
-    private final Library library;
-    private final Entry entry;
-    private final LinkedClasses linked;
-
-    Memory(Code code, Library library, Entry entry, LinkedClasses linked) {
-        this.code = code;
-        this.library = library;
-        this.entry = entry;
-        this.linked = linked;
-    }
 
     /**
      * @throws Unknown if that cannot be told

@@ -16,10 +16,6 @@ record MethodName(String owner, String name, String descriptor) {
         return new MethodName(other, name, descriptor);
     }
 
-    boolean isConstructor() {
-        return name.equals("<init>");
-    }
-
     /** For people: {@code arcomat.nxt.Row.show}. */
     @Override
     public String toString() {

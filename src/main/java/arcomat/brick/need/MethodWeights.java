@@ -15,13 +15,13 @@ import java.util.Set;
 /** What methods weigh along their heaviest ways, with all that they call. */
 abstract class MethodWeights {
     protected final Code code;
-    protected final Library library;
+    protected final LibraryCost library;
     private final Map<MethodName, Long> known = new HashMap<>();
     private final Map<MethodName, Unknown> unknown = new HashMap<>();
     private final Set<MethodName> open = new HashSet<>();
     private final Map<MethodName, Boolean> returning = new HashMap<>();
 
-    MethodWeights(Code code, Library library) {
+    MethodWeights(Code code, LibraryCost library) {
         this.code = code;
         this.library = library;
     }

@@ -5,7 +5,10 @@ import arcomat.brick.api.BrickTable;
 import org.objectweb.asm.tree.ClassNode;
 
 import java.util.Collection;
+import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.OptionalLong;
+import java.util.function.LongSupplier;
 
 /**
  * What a program needs of the brick.
@@ -17,6 +20,9 @@ import java.util.OptionalInt;
  * @param cycle from one slice to the next, in milliseconds; none if that is not written as a number
  */
 public record Needs(int classes, boolean isExact, Need memory, Need slice, OptionalInt cycle) {
+    /** What a linked program has room for. */
+    public static final int MOST_CLASSES = 256;
+
     /** Classes of the empty program, as the linker counts them, its main class left out. */
     public static final int EMPTY_PROGRAM = LinkedClasses.EMPTY_PROGRAM;
 
@@ -25,7 +31,7 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
      * @param table what is on the brick
      */
     public static Needs of(Collection<ClassNode> classes, BrickTable table) {
-        Library library = Library.read();
+        LibraryCost library = LibraryCost.read();
         Code code = new Code(classes, table);
         Entry entry = new Entry(code);
         LinkedClasses linked = LinkedClasses.of(code, library, table);
@@ -37,5 +43,28 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
                 Need.of(memory::bytes),
                 Need.of(slice::worst),
                 entry.cycle());
+    }
+
+    /**
+     * How much of something a program needs, if that can be told from its code.
+     *
+     * @param amount none if it is not known
+     * @param unknown why it is not known: part of a sentence
+     */
+    public record Need(OptionalLong amount, Optional<String> unknown) {
+        static Need of(LongSupplier amount) {
+            try {
+                return new Need(OptionalLong.of(amount.getAsLong()), Optional.empty());
+            } catch (Unknown e) {
+                return new Need(OptionalLong.empty(), Optional.of(e.getMessage()));
+            } catch (ArithmeticException e) {
+                return new Need(OptionalLong.empty(), Optional.of("it is beyond all numbers"));
+            }
+        }
+
+        /** Whether it is known to be more than this. */
+        public boolean isAbove(double limit) {
+            return amount.isPresent() && amount.getAsLong() > limit;
+        }
     }
 }

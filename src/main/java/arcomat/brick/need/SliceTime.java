@@ -1,10 +1,14 @@
 package arcomat.brick.need;
 
+import arcomat.brick.api.BrickCost;
+
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.FieldInsnNode;
+import org.objectweb.asm.tree.MethodInsnNode;
 import org.objectweb.asm.tree.MethodNode;
+import org.objectweb.asm.tree.TypeInsnNode;
 
 import java.util.HashSet;
 import java.util.Set;
@@ -13,7 +17,8 @@ import java.util.Set;
  * How long a slice takes at most. While it runs, the thread of leJOS that regulates the motors
  * interrupts it every four milliseconds, for a time that grows with the number of motors.
  */
-final class SliceTime {
+record SliceTime(Code code, LibraryCost library, Entry entry) {
+
     private static final String SHAFT = "arcomat/nxt/Shaft";
     private static final String ROBOT = "arcomat/nxt/Robot";
     private static final String LINK = "arcomat/nxt/Link";
@@ -26,16 +31,6 @@ final class SliceTime {
 
     private static final long REGULATION_ITSELF = 110;
     private static final long REGULATION_OF_A_MOTOR = 490;
-
-    private final Code code;
-    private final Library library;
-    private final Entry entry;
-
-    SliceTime(Code code, Library library, Entry entry) {
-        this.code = code;
-        this.library = library;
-        this.entry = entry;
-    }
 
     /**
      * In microseconds, from one look at the clock to the next.
@@ -81,6 +76,57 @@ final class SliceTime {
                     && field.owner.equals(MOTOR)) {
                 named.add(field.name);
             }
+        }
+    }
+
+    /** How long methods take at most, in microseconds. */
+    private static final class Times extends MethodWeights {
+        Times(Code code, LibraryCost library) {
+            super(code, library);
+        }
+
+        @Override
+        protected boolean isLookedInto(MethodName method) {
+            return library.measured(method).isEmpty();
+        }
+
+        @Override
+        protected long own(AbstractInsnNode instruction) {
+            if (instruction.getOpcode() < 0) {
+                return 0; // a label or a line
+            }
+            return instruction instanceof MethodInsnNode
+                    ? BrickCost.MICROSECONDS_PER_CALL
+                    : BrickCost.MICROSECONDS_PER_BYTECODE;
+        }
+
+        @Override
+        protected long ofLibrary(MethodName method) {
+            return library.time(method);
+        }
+    }
+
+    /** How many objects of a class methods make at most. */
+    private static final class Counts extends MethodWeights {
+        private final String type;
+
+        Counts(Code code, LibraryCost library, String type) {
+            super(code, library);
+            this.type = type;
+        }
+
+        @Override
+        protected long own(AbstractInsnNode instruction) {
+            return instruction instanceof TypeInsnNode made
+                            && made.getOpcode() == Opcodes.NEW
+                            && made.desc.equals(type)
+                    ? 1
+                    : 0;
+        }
+
+        @Override
+        protected long ofLibrary(MethodName method) {
+            return 0;
         }
     }
 }

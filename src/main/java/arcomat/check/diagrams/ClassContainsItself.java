@@ -1,8 +1,6 @@
 package arcomat.check.diagrams;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.ClassSymbol.AttributeSymbol;
 
@@ -70,7 +68,7 @@ public final class ClassContainsItself implements Check.OnClass {
         findings.report(
                 first.node().type(),
                 "class '%s' would contain itself without end (%s%s); remove attribute '%s', or send"
-                    + " a number that stands for the other object",
+                        + " a number that stands for the other object",
                 symbol.text(),
                 symbol.text(),
                 names,

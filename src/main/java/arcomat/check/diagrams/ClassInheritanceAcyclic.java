@@ -1,8 +1,6 @@
 package arcomat.check.diagrams;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.names.ClassSymbol;
 
 import java.util.Collection;

@@ -2,8 +2,6 @@ package arcomat.check.diagrams;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
 
@@ -18,7 +16,7 @@ public final class DiagramTypesUnique implements Check.OnClassDiagram {
                         findings.report(
                                         name,
                                         "class diagram '%s' defines '%s' twice; rename or remove"
-                                            + " one",
+                                                + " one",
                                         diagram.node().name(),
                                         name)
                                 .related(first, "first defined here"));

@@ -2,8 +2,6 @@ package arcomat.check.diagrams;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.ClassDiagram;
 
 /** ARC0602: the constants of an enum differ in name. */

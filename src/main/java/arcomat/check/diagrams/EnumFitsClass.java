@@ -1,8 +1,6 @@
 package arcomat.check.diagrams;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.ClassDiagram;
 
 /** ARC0608: an enum is small enough to become a Java class. */
@@ -18,7 +16,7 @@ public final class EnumFitsClass implements Check.OnEnum {
             findings.report(
                     definition.name(),
                     "enum '%s' has %s constants, and a Java class has room for %s, so no code can"
-                        + " be generated; use a range of numbers, such as Integer[1..%s]",
+                            + " be generated; use a range of numbers, such as Integer[1..%s]",
                     definition.name(),
                     constants,
                     MOST,

@@ -1,8 +1,6 @@
 package arcomat.check.diagrams;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.ClassDiagram;
 
 /** ARC0605: an enum has at least one constant. */
@@ -14,7 +12,7 @@ public final class EnumNotEmpty implements Check.OnEnum {
             findings.report(
                     definition.name(),
                     "enum '%s' has no constants, so a port of this type could never carry a"
-                        + " message; list its constants",
+                            + " message; list its constants",
                     definition.name());
         }
     }

@@ -1,8 +1,6 @@
 package arcomat.check.diagrams;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.tree.TypeReference;
 
@@ -24,7 +22,7 @@ public final class SuperClassIsClass implements Check.OnClass {
                                 findings.report(
                                         above,
                                         "class '%s' cannot extend '%s', which is no class; make it"
-                                            + " an attribute",
+                                                + " an attribute",
                                         symbol.text(),
                                         type.text()));
     }

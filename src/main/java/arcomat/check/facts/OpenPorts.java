@@ -7,15 +7,13 @@ import arcomat.symbols.expressions.PortSymbol;
 import java.util.List;
 import java.util.Set;
 
-/** The ports of the parts of one component at which no connector ends. */
-public final class OpenPorts {
-    private final boolean unclear;
-    private final Set<String> used;
-
-    private OpenPorts(boolean unclear, Set<String> used) {
-        this.unclear = unclear;
-        this.used = used;
-    }
+/**
+ * The ports of the parts of one component at which no connector ends.
+ *
+ * @param unclear whether that cannot be told
+ * @param used the keys of the ports at which one does
+ */
+public record OpenPorts(boolean unclear, Set<String> used) {
 
     public static OpenPorts in(ComponentSymbol whole) {
         boolean unclear = Connections.areUnclear(whole);

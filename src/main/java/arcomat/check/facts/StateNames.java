@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** The states of an automaton by their names: where they are declared and where they are used. */
 public final class StateNames {
@@ -38,19 +39,13 @@ public final class StateNames {
 
     /** The edits that rename a state wherever the automaton mentions it. */
     public static Fix rename(AutomatonSymbol automaton, String from, String to) {
-        List<TextEdit> edits = new ArrayList<>();
-        for (StateSymbol state : automaton.states()) {
-            addEdit(edits, state.node().name(), from, to);
-        }
-        for (Name use : uses(automaton)) {
-            addEdit(edits, use, from, to);
-        }
+        List<TextEdit> edits =
+                Stream.concat(
+                                automaton.states().stream().map(state -> state.node().name()),
+                                uses(automaton).stream())
+                        .filter(name -> name.text().equals(from))
+                        .map(name -> new TextEdit(name.span(), to))
+                        .toList();
         return new Fix("Rename '" + from + "' to '" + to + "'", edits);
-    }
-
-    private static void addEdit(List<TextEdit> edits, Name name, String from, String to) {
-        if (name.text().equals(from)) {
-            edits.add(new TextEdit(name.span(), to));
-        }
     }
 }

@@ -1,7 +1,7 @@
 package arcomat.check.facts;
 
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
+import arcomat.check.law.Check.Context;
+import arcomat.check.law.Check.Findings;
 import arcomat.source.Fix;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.Outline;

@@ -1,6 +1,6 @@
 package arcomat.check.facts;
 
-import arcomat.check.law.Context;
+import arcomat.check.law.Check.Context;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.BuiltinType;
@@ -10,6 +10,8 @@ import arcomat.tree.QualifiedName;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * The simple names that can be written at some place, to guess what a misspelled one was meant to
@@ -36,18 +38,23 @@ public final class VisibleNames {
 
     /** Full names of message types of a simple name, in whatever package. */
     public static List<String> typesElsewhere(QualifiedName name, Context context) {
-        return context.workspace().outlines().stream()
-                .flatMap(file -> file.types().stream())
-                .filter(type -> name.isSimple() && Outline.simple(type).equals(name.text()))
-                .distinct()
-                .toList();
+        return elsewhere(name, context, file -> file.types().stream());
     }
 
-    /** Full names of top-level components of a simple name, in whatever package. */
+    /** Full names of top-level components of a simple name, in whatever named package. */
     public static List<String> componentsElsewhere(QualifiedName name, Context context) {
+        return elsewhere(
+                name,
+                context,
+                file ->
+                        file.topLevelComponent().stream()
+                                .filter(component -> !file.packageName().isEmpty()));
+    }
+
+    private static List<String> elsewhere(
+            QualifiedName name, Context context, Function<Outline, Stream<String>> defined) {
         return context.workspace().outlines().stream()
-                .filter(file -> !file.packageName().isEmpty())
-                .flatMap(file -> file.topLevelComponent().stream())
+                .flatMap(defined)
                 .filter(each -> name.isSimple() && Outline.simple(each).equals(name.text()))
                 .distinct()
                 .toList();

@@ -1,12 +1,16 @@
 package arcomat.check.law;
 
+import arcomat.source.Diagnostic;
+import arcomat.source.Fix;
+import arcomat.source.Nearest;
+import arcomat.source.Severity;
+import arcomat.source.Span;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.StateSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
@@ -17,22 +21,31 @@ import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.ClassSymbol;
 import arcomat.symbols.names.DiagramSymbol;
+import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
-import arcomat.tree.AutomatonElement;
+import arcomat.symbols.names.UnitScope;
+import arcomat.symbols.signatures.ComponentReference;
 import arcomat.tree.Block;
 import arcomat.tree.ClassDiagram;
+import arcomat.tree.Node;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
+import arcomat.tree.TypeArgument;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
 
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 
 /**
  * Looks whether a {@link Law} is broken. A check implements the interfaces of the things that it
  * wants to see; one walk over the workspace shows each thing to the checks that asked for its kind,
  * once and where it is declared, not where it is inherited. A check has no state: what it needs to
- * know beyond the thing is in the context.
+ * know beyond the thing is in the context, and what it finds goes into the findings; both are
+ * members here, and so in sight of every check.
  */
 public interface Check {
 
@@ -81,25 +94,16 @@ public interface Check {
         void check(AutomatonSymbol automaton, Context context, Findings findings);
     }
 
-    interface OnState extends Check {
-        void check(StateSymbol state, Context context, Findings findings);
-    }
-
-    /** Called once for a clause, however many states it names. */
-    interface OnInitial extends Check {
-        void check(AutomatonElement.Initial initial, Context context, Findings findings);
-    }
-
     interface OnTransition extends Check {
         void check(TransitionSymbol transition, Context context, Findings findings);
     }
 
     /**
      * Called for the blocks of transitions and initial states; the context knows the side. Calls
-     * and increments are in the block, but are shown as no item.
+     * and increments are in the block, but not among the items.
      */
     interface OnBlock extends Check {
-        void check(Block block, Context context, Findings findings);
+        void check(Block block, List<ItemSymbol> items, Context context, Findings findings);
     }
 
     interface OnItem extends Check {
@@ -169,5 +173,156 @@ public interface Check {
 
     interface OnStreamTest extends Check {
         void check(StreamTestSymbol test, Context context, Findings findings);
+    }
+
+    /**
+     * A place where a component is named.
+     *
+     * @param name as written; of an inner component with an instance name, that name
+     * @param arguments for its type parameters, as written
+     */
+    record ComponentUse(
+            ComponentReference reference, QualifiedName name, List<TypeArgument> arguments) {}
+
+    /**
+     * Where the walk is.
+     *
+     * @param component the innermost component around the thing; empty in files about other things
+     * @param automaton the automaton around it
+     * @param transition the transition around it
+     * @param side the side of the block or of the table row around it
+     */
+    record Context(
+            Workspace workspace,
+            Profile profile,
+            Unit unit,
+            Optional<ComponentSymbol> component,
+            Optional<AutomatonSymbol> automaton,
+            Optional<TransitionSymbol> transition,
+            Optional<ItemSymbol.Side> side) {
+
+        public static Context of(Workspace workspace, Profile profile, Unit unit) {
+            return new Context(
+                    workspace,
+                    profile,
+                    unit,
+                    Optional.empty(),
+                    Optional.empty(),
+                    Optional.empty(),
+                    Optional.empty());
+        }
+
+        public Context in(ComponentSymbol inner) {
+            return new Context(
+                    workspace, profile, unit, Optional.of(inner), automaton, transition, side);
+        }
+
+        public Context in(AutomatonSymbol inner) {
+            return new Context(
+                    workspace, profile, unit, component, Optional.of(inner), transition, side);
+        }
+
+        public Context in(TransitionSymbol inner) {
+            return new Context(
+                    workspace, profile, unit, component, automaton, Optional.of(inner), side);
+        }
+
+        public Context in(ItemSymbol.Side inner) {
+            return new Context(
+                    workspace, profile, unit, component, automaton, transition, Optional.of(inner));
+        }
+
+        /** What the names of the file reach. */
+        public UnitScope scope() {
+            return workspace.scope(unit);
+        }
+
+        /** What a message type means here: type parameters of the component come first. */
+        public Resolution<TypeSymbol> resolve(TypeReference type) {
+            return component.isPresent() ? component.get().resolveType(type) : scope().type(type);
+        }
+    }
+
+    /** Collects what one check finds, under the code and the severity of its law. */
+    final class Findings {
+        private final String code;
+        private final Severity severity;
+        private final List<Diagnostic> diagnostics = new ArrayList<>();
+
+        public Findings(String code, Severity severity) {
+            this.code = code;
+            this.severity = severity;
+        }
+
+        /**
+         * Reports a finding. The message names the thing and says what to do; it starts with a
+         * small letter, puts names in single quotes and ends without a full stop.
+         *
+         * @param values what stands in the message for each {@code %s}; without any, the message is
+         *     the text itself
+         */
+        public Findings report(Node place, String message, Object... values) {
+            return report(place.span(), message, values);
+        }
+
+        public Findings report(Span place, String message, Object... values) {
+            String text =
+                    values.length == 0 ? message : String.format(Locale.ROOT, message, values);
+            diagnostics.add(
+                    new Diagnostic(code, severity, place, text, List.of(), Optional.empty()));
+            return this;
+        }
+
+        /**
+         * Reports a name that nothing has. If one of the candidates is close, the message asks for
+         * it and a fix puts it in place.
+         *
+         * @param otherwise what to do where none is close
+         */
+        public Findings reportUnknown(
+                Span place,
+                String message,
+                String name,
+                Collection<String> candidates,
+                String otherwise) {
+            Optional<String> nearest = Nearest.to(name, candidates);
+            if (nearest.isEmpty()) {
+                return report(place, "%s; %s", message, otherwise);
+            }
+            report(place, "%s; did you mean '%s'?", message, nearest.get());
+            String title = "Replace '" + name + "' by '" + nearest.get() + "'";
+            return fix(Fix.replace(title, place, nearest.get()));
+        }
+
+        /** Adds a related place to the latest finding. */
+        public Findings related(Node place, String note) {
+            return related(place.span(), note);
+        }
+
+        public Findings related(Span place, String note) {
+            return replaceLatest(latest().withRelated(place, note));
+        }
+
+        /** Adds a safe repair to the latest finding. */
+        public Findings fix(Fix fix) {
+            return replaceLatest(latest().withFix(fix));
+        }
+
+        public void addAll(Findings other) {
+            diagnostics.addAll(other.diagnostics);
+        }
+
+        public List<Diagnostic> diagnostics() {
+            return diagnostics;
+        }
+
+        private Diagnostic latest() {
+            return diagnostics.get(diagnostics.size() - 1);
+        }
+
+        private Findings replaceLatest(Diagnostic diagnostic) {
+            diagnostics.set(diagnostics.size() - 1, diagnostic);
+            return this;
+        }
     }
 }

@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 
 /** ARC0206: the automata of one component differ in name. */

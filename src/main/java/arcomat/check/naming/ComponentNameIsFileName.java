@@ -1,8 +1,6 @@
 package arcomat.check.naming;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Unit;
 
 /** ARC0207: a file is named after what it defines, so that it can be found. */
@@ -20,7 +18,7 @@ public final class ComponentNameIsFileName implements Check.OnUnit {
                                 findings.report(
                                         name,
                                         "'%s' stands in the file '%s'; rename the file to '%s%s' or"
-                                            + " this to '%s'",
+                                                + " this to '%s'",
                                         name,
                                         file,
                                         name,

@@ -2,7 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Findings;
 import arcomat.symbols.Workspace;
 
 import java.util.Locale;
@@ -22,7 +21,7 @@ public final class FileNamesDifferInCaseOnly implements Check.OnWorkspace {
                         findings.report(
                                         Definitions.nameOf(unit),
                                         "the files '%s' and '%s' differ in upper and lower case"
-                                            + " only; rename one of them",
+                                                + " only; rename one of them",
                                         first.file().path(),
                                         unit.file().path())
                                 .related(Definitions.nameOf(first), "the other file"));

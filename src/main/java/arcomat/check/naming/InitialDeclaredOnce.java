@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 
@@ -18,7 +16,7 @@ public final class InitialDeclaredOnce implements Check.OnAutomaton {
                         findings.report(
                                         name,
                                         "state '%s' is declared initial twice; keep the declaration"
-                                            + " with the output that is meant",
+                                                + " with the output that is meant",
                                         name)
                                 .related(first, "first declared initial here"));
     }

@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 
 /** ARC0215: the components declared inside one component differ in name. */
@@ -18,7 +16,7 @@ public final class InnerComponentNamesUnique implements Check.OnComponent {
                         findings.report(
                                         inner.nameSpan(),
                                         "component '%s' declares an inner component '%s' already;"
-                                            + " rename one, or use it for both parts",
+                                                + " rename one, or use it for both parts",
                                         component.name(),
                                         inner.name())
                                 .related(first.nameSpan(), "the first one"));

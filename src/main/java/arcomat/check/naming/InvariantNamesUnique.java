@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.Element;
 
@@ -20,7 +18,7 @@ public final class InvariantNamesUnique implements Check.OnComponent {
                         findings.report(
                                         name,
                                         "component '%s' has an invariant '%s' already; rename one"
-                                            + " of them",
+                                                + " of them",
                                         component.name(),
                                         name)
                                 .related(first, "the first one"));

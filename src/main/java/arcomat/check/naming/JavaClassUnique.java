@@ -1,15 +1,15 @@
 package arcomat.check.naming;
 
+import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Findings;
 import arcomat.source.Span;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.DiagramSymbol;
 
-import java.util.HashMap;
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
  * ARC0214: each component and each type gives a Java class of its own. The class of a component
@@ -17,43 +17,37 @@ import java.util.Map;
  */
 public final class JavaClassUnique implements Check.OnWorkspace {
 
-    private record Model(String qualifiedName, Span place) {}
+    private record Model(String javaClass, String qualifiedName, Span place) {}
 
     @Override
     public void check(Workspace workspace, Findings findings) {
-        Map<String, Model> seen = new HashMap<>();
-        for (ComponentSymbol component : workspace.components()) {
-            Model model = new Model(component.qualifiedName(), component.nameSpan());
-            if (!isDeclaredTwice(component)) {
-                check(javaClass(component), model, seen, findings);
+        List<Model> models = new ArrayList<>();
+        for (ComponentSymbol c : workspace.components()) {
+            if (!isDeclaredTwice(c)) {
+                models.add(new Model(javaClass(c), c.qualifiedName(), c.nameSpan()));
             }
         }
         for (DiagramSymbol diagram : workspace.diagrams()) {
             for (DefinedType type : diagram.types()) {
-                Model model = new Model(type.qualifiedName(), type.nameSpan());
                 if (!isDefinedTwice(type, diagram)) {
-                    check("type " + type.qualifiedName(), model, seen, findings);
+                    String name = type.qualifiedName();
+                    models.add(new Model("type " + name, name, type.nameSpan()));
                 }
             }
         }
+        Duplicates.report(models, Model::javaClass, (m, first) -> report(m, first, findings));
     }
 
-    private static void check(
-            String javaClass, Model model, Map<String, Model> seen, Findings findings) {
-        Model first = seen.putIfAbsent(javaClass, model);
-        if (first != null) {
-            boolean same = first.qualifiedName().equals(model.qualifiedName());
-            findings.report(
-                            model.place(),
-                            same
-                                    ? "'" + model.qualifiedName() + "' is defined twice; rename one"
-                                    : "'"
-                                            + model.qualifiedName()
-                                            + "' and '"
-                                            + first.qualifiedName()
-                                            + "' give one Java class; rename one")
-                    .related(first.place(), "'" + first.qualifiedName() + "'");
-        }
+    private static void report(Model model, Model first, Findings findings) {
+        boolean same = first.qualifiedName().equals(model.qualifiedName());
+        findings.report(
+                        model.place(),
+                        same
+                                ? "'%s' is defined twice; rename one"
+                                : "'%s' and '%s' give one Java class; rename one",
+                        model.qualifiedName(),
+                        first.qualifiedName())
+                .related(first.place(), "'" + first.qualifiedName() + "'");
     }
 
     /** Two inner components of one name are the business of {@link InnerComponentNamesUnique}. */
@@ -71,12 +65,11 @@ public final class JavaClassUnique implements Check.OnWorkspace {
     }
 
     private static boolean isDefinedTwice(DefinedType type, DiagramSymbol diagram) {
-        for (DefinedType sibling : diagram.types()) {
-            if (sibling.text().equals(type.text())) {
-                return sibling != type;
-            }
-        }
-        return false;
+        return diagram.types().stream()
+                .filter(sibling -> sibling.text().equals(type.text()))
+                .findFirst()
+                .filter(first -> first != type)
+                .isPresent();
     }
 
     private static String javaClass(ComponentSymbol component) {

@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -64,38 +62,31 @@ public final class MemberNamesUnique implements Check.OnComponent {
 
     private static List<Member> members(ComponentSymbol component) {
         List<Member> members = new ArrayList<>();
-        for (ParameterSymbol parameter : component.signature().ownParameters()) {
-            members.add(named("parameter", parameter.name(), parameter.nameSpan()));
+        for (ParameterSymbol each : component.signature().ownParameters()) {
+            members.add(member("parameter", each.name(), each.nameSpan(), true));
         }
-        for (PortSymbol port : component.signature().ownPorts()) {
-            members.add(
-                    port.implicit()
-                            ? unnamed("port", port.name(), port.nameSpan())
-                            : named("port", port.name(), port.nameSpan()));
+        for (PortSymbol each : component.signature().ownPorts()) {
+            members.add(member("port", each.name(), each.nameSpan(), !each.implicit()));
         }
-        for (VariableSymbol variable : component.signature().ownVariables()) {
-            members.add(named("variable", variable.name(), variable.nameSpan()));
+        for (VariableSymbol each : component.signature().ownVariables()) {
+            members.add(member("variable", each.name(), each.nameSpan(), true));
         }
         // A misspelled part may be meant to use an inner component that seems unused.
         boolean lacksPart = Connections.lacksPart(component);
-        for (InstanceSymbol instance : component.ownInstances()) {
-            if (lacksPart && instance.origin() == InstanceSymbol.Origin.AUTOMATIC) {
-                continue;
+        for (InstanceSymbol each : component.ownInstances()) {
+            boolean isNamed = each.origin() == InstanceSymbol.Origin.NAMED;
+            if (!lacksPart || each.origin() != InstanceSymbol.Origin.AUTOMATIC) {
+                members.add(member("part", each.name(), each.nameSpan(), isNamed));
             }
-            members.add(
-                    instance.origin() == InstanceSymbol.Origin.NAMED
-                            ? named("part", instance.name(), instance.nameSpan())
-                            : unnamed("part", instance.name(), instance.nameSpan()));
         }
         return members;
     }
 
-    private static Member named(String kind, String name, Span place) {
-        return new Member(kind, name, place, "rename this " + kind);
-    }
-
-    private static Member unnamed(String kind, String name, Span place) {
-        return new Member(
-                kind, name, place, "give this " + kind + " a name, or it is named after its type");
+    private static Member member(String kind, String name, Span place, boolean isNamed) {
+        String advice =
+                isNamed
+                        ? "rename this " + kind
+                        : "give this " + kind + " a name, or it is named after its type";
+        return new Member(kind, name, place, advice);
     }
 }

@@ -1,8 +1,6 @@
 package arcomat.check.naming;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
@@ -30,19 +28,18 @@ public final class PackageIsFolder implements Check.OnUnit {
         findings.report(
                 name,
                 "package '%s' belongs in the folder '%s', but the file lies in '%s'; move the file"
-                    + " or change the package",
+                        + " or change the package",
                 name,
                 name.text().replace('.', '/'),
                 lies);
     }
 
+    /** As far as both go. */
     private static boolean endsWith(List<String> folders, List<Name> parts) {
-        for (int i = 1; i <= Math.min(folders.size(), parts.size()); i++) {
-            if (!folders.get(folders.size() - i).equals(parts.get(parts.size() - i).text())) {
-                return false;
-            }
-        }
-        return true;
+        List<String> names = parts.stream().map(Name::text).toList();
+        int depth = Math.min(folders.size(), names.size());
+        return folders.subList(folders.size() - depth, folders.size())
+                .equals(names.subList(names.size() - depth, names.size()));
     }
 
     /** The folders of a path whose names are known: those behind the last dots. */

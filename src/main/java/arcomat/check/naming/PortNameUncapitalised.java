@@ -1,8 +1,6 @@
 package arcomat.check.naming;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.expressions.PortSymbol;
 
 /** ARC0210: names of ports start with a small letter, unlike those of types. (Hab16 CV2) */

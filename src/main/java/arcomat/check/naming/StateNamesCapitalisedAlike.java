@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.StateNames;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.StateSymbol;
 
@@ -44,7 +42,7 @@ public final class StateNamesCapitalisedAlike implements Check.OnAutomaton {
         findings.report(
                 state.nameSpan(),
                 "state '%s' starts with %s case letter, unlike the other states; call it '%s' or"
-                    + " rename the others",
+                        + " rename the others",
                 name,
                 upperRules ? "a lower" : "an upper",
                 better);

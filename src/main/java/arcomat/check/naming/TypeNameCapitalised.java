@@ -1,8 +1,6 @@
 package arcomat.check.naming;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;

@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.TypeParameter;
 
@@ -18,7 +16,7 @@ public final class TypeParametersUnique implements Check.OnComponent {
                         findings.report(
                                         name,
                                         "component '%s' has a type parameter '%s' already; rename"
-                                            + " one of them",
+                                                + " one of them",
                                         component.name(),
                                         first)
                                 .related(first, "the first one"));

@@ -2,8 +2,6 @@ package arcomat.check.naming;
 
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 import arcomat.symbols.expressions.VariableSymbol;

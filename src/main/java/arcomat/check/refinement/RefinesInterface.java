@@ -2,8 +2,6 @@ package arcomat.check.refinement;
 
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.names.TypeSymbol;
@@ -67,7 +65,7 @@ public final class RefinesInterface implements Check.OnComponent {
         findings.report(
                         declaredHere ? port.nameSpan() : refinement.node().span(),
                         "port '%s' is '%s', but in the refined '%s' it is '%s'; declare it as"
-                            + " there",
+                                + " there",
                         port.name(),
                         Wording.declaration(port),
                         refinement.node(),

@@ -2,8 +2,6 @@ package arcomat.check.stereotypes;
 
 import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
@@ -36,7 +34,7 @@ public final class LayerOrder implements Check.OnComponent {
             findings.report(
                     connector.span(),
                     "'%s' of the %s cannot send to '%s' of the %s; messages flow from sensors to"
-                        + " logic to actuators",
+                            + " logic to actuators",
                     connector.source().text(),
                     from.get().text(),
                     connector.target().text(),

@@ -2,8 +2,6 @@ package arcomat.check.stereotypes;
 
 import arcomat.check.law.Carrier;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Stereotype;
 
 import java.util.Arrays;

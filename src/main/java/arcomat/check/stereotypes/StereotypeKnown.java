@@ -2,8 +2,6 @@ package arcomat.check.stereotypes;
 
 import arcomat.check.law.Carrier;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Stereotype;
 
 /** ARC0501: a stereotype is one of those that mean something. */

@@ -2,8 +2,6 @@ package arcomat.check.stereotypes;
 
 import arcomat.check.law.Carrier;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.check.law.Law;
 import arcomat.check.law.Suppressions;
 import arcomat.tree.Name;
@@ -13,19 +11,14 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** ARC0506: who suppresses a finding names its code and a reason. */
-public final class SuppressWellFormed implements Check.OnStereotype {
+/**
+ * ARC0506: who suppresses a finding names its code and a reason.
+ *
+ * @param laws all of them, this one included
+ */
+record SuppressWellFormed(Supplier<List<Law>> laws) implements Check.OnStereotype {
     /** Findings of analyses have codes that this room does not know one by one. */
     private static final String ANALYSIS = "ARC10\\d\\d";
-
-    private final Supplier<List<Law>> laws;
-
-    /**
-     * @param laws all of them, this one included
-     */
-    SuppressWellFormed(Supplier<List<Law>> laws) {
-        this.laws = laws;
-    }
 
     @Override
     public void check(Stereotype stereotype, Carrier carrier, Context context, Findings findings) {

@@ -1,7 +1,6 @@
 package arcomat.check.stereotypes;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Findings;
 import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 import arcomat.check.law.Suppressions;

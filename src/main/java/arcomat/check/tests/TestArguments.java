@@ -3,8 +3,6 @@ package arcomat.check.tests;
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.check.structure.component.ArgumentCount;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;

@@ -1,8 +1,6 @@
 package arcomat.check.tests;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.tree.TestSuite;
 
@@ -16,7 +14,7 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
                 findings.report(
                         member,
                         "fields of test suites are not used; give the tested component its values"
-                            + " as arguments, as in 'for %s(3)'",
+                                + " as arguments, as in 'for %s(3)'",
                         suite.node().component());
             } else if (member instanceof TestSuite.Before before) {
                 report(before, findings);
@@ -30,7 +28,7 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
         findings.report(
                 before.name(),
                 "the Java block '@%s' is not run; say what should happen before with messages in"
-                    + " the first slices",
+                        + " the first slices",
                 before.name());
     }
 }

@@ -2,8 +2,6 @@ package arcomat.check.tests;
 
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
 import arcomat.symbols.expressions.Typed;

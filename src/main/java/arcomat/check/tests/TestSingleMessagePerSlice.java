@@ -1,8 +1,6 @@
 package arcomat.check.tests;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.tree.TestSuite;
@@ -34,7 +32,7 @@ public final class TestSingleMessagePerSlice implements Check.OnTestSuite {
                         findings.report(
                                 message.expression(),
                                 "this slice of '%s' has a message already; write 'Tk' between two"
-                                    + " messages",
+                                        + " messages",
                                 stream.port()));
     }
 }

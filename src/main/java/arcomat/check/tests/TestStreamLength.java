@@ -1,8 +1,6 @@
 package arcomat.check.tests;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.StreamExtent;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
@@ -30,7 +28,7 @@ public final class TestStreamLength implements Check.OnStreamTest {
         findings.report(
                 longest.node().port(),
                 "the streams of this test have more than %,d slices and messages, most of them"
-                    + " here; repeat fewer times",
+                        + " here; repeat fewer times",
                 StreamExtent.LIMIT);
     }
 

@@ -2,8 +2,6 @@ package arcomat.check.tests;
 
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.TestSuite;
@@ -27,7 +25,7 @@ public final class TestStreamOnce implements Check.OnStreamTest {
                             findings.report(
                                             port,
                                             "test '%s' has two streams for '%s'; join them or"
-                                                + " remove one",
+                                                    + " remove one",
                                             test.name(),
                                             port)
                                     .related(first, "the other one is here"));

@@ -2,8 +2,6 @@ package arcomat.check.tests;
 
 import arcomat.check.facts.UnresolvedComponents;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 

@@ -4,7 +4,6 @@ import arcomat.source.Span;
 import arcomat.tree.TestSuite;
 
 import java.util.List;
-import java.util.Locale;
 
 /** The parts of a test suite that several checks look at. */
 final class Tests {
@@ -17,14 +16,9 @@ final class Tests {
                 .toList();
     }
 
-    /** The word that a block of streams starts with. */
-    static String keyword(TestSuite.Kind kind) {
-        return kind.name().toLowerCase(Locale.ROOT);
-    }
-
-    /** Where that word stands. */
+    /** Where the word stands that a block of streams starts with. */
     static Span keywordSpan(TestSuite.Streams streams) {
         Span whole = streams.span();
-        return whole.file().span(whole.start(), whole.start() + keyword(streams.kind()).length());
+        return whole.file().span(whole.start(), whole.start() + streams.kind().name().length());
     }
 }

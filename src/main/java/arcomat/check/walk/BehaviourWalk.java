@@ -1,7 +1,7 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Carrier;
-import arcomat.check.law.Context;
+import arcomat.check.law.Check.Context;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -20,16 +20,7 @@ import arcomat.tree.Block;
 import java.util.List;
 
 /** The part of the walk that goes through automata and tables. */
-final class BehaviourWalk {
-    private final Listeners listeners;
-    private final StereotypeWalk stereotypes;
-    private final ExpressionWalk expressions;
-
-    BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, ExpressionWalk expressions) {
-        this.listeners = listeners;
-        this.stereotypes = stereotypes;
-        this.expressions = expressions;
-    }
+record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, ExpressionWalk expressions) {
 
     void automaton(AutomatonSymbol automaton, Context around) {
         Context context = around.in(automaton);
@@ -38,7 +29,7 @@ final class BehaviourWalk {
         listeners.onAutomaton.ask((check, found) -> check.check(automaton, context, found));
         declarations(automaton, context);
         for (StateSymbol state : automaton.states()) {
-            state(state, context);
+            stereotypes.visit(state.node().stereotypes(), Carrier.STATE, state.node(), context);
         }
         initials(automaton, context);
         for (TransitionSymbol transition : automaton.transitions()) {
@@ -58,21 +49,13 @@ final class BehaviourWalk {
         }
     }
 
-    private void state(StateSymbol state, Context context) {
-        stereotypes.visit(state.node().stereotypes(), Carrier.STATE, state.node(), context);
-        listeners.onState.ask((check, found) -> check.check(state, context, found));
-    }
-
     /** A clause that names several states has one block for all of them. */
     private void initials(AutomatonSymbol automaton, Context context) {
         AutomatonElement.Initial last = null;
         for (InitialSymbol symbol : automaton.initials()) {
             AutomatonElement.Initial initial = symbol.node();
-            if (initial != last) {
-                listeners.onInitial.ask((check, found) -> check.check(initial, context, found));
-                if (initial.output().isPresent()) {
-                    block(initial.output().get(), symbol.items(), context.in(Side.INITIAL));
-                }
+            if (initial != last && initial.output().isPresent()) {
+                block(initial.output().get(), symbol.items(), context.in(Side.INITIAL));
             }
             last = initial;
         }
@@ -91,7 +74,7 @@ final class BehaviourWalk {
     }
 
     private void block(Block block, List<ItemSymbol> items, Context context) {
-        listeners.onBlock.ask((check, found) -> check.check(block, context, found));
+        listeners.onBlock.ask((check, found) -> check.check(block, items, context, found));
         for (ItemSymbol item : items) {
             listeners.onItem.ask((check, found) -> check.check(item, context, found));
             List<Typed> values = item.value().expressions();

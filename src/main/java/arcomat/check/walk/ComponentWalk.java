@@ -3,8 +3,8 @@ package arcomat.check.walk;
 import arcomat.check.facts.Connections;
 import arcomat.check.facts.OpenPorts;
 import arcomat.check.law.Carrier;
-import arcomat.check.law.ComponentUse;
-import arcomat.check.law.Context;
+import arcomat.check.law.Check.ComponentUse;
+import arcomat.check.law.Check.Context;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
@@ -25,22 +25,11 @@ import arcomat.tree.TypeReference;
 import java.util.List;
 
 /** The part of the walk that goes through components and their parts. */
-final class ComponentWalk {
-    private final Listeners listeners;
-    private final StereotypeWalk stereotypes;
-    private final ExpressionWalk expressions;
-    private final BehaviourWalk behaviours;
-
-    ComponentWalk(
-            Listeners listeners,
-            StereotypeWalk stereotypes,
-            ExpressionWalk expressions,
-            BehaviourWalk behaviours) {
-        this.listeners = listeners;
-        this.stereotypes = stereotypes;
-        this.expressions = expressions;
-        this.behaviours = behaviours;
-    }
+record ComponentWalk(
+        Listeners listeners,
+        StereotypeWalk stereotypes,
+        ExpressionWalk expressions,
+        BehaviourWalk behaviours) {
 
     void component(ComponentSymbol component, Context around) {
         Context context = around.in(component);

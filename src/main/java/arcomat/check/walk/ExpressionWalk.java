@@ -1,6 +1,6 @@
 package arcomat.check.walk;
 
-import arcomat.check.law.Context;
+import arcomat.check.law.Check.Context;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;

@@ -1,7 +1,7 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Findings;
+import arcomat.check.law.Check.Findings;
 import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 
@@ -49,8 +49,6 @@ public final class Listeners {
     final Audience<Check.OnComponentUse> onComponentUse = audience(Check.OnComponentUse.class);
     final Audience<Check.OnConnector> onConnector = audience(Check.OnConnector.class);
     final Audience<Check.OnAutomaton> onAutomaton = audience(Check.OnAutomaton.class);
-    final Audience<Check.OnState> onState = audience(Check.OnState.class);
-    final Audience<Check.OnInitial> onInitial = audience(Check.OnInitial.class);
     final Audience<Check.OnTransition> onTransition = audience(Check.OnTransition.class);
     final Audience<Check.OnBlock> onBlock = audience(Check.OnBlock.class);
     final Audience<Check.OnItem> onItem = audience(Check.OnItem.class);

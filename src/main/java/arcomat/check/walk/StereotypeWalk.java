@@ -1,7 +1,7 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Carrier;
-import arcomat.check.law.Context;
+import arcomat.check.law.Check.Context;
 import arcomat.check.law.Suppressions;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
@@ -9,14 +9,7 @@ import arcomat.tree.Stereotype;
 import java.util.List;
 
 /** The part of the walk that looks at stereotypes, and notes what they suppress. */
-final class StereotypeWalk {
-    private final Listeners listeners;
-    private final Suppressions suppressions;
-
-    StereotypeWalk(Listeners listeners, Suppressions suppressions) {
-        this.listeners = listeners;
-        this.suppressions = suppressions;
-    }
+record StereotypeWalk(Listeners listeners, Suppressions suppressions) {
 
     void visit(List<Stereotype> stereotypes, Carrier carrier, Node owner, Context context) {
         if (stereotypes.isEmpty()) {

@@ -1,8 +1,8 @@
 package arcomat.check.walk;
 
 import arcomat.check.Checks;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
+import arcomat.check.law.Check.Context;
+import arcomat.check.law.Check.Findings;
 import arcomat.check.law.Profile;
 import arcomat.check.law.Suppressions;
 import arcomat.symbols.Workspace;

@@ -2,10 +2,10 @@ package arcomat.pipeline.brick;
 
 import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
-import arcomat.brick.Origin;
-import arcomat.brick.RobotClass;
-import arcomat.brick.RobotJar;
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.jar.RobotJar;
+import arcomat.brick.jar.RobotJar.Origin;
+import arcomat.brick.jar.RobotJar.RobotClass;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.WrongUse;

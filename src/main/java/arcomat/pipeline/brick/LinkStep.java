@@ -2,8 +2,8 @@ package arcomat.pipeline.brick;
 
 import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
-import arcomat.brick.RobotClass;
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.jar.RobotJar.RobotClass;
 import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.step.PathNames;

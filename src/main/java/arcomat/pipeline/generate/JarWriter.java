@@ -1,6 +1,6 @@
 package arcomat.pipeline.generate;
 
-import arcomat.brick.RobotClass;
+import arcomat.brick.jar.RobotJar.RobotClass;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

@@ -2,11 +2,11 @@ package arcomat.pipeline.generate;
 
 import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
-import arcomat.brick.Origin;
 import arcomat.brick.ReachableClasses;
-import arcomat.brick.RobotClass;
-import arcomat.brick.RobotJar;
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.jar.RobotJar;
+import arcomat.brick.jar.RobotJar.Origin;
+import arcomat.brick.jar.RobotJar.RobotClass;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.pipeline.compile.Compilation;

@@ -2,8 +2,8 @@ package arcomat.report.brick;
 
 import arcomat.brick.BrickReport;
 import arcomat.brick.api.BrickCost;
-import arcomat.brick.need.Need;
 import arcomat.brick.need.Needs;
+import arcomat.brick.need.Needs.Need;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
@@ -47,7 +47,7 @@ public record BrickReportJson(
                         report.fits(),
                         FindingsJson.Finding.all(report.findings()),
                         report.shares().stream().map(Share::of).toList(),
-                        new Classes(needs.classes(), needs.isExact(), BrickReport.CLASSES),
+                        new Classes(needs.classes(), needs.isExact(), Needs.MOST_CLASSES),
                         new Memory(amount(memory), memory.unknown(), BrickCost.HEAP_BYTES),
                         new Slice(
                                 amount(slice),

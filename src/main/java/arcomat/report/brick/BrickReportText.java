@@ -1,10 +1,10 @@
 package arcomat.report.brick;
 
 import arcomat.brick.BrickReport;
-import arcomat.brick.Origin;
 import arcomat.brick.api.BrickCost;
-import arcomat.brick.need.Need;
+import arcomat.brick.jar.RobotJar.Origin;
 import arcomat.brick.need.Needs;
+import arcomat.brick.need.Needs.Need;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 
@@ -48,7 +48,7 @@ public final class BrickReportText {
                         .formatted(
                                 needs.isExact() ? "" : "about ",
                                 needs.classes(),
-                                BrickReport.CLASSES)
+                                Needs.MOST_CLASSES)
                 + "memory: "
                 + memory(needs.memory())
                 + "\nlongest slice: "

@@ -3,9 +3,9 @@ package arcomat.report.brick;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.brick.BrickReport;
-import arcomat.brick.Origin;
-import arcomat.brick.need.Need;
+import arcomat.brick.jar.RobotJar.Origin;
 import arcomat.brick.need.Needs;
+import arcomat.brick.need.Needs.Need;
 import arcomat.report.text.Style;
 
 import org.junit.jupiter.api.Test;

@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.automaton;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.tree.AutomatonElement.Declaration;
 import arcomat.tree.AutomatonElement.Kind;
@@ -19,15 +17,13 @@ public final class EmbeddedAutomatonInterface implements Check.OnAutomaton {
         }
         for (Declaration declaration : automaton.node().elements(Declaration.class)) {
             if (declaration.kind() != Kind.VARIABLE) {
-                findings.report(declaration, message(declaration, context));
+                findings.report(
+                        declaration,
+                        "an automaton inside a component uses the component's ports; move this %s"
+                                + " to the ports of '%s'",
+                        declaration.kind().name().toLowerCase(Locale.ROOT),
+                        context.component().get().name());
             }
         }
-    }
-
-    private static String message(Declaration declaration, Context context) {
-        return "an automaton inside a component uses the component's ports; move this %s to the ports of '%s'"
-                .formatted(
-                        declaration.kind().name().toLowerCase(Locale.ROOT),
-                        context.component().orElseThrow().name());
     }
 }

@@ -3,31 +3,17 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
-import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
+import arcomat.tree.Block;
 
 import java.util.List;
 
 /** ARC0310: a block has one item for each port and variable. (RRW14a S3ts) */
-public final class ItemOncePerBlock implements Check.OnAutomaton {
+public final class ItemOncePerBlock implements Check.OnBlock {
 
     @Override
-    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
-        for (InitialSymbol initial : automaton.initials()) {
-            check(initial.items(), findings);
-        }
-        for (TransitionSymbol transition : automaton.transitions()) {
-            check(transition.input(), findings);
-            check(transition.output(), findings);
-        }
-    }
-
-    private static void check(List<ItemSymbol> items, Findings findings) {
+    public void check(Block block, List<ItemSymbol> items, Context context, Findings findings) {
         Duplicates.report(
                 items.stream().filter(item -> item.target().isFound()).toList(),
                 item -> target(item).name(),

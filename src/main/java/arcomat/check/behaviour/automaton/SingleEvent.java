@@ -3,10 +3,7 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Span;
-import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
@@ -20,17 +17,14 @@ import java.util.List;
 import java.util.Optional;
 
 /** ARC0320: a transition, or a row, of an untimed component names exactly one event. */
-public final class SingleEvent implements Check.OnAutomaton, Check.OnTable {
-
-    @Override
-    public void check(AutomatonSymbol automaton, Context context, Findings findings) {
-        if (Items.isEventDriven(automaton)) {
-            automaton.transitions().forEach(transition -> check(transition, findings));
-        }
-    }
+public final class SingleEvent implements Check.OnTransition, Check.OnTable {
 
     /** Items that do not resolve have findings; what they would be is not known. */
-    private static void check(TransitionSymbol transition, Findings findings) {
+    @Override
+    public void check(TransitionSymbol transition, Context context, Findings findings) {
+        if (!Items.isEventDriven(context.automaton().orElseThrow())) {
+            return;
+        }
         List<String> events = new ArrayList<>();
         for (ItemSymbol item : transition.input()) {
             Optional<PortSymbol> port = Items.port(item);

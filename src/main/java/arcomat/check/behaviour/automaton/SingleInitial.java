@@ -2,8 +2,6 @@ package arcomat.check.behaviour.automaton;
 
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.check.naming.InitialDeclaredOnce;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
@@ -28,7 +26,7 @@ public final class SingleInitial implements Check.OnAutomaton {
                 findings.report(
                                 name,
                                 "generated code starts in one state, and '%s' is initial already;"
-                                    + " decide for one of the two",
+                                        + " decide for one of the two",
                                 first)
                         .related(first, "also initial");
             }

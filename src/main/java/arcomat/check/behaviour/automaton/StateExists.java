@@ -2,8 +2,6 @@ package arcomat.check.behaviour.automaton;
 
 import arcomat.check.facts.StateNames;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Fix;
 import arcomat.source.Nearest;
 import arcomat.source.TextEdit;

@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.automaton;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 
 /** ARC0301: an automaton has at least one state (Wor16 AC3). */

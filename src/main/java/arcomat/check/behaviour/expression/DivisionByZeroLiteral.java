@@ -1,7 +1,5 @@
 package arcomat.check.behaviour.expression;
 
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.expressions.ConstantFolding;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 import arcomat.symbols.expressions.Typed;

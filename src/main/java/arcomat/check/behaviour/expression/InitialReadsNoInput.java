@@ -2,8 +2,6 @@ package arcomat.check.behaviour.expression;
 
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ExpressionProblem;

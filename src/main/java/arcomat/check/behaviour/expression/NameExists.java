@@ -1,6 +1,5 @@
 package arcomat.check.behaviour.expression;
 
-import arcomat.check.law.Context;
 import arcomat.symbols.expressions.ExpressionProblem;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;
 

@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.expression;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Fix;
 import arcomat.symbols.expressions.ExpressionProblem;
 import arcomat.symbols.expressions.ExpressionProblem.Kind;

@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.item;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
@@ -26,8 +24,8 @@ public final class InitialOutputDelayed implements Check.OnItem {
         findings.report(
                         item.node(),
                         "output port '%s' has no delay: its first message already answers the first"
-                            + " input; drop the initial output or delay the port with <<delay ="
-                            + " \"1\">>",
+                                + " input; drop the initial output or delay the port with <<delay ="
+                                + " \"1\">>",
                         port.name())
                 .related(port.nameSpan(), "declared here");
     }

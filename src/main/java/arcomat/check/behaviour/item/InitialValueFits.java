@@ -2,9 +2,6 @@ package arcomat.check.behaviour.item;
 
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
-import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
 
 /** ARC0317: an initial value has the type of its variable. (RRW14a T2) */
@@ -12,16 +9,14 @@ public final class InitialValueFits implements Check.OnVariable {
 
     @Override
     public void check(VariableSymbol variable, Context context, Findings findings) {
-        variable.initial().ifPresent(initial -> check(initial, variable, findings));
-    }
-
-    private static void check(Typed initial, VariableSymbol variable, Findings findings) {
-        if (!initial.isAssignableTo(variable.type())) {
-            findings.report(
-                    initial.expression().node(),
-                    "%s takes %s",
-                    Items.words(variable),
-                    Wording.mismatch(variable.type(), initial));
-        }
+        variable.initial()
+                .filter(initial -> !initial.isAssignableTo(variable.type()))
+                .ifPresent(
+                        initial ->
+                                findings.report(
+                                        initial.expression().node(),
+                                        "%s takes %s",
+                                        Items.words(variable),
+                                        Wording.mismatch(variable.type(), initial)));
     }
 }

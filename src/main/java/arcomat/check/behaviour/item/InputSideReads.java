@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.item;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.ValueSymbol;

@@ -13,23 +13,22 @@ import arcomat.tree.Node;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 
 /** Questions about items that several laws ask. */
 public final class Items {
     private Items() {}
 
     public static Optional<PortSymbol> port(ItemSymbol item) {
-        return item.target()
-                .found()
-                .filter(PortSymbol.class::isInstance)
-                .map(PortSymbol.class::cast);
+        return target(item, PortSymbol.class);
     }
 
     static Optional<VariableSymbol> variable(ItemSymbol item) {
-        return item.target()
-                .found()
-                .filter(VariableSymbol.class::isInstance)
-                .map(VariableSymbol.class::cast);
+        return target(item, VariableSymbol.class);
+    }
+
+    private static <T> Optional<T> target(ItemSymbol item, Class<T> kind) {
+        return item.target().found().filter(kind::isInstance).map(kind::cast);
     }
 
     /** Whether an item stands on a side where its target may stand: else that is the finding. */
@@ -59,6 +58,14 @@ public final class Items {
             alternatives.values().forEach(each -> parts.addAll(parts(each)));
         }
         return parts;
+    }
+
+    /** Shows the value of an item about a variable, and for alternatives the values in it. */
+    static void ofVariable(ItemSymbol item, BiConsumer<VariableSymbol, ItemValue> visitor) {
+        if (isOnItsSide(item)) {
+            variable(item)
+                    .ifPresent(v -> parts(item.value()).forEach(part -> visitor.accept(v, part)));
+        }
     }
 
     public static boolean isSilence(ItemValue value) {

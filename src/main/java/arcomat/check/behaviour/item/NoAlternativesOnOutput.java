@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.item;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.tree.Block;
 
@@ -16,7 +14,7 @@ public final class NoAlternativesOnOutput implements Check.OnItem {
             findings.report(
                     alternatives,
                     "'alt' says what is waited for; to leave open what is sent, write one %s for"
-                        + " each of the %s alternatives",
+                            + " each of the %s alternatives",
                     item.side() == ItemSymbol.Side.OUTPUT ? "transition" : "initial clause",
                     alternatives.values().size());
         }

@@ -2,8 +2,6 @@ package arcomat.check.behaviour.item;
 
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.expressions.ValueSymbol;
 
@@ -21,7 +19,7 @@ public final class OmittedNameUnique implements Check.OnItem {
             findings.report(
                     item.node(),
                     "no %s port or variable takes '%s'; correct the message, or write the name that"
-                        + " is meant before it",
+                            + " is meant before it",
                     side(item),
                     text(item));
         } else if (item.target().isAmbiguous()) {

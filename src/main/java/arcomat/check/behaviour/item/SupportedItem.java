@@ -1,17 +1,17 @@
 package arcomat.check.behaviour.item;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Fix;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.tree.Block;
+
+import java.util.List;
 
 /** ARC0325: a block holds messages and assignments, no calls and no increments. */
 public final class SupportedItem implements Check.OnBlock {
 
     @Override
-    public void check(Block block, Context context, Findings findings) {
+    public void check(Block block, List<ItemSymbol> items, Context context, Findings findings) {
         for (Block.Item item : block.items()) {
             if (item instanceof Block.Call) {
                 findings.report(

@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.total;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.WrittenMessage;
@@ -23,7 +21,7 @@ public final class FirstValueFits implements Check.OnPort {
             findings.report(
                     first,
                     "port '%s' holds nothing itself: only inputs of untimed components without"
-                        + " parts do; write the value where it is held",
+                            + " parts do; write the value where it is held",
                     port.name());
         } else if (!type.isErroneous() && WrittenMessage.read(first.text(), type).isEmpty()) {
             findings.report(

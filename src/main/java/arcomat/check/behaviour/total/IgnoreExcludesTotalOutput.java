@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.total;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.PortSymbol;
@@ -37,7 +35,7 @@ public final class IgnoreExcludesTotalOutput implements Check.OnAutomaton, Check
         findings.report(
                         completion,
                         "'ignore' sends nothing where no transition is enabled, but '%s' carries a"
-                            + " message in every slice; use \"output\" or \"error\"",
+                                + " message in every slice; use \"output\" or \"error\"",
                         port.name())
                 .related(port.nameSpan(), "declared <<total>>");
     }

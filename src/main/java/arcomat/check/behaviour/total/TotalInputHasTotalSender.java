@@ -1,8 +1,6 @@
 package arcomat.check.behaviour.total;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.PortSymbol;

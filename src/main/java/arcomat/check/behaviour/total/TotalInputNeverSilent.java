@@ -2,8 +2,6 @@ package arcomat.check.behaviour.total;
 
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.expressions.ItemValue;

@@ -3,8 +3,6 @@ package arcomat.check.behaviour.total;
 import arcomat.check.behaviour.item.Items;
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
@@ -90,7 +88,7 @@ public final class TotalOutputNamed implements Check.OnAutomaton, Check.OnTable 
         findings.report(
                 place,
                 "no message is sent here on %s, which %s one in every slice (<<total>>); say which"
-                    + " one",
+                        + " one",
                 Wording.quoted(names),
                 names.size() == 1 ? "carries" : "carry");
         for (PortSymbol port : missing) {

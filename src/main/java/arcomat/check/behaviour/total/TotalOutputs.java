@@ -4,13 +4,13 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InitialSymbol;
-import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Which outputs with {@code <<total>>} a behaviour answers for. */
 final class TotalOutputs {
@@ -44,17 +44,12 @@ final class TotalOutputs {
     }
 
     private static Set<String> written(AutomatonSymbol automaton) {
-        Set<String> names = new HashSet<>();
-        for (InitialSymbol initial : automaton.initials()) {
-            addTargets(initial.items(), names);
-        }
-        for (TransitionSymbol transition : automaton.transitions()) {
-            addTargets(transition.output(), names);
-        }
-        return names;
-    }
-
-    private static void addTargets(List<ItemSymbol> items, Set<String> names) {
-        items.forEach(item -> Items.port(item).ifPresent(port -> names.add(port.name())));
+        return Stream.concat(
+                        automaton.initials().stream().map(InitialSymbol::items),
+                        automaton.transitions().stream().map(TransitionSymbol::output))
+                .flatMap(List::stream)
+                .flatMap(item -> Items.port(item).stream())
+                .map(PortSymbol::name)
+                .collect(Collectors.toSet());
     }
 }

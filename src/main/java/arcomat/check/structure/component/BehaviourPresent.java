@@ -2,8 +2,6 @@ package arcomat.check.structure.component;
 
 import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.Element;
 
@@ -24,7 +22,7 @@ public final class BehaviourPresent implements Check.OnComponent {
             findings.report(
                     component.nameSpan(),
                     "component '%s' has no behaviour; add an automaton or a table, decompose it, or"
-                        + " mark it <<platform>> if the target brings it",
+                            + " mark it <<platform>> if the target brings it",
                     component.name());
         }
     }

@@ -1,8 +1,6 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.ValueSymbol;
@@ -23,7 +21,7 @@ public final class ComponentVariableConstant implements Check.OnVariable, Check.
             findings.report(
                     variable.nameSpan(),
                     "'%s' is a constant and needs a value; if it changes, declare it as a"
-                        + " 'variable' of the automaton",
+                            + " 'variable' of the automaton",
                     variable.name());
         }
     }
@@ -38,7 +36,7 @@ public final class ComponentVariableConstant implements Check.OnVariable, Check.
             findings.report(
                             item.node().name().orElseThrow(),
                             "'%s' is a constant of the component and cannot be assigned; declare it"
-                                + " as a 'variable' of the automaton",
+                                    + " as a 'variable' of the automaton",
                             variable.name())
                     .related(variable.nameSpan(), "the constant");
         }

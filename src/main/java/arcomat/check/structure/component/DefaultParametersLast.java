@@ -1,8 +1,6 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.Parameter;
 
@@ -22,7 +20,7 @@ public final class DefaultParametersLast implements Check.OnComponent {
                 findings.report(
                                 parameter.name(),
                                 "parameter '%s' has no default value but '%s' before it has; move"
-                                    + " it to the front or give it one",
+                                        + " it to the front or give it one",
                                 parameter.name(),
                                 withDefault.name())
                         .related(withDefault, "has a default value");

@@ -1,7 +1,6 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Findings;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 

@@ -1,8 +1,6 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.tree.Element;

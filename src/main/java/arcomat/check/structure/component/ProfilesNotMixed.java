@@ -1,8 +1,6 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.Profiles;
@@ -55,7 +53,7 @@ public final class ProfilesNotMixed implements Check.OnComponent {
             findings.report(
                     component.signature().timing().node().get(),
                     "'%s' is declared to be %s, but its part '%s' is %s; delete this clause or"
-                        + " change the parts",
+                            + " change the parts",
                     component.name(),
                     words(own),
                     first.name(),

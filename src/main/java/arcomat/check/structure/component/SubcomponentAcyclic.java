@@ -1,11 +1,9 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Findings;
 import arcomat.source.Span;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.InstanceSymbol;
 
 import java.util.List;
 import java.util.stream.Collectors;
@@ -35,12 +33,11 @@ public final class SubcomponentAcyclic implements Check.OnWorkspace {
     }
 
     private static Span place(ComponentSymbol whole, ComponentSymbol part) {
-        for (InstanceSymbol instance : whole.instances()) {
-            if (instance.component().filter(part::equals).isPresent()) {
-                return instance.nameSpan();
-            }
-        }
-        throw new AssertionError(whole + " has no part " + part);
+        return whole.instances().stream()
+                .filter(instance -> instance.component().filter(part::equals).isPresent())
+                .findFirst()
+                .orElseThrow()
+                .nameSpan();
     }
 
     private static String text(List<ComponentSymbol> cycle) {

@@ -1,8 +1,6 @@
 package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.source.Fix;
 import arcomat.source.Span;
 import arcomat.tree.Component;
@@ -21,7 +19,7 @@ public final class TopLevelComponentWithoutInstance implements Check.OnUnit {
             findings.report(
                             instance,
                             "top-level component '%s' cannot have the instance name '%s'; delete"
-                                + " it",
+                                    + " it",
                             component.name(),
                             instance.name())
                     .fix(Fix.replace("Delete the instance name", withSpace(instance.span()), ""));

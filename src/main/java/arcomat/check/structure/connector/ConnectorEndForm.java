@@ -1,8 +1,6 @@
 package arcomat.check.structure.connector;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
 import arcomat.symbols.bodies.ConnectorSymbol.Status;
@@ -25,7 +23,7 @@ public final class ConnectorEndForm implements Check.OnConnector {
             findings.report(
                     end.span(),
                     "'%s' reaches into '%s'; connect a port of '%s' and, inside it, that port with"
-                        + " the part",
+                            + " the part",
                     end.text(),
                     instance,
                     instance);

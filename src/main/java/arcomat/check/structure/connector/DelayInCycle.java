@@ -1,8 +1,6 @@
 package arcomat.check.structure.connector;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.DelayCycle;
@@ -27,7 +25,7 @@ public final class DelayInCycle implements Check.OnComponent {
         findings.report(
                 connectors.get(0).span(),
                 "messages run in a circle without delay: %s; let one of these parts react a slice"
-                    + " later",
+                        + " later",
                 cycle.text());
         for (ConnectorSymbol connector : connectors.subList(1, connectors.size())) {
             findings.related(

@@ -1,8 +1,6 @@
 package arcomat.check.structure.connector;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ConnectorSymbol;
 
 /** ARC0107: no connector leads from a port to the same port. */

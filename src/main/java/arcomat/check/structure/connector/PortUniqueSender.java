@@ -2,8 +2,6 @@ package arcomat.check.structure.connector;
 
 import arcomat.check.facts.Connections;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 

@@ -3,8 +3,6 @@ package arcomat.check.structure.connector;
 import arcomat.check.facts.OpenPorts;
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 

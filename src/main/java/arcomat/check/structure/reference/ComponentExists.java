@@ -2,9 +2,6 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
-import arcomat.check.law.ComponentUse;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.check.naming.JavaClassUnique;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.signatures.Signature;

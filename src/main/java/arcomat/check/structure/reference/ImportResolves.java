@@ -2,8 +2,6 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Import;
 import arcomat.tree.Unit;
 

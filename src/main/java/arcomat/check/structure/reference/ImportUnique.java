@@ -3,8 +3,6 @@ package arcomat.check.structure.reference;
 import arcomat.check.facts.Deletion;
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Unit;
 
 /** ARC0122: nothing is imported twice. (Hab16 CV3) */

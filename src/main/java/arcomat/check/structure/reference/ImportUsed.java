@@ -2,8 +2,6 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.Deletion;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
 
@@ -50,13 +48,11 @@ public final class ImportUsed implements Check.OnNames {
 
     /** Then several imports explain one name, which is another finding. */
     private static boolean isAmbiguous(Collection<QualifiedName> names, Context context) {
-        for (QualifiedName name : names) {
-            if (context.scope().type(name).isAmbiguous()
-                    || context.scope().component(name).isAmbiguous()) {
-                return true;
-            }
-        }
-        return false;
+        return names.stream()
+                .anyMatch(
+                        name ->
+                                context.scope().type(name).isAmbiguous()
+                                        || context.scope().component(name).isAmbiguous());
     }
 
     /** Whether the file uses something that another one should define, which did not parse. */

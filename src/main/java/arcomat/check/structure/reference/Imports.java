@@ -1,6 +1,6 @@
 package arcomat.check.structure.reference;
 
-import arcomat.check.law.Findings;
+import arcomat.check.law.Check.Findings;
 import arcomat.source.Fix;
 import arcomat.source.Span;
 import arcomat.tree.QualifiedName;

@@ -2,9 +2,6 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
-import arcomat.check.law.ComponentUse;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.signatures.ComponentReference;
 import arcomat.symbols.signatures.Signature;
 import arcomat.tree.TypeArgument;

@@ -1,9 +1,6 @@
 package arcomat.check.structure.reference;
 
 import arcomat.check.law.Check;
-import arcomat.check.law.ComponentUse;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.expressions.TypeRules;
 import arcomat.symbols.names.ClassSymbol;

@@ -2,8 +2,6 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
-import arcomat.check.law.Context;
-import arcomat.check.law.Findings;
 import arcomat.check.naming.JavaClassUnique;
 import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.Resolution;
@@ -12,9 +10,7 @@ import arcomat.symbols.names.UnsupportedType;
 import arcomat.tree.TypeReference;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
-import java.util.Set;
 
 /** ARC0120: a type is one that messages can have, and it is clear which one is meant. */
 public final class TypeExists implements Check.OnType {
@@ -46,11 +42,11 @@ public final class TypeExists implements Check.OnType {
 
     /** Definitions of one full name are the business of {@link JavaClassUnique}. */
     private static boolean areDuplicates(List<TypeSymbol> candidates) {
-        Set<String> names = new HashSet<>();
-        for (TypeSymbol candidate : candidates) {
-            names.add(candidate instanceof DefinedType d ? d.qualifiedName() : candidate.text());
-        }
-        return names.size() == 1;
+        return candidates.stream().map(TypeExists::fullName).distinct().count() == 1;
+    }
+
+    private static String fullName(TypeSymbol type) {
+        return type instanceof DefinedType defined ? defined.qualifiedName() : type.text();
     }
 
     private static void reportUnknown(TypeReference type, Context context, Findings findings) {

@@ -1,0 +1,134 @@
+package arcomat.brick.need;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalLong;
+import java.util.Set;
+
+/** What leJOS' own classes and methods cost a program, by the resource {@code library.txt}. */
+final class LibraryCost {
+    private static final String RESOURCE = "/brick/library.txt";
+    private static final String DEFAULT = "default";
+
+    /**
+     * @param bytes of what the class keeps for itself, once it is used
+     * @param brings the classes that come along
+     */
+    private record Used(long bytes, List<String> brings) {}
+
+    private final Map<String, Used> classes = new HashMap<>();
+    private final Set<String> empty = new HashSet<>();
+    private final Map<String, Long> objects = new HashMap<>();
+    private final Map<String, Long> calls = new HashMap<>();
+    private final Set<String> waits = new HashSet<>();
+    private final Map<String, Long> loops = new HashMap<>();
+
+    private LibraryCost() {}
+
+    static LibraryCost read() {
+        try (InputStream in = LibraryCost.class.getResourceAsStream(RESOURCE)) {
+            LibraryCost library = new LibraryCost();
+            new String(in.readAllBytes(), StandardCharsets.UTF_8)
+                    .lines()
+                    .filter(line -> !line.isBlank() && !line.startsWith("#"))
+                    .forEach(line -> library.add(line.split(" ")));
+            return library;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
+
+    private void add(String[] words) {
+        List<String> rest = Arrays.asList(words).subList(Math.min(3, words.length), words.length);
+        switch (words[0]) {
+            case "class" -> classes.put(words[1], new Used(Long.parseLong(words[2]), rest));
+            case "empty" -> empty.addAll(Arrays.asList(words).subList(1, words.length));
+            case "new" -> objects.put(words[1], Long.parseLong(words[2]));
+            case "call" -> calls.put(words[1], Long.parseLong(words[2]));
+            case "waits" -> waits.add(words[1]);
+            case "loops" -> loops.put(words[1], Long.parseLong(words[2]));
+            case DEFAULT ->
+                    (words[1].equals("new") ? objects : calls)
+                            .put(DEFAULT, Long.parseLong(words[2]));
+            default -> throw new IllegalStateException(String.join(" ", words));
+        }
+    }
+
+    boolean knows(String type) {
+        return classes.containsKey(type);
+    }
+
+    /** Classes that every program has. */
+    Set<String> emptyProgram() {
+        return empty;
+    }
+
+    /** The classes that come along with one that is known. */
+    List<String> brings(String type) {
+        return Optional.ofNullable(classes.get(type)).map(Used::brings).orElse(List.of());
+    }
+
+    /** What a class that is used keeps in memory, its objects left out. */
+    long bytesOf(String type) {
+        return Optional.ofNullable(classes.get(type)).map(Used::bytes).orElse(0L);
+    }
+
+    long bytesOfObject(String type) {
+        return objects.getOrDefault(type, objects.get(DEFAULT));
+    }
+
+    /** How often a loop of the runtime goes round at most, where its code does not show it. */
+    OptionalLong rounds(MethodName method) {
+        return find(loops, method);
+    }
+
+    /** What is known of a method besides its code: microseconds. */
+    OptionalLong measured(MethodName method) {
+        return find(calls, method);
+    }
+
+    /** How long a method of leJOS takes, in microseconds. */
+    long time(MethodName method) {
+        OptionalLong measured = measured(method);
+        if (measured.isPresent()) {
+            return measured.getAsLong();
+        }
+        if (mayWait(method)) {
+            throw Unknown.of(method, "may wait");
+        }
+        return calls.get(DEFAULT);
+    }
+
+    private boolean mayWait(MethodName method) {
+        String name = method.owner() + "." + method.name();
+        return waits.contains(name + method.descriptor())
+                || waits.contains(name)
+                || waits.contains(method.owner() + ".*")
+                || isBelow(method.owner());
+    }
+
+    private boolean isBelow(String type) {
+        int slash = type.lastIndexOf('/');
+        while (slash > 0) {
+            if (waits.contains(type.substring(0, slash) + "/*")) {
+                return true;
+            }
+            slash = type.lastIndexOf('/', slash - 1);
+        }
+        return false;
+    }
+
+    private static OptionalLong find(Map<String, Long> values, MethodName method) {
+        String name = method.owner() + "." + method.name();
+        Long value = values.getOrDefault(name + method.descriptor(), values.get(name));
+        return value == null ? OptionalLong.empty() : OptionalLong.of(value);
+    }
+}

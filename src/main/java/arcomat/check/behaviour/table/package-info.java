@@ -1,2 +1,0 @@
-/** Laws about I/O tables: ARC03. */
-package arcomat.check.behaviour.table;
