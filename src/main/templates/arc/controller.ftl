@@ -1,3 +1,8 @@
+<#function block before items><#return items?has_content?then(before + "{" + items?join(", ") + "}", "")></#function>
+<#function stereotypes port>
+<#local words = port.total?then(["total"], []) + (port.instant && !instant)?then(["delay = \"0\""], [])>
+<#return words?has_content?then("<<" + words?join(", ") + ">> ", "")>
+</#function>
 <#if packageName?has_content>
 package ${packageName};
 
@@ -13,27 +18,27 @@ import ${import};
  * ${remark}
 </#list>
  */
-<#if stereotypes?has_content>
-${stereotypes}
+<#if layer != "">
+<<layer = "${layer}">>
 </#if>
-component ${name}<#if refines?has_content> refines ${refines}</#if> {
-<#if timing?has_content>
-    timing ${timing};
+component ${name}<#if refines?has_content> refines ${refines?join(", ")}</#if> {
+<#if instant>
+    timing instant;
 
 </#if>
     port
 <#list ports as port>
-        ${port}<#sep>,</#sep><#if !port?has_next>;</#if>
+        ${stereotypes(port)}${port.input?then("in", "out")} ${port.type} ${port.name}<#sep>,</#sep><#if !port?has_next>;</#if>
 </#list>
 
     <<completion = "${completion}">> automaton {
         state ${states?join(", ")};
 
-        initial ${initial};
+        initial ${initial}${block(" / ", sends)};
 <#list groups as group>
 
 <#list group as transition>
-        ${transition};
+        ${transition.source}<#if transition.target != ""> -> ${transition.target}</#if><#if transition.guard != ""> [${transition.guard}]</#if>${block(" ", transition.items)}${block(" / ", transition.sends)};
 </#list>
 </#list>
     }

@@ -9,13 +9,13 @@ import java.util.List;
  *
  * @param layout where the parts of the model are found in the generated code
  */
-public record Generation(List<GeneratedFile> files, List<Diagnostic> findings, Layout layout) {
+public record Generation(List<GeneratedFile> files, List<Diagnostic> findings, CodeLayout layout) {
     public Generation {
         files = List.copyOf(files);
         findings = List.copyOf(findings);
     }
 
     static Generation failed(Diagnostic finding) {
-        return new Generation(List.of(), List.of(finding), Layout.NONE);
+        return new Generation(List.of(), List.of(finding), CodeLayout.NONE);
     }
 }

@@ -1,12 +1,15 @@
 package arcomat.generate;
 
-import arcomat.generate.language.Language;
-import arcomat.generate.language.Names;
-import arcomat.generate.language.TemplateFailure;
+import arcomat.generate.language.TargetLanguage;
+import arcomat.generate.language.TargetNames;
+import arcomat.generate.monitor.SelfWatches;
+import arcomat.generate.plan.AutomatonPlan;
+import arcomat.generate.plan.Program;
+import arcomat.generate.template.TemplateFailure;
+import arcomat.generate.views.MessageTypes;
 import arcomat.source.Diagnostic;
 
 import java.util.List;
-import java.util.Map;
 
 /**
  * Writes a model in the language of a target. Pure: nothing is written to disk, and the same
@@ -25,28 +28,41 @@ public final class Generator {
      *     state than random choices are generated for, {@code ARC0806} two devices in one socket
      */
     public static Generation generate(Request request, Target target) {
+        return generate(
+                target,
+                (names, output, findings) -> {
+                    Program program =
+                            Program.of(
+                                    names,
+                                    request.choosing(),
+                                    request.traced(),
+                                    request.components());
+                    SelfWatches watches = new SelfWatches(request.watches(), program);
+                    MessageTypes types = new MessageTypes(program, watches.monitors());
+                    output.write(types);
+                    new Views(program, watches, request, output, findings).write();
+                    findings.addAll(Sockets.check(request, target));
+                    return CodeLayout.of(program, types, request.programs());
+                });
+    }
+
+    /** What writes files for a target, and tells where things are in them. */
+    interface Writing {
+        CodeLayout write(TargetNames names, OutputFiles output, TargetFindings findings);
+    }
+
+    /** What somebody writes, or findings that say why there is nothing. */
+    static Generation generate(Target target, Writing writing) {
         TargetFindings findings = new TargetFindings(target);
         try {
-            Map<String, String> entries = target.entries();
-            Program program =
-                    new Program(
-                            new Names(new Language(entries)),
-                            request.choosing(),
-                            request.traced(),
-                            request.components());
-            Output output = new Output(target, findings);
-            SelfWatches watches = new SelfWatches(request.watches(), program);
-            MessageTypes types = new MessageTypes(program);
-            types.add(watches.monitors());
-            new Views(program, types, watches, request, findings).all(output);
-            findings.addAll(Sockets.check(request, entries));
-            return new Generation(
-                    findings.all().isEmpty() ? output.files() : List.of(),
-                    findings.all(),
-                    Layouts.of(program, types, request.programs()));
-        } catch (Language.MissingEntry e) {
-            return Generation.failed(findings.missing(e.getMessage()));
-        } catch (TooManyChoices e) {
+            TargetNames names = new TargetNames(new TargetLanguage(target.entries()));
+            OutputFiles output = new OutputFiles(target, findings);
+            CodeLayout layout = writing.write(names, output, findings);
+            boolean complete = findings.all().isEmpty();
+            return new Generation(complete ? output.all() : List.of(), findings.all(), layout);
+        } catch (TargetLanguage.MissingEntry e) {
+            return Generation.failed(findings.missing(e));
+        } catch (AutomatonPlan.TooManyChoices e) {
             return Generation.failed(
                     Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
         } catch (TemplateFailure e) {

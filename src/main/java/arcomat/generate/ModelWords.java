@@ -1,5 +1,6 @@
 package arcomat.generate;
 
+import arcomat.generate.text.WrittenExpressions;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
@@ -31,22 +32,13 @@ final class ModelWords {
     ModelWords(Component component) {
         ports = component.ports().stream().map(Port::name).collect(Collectors.toSet());
         for (Port port : component.ports()) {
-            simpleName(port.type())
-                    .ifPresent(
-                            name ->
-                                    qualified
-                                            .computeIfAbsent(name, each -> new TreeSet<>())
-                                            .add(port.type().name()));
+            Type type = port.type();
+            if (type instanceof Type.EnumType || type instanceof Type.ClassType) {
+                qualified
+                        .computeIfAbsent(type.simpleName(), name -> new TreeSet<>())
+                        .add(type.name());
+            }
         }
-    }
-
-    private static Optional<String> simpleName(Type type) {
-        if (type instanceof Type.EnumType enumeration) {
-            return Optional.of(enumeration.simpleName());
-        }
-        return type instanceof Type.ClassType object
-                ? Optional.of(object.simpleName())
-                : Optional.empty();
     }
 
     /** What is to be imported; types of one name are written in full instead. */
@@ -60,18 +52,17 @@ final class ModelWords {
     }
 
     String type(Type type) {
-        return simpleName(type)
-                .filter(name -> qualified.getOrDefault(name, Set.of()).size() == 1)
-                .orElse(type.name());
+        boolean clear = qualified.getOrDefault(type.simpleName(), Set.of()).size() == 1;
+        return clear ? type.simpleName() : type.name();
     }
 
-    /** What a transition sends on a port. */
+    /** What a transition sends. */
     String message(Automaton.Send send) {
-        List<String> values = new ArrayList<>();
-        for (Expression value : ((Automaton.Messages) send.emission()).values()) {
-            values.add(constant(value));
-        }
-        return values.size() == 1 ? values.get(0) : "[" + String.join(", ", values) + "]";
+        List<String> values =
+                ((Automaton.Messages) send.emission())
+                        .values().stream().map(this::constant).toList();
+        String all = String.join(", ", values);
+        return send.port().name() + " = " + (values.size() == 1 ? all : "[" + all + "]");
     }
 
     private String constant(Expression expression) {
@@ -94,7 +85,9 @@ final class ModelWords {
     }
 
     /** An item of an input block: a port carries what one of the patterns says. */
-    String item(Port port, List<Automaton.Pattern> patterns) {
+    record Item(Port port, String text) {}
+
+    Item item(Port port, List<Automaton.Pattern> patterns) {
         List<String> alternatives = new ArrayList<>();
         for (Automaton.Pattern pattern : patterns) {
             if (pattern instanceof Automaton.OneOf oneOf) {
@@ -103,56 +96,36 @@ final class ModelWords {
                 alternatives.add(pattern instanceof Automaton.Absent ? "--" : "?");
             }
         }
-        return port.name()
-                + " == "
-                + (alternatives.size() == 1
-                        ? alternatives.get(0)
-                        : "alt {" + String.join(", ", alternatives) + "}");
+        String all = String.join(", ", alternatives);
+        String said = alternatives.size() == 1 ? all : "alt {" + all + "}";
+        return new Item(port, port.name() + " == " + said);
     }
 
-    /** The port that a disjunction of nothing but patterns is about. */
-    static Optional<Port> soleMatch(Expression guard) {
-        List<Expression> parts = new ArrayList<>();
-        collect(guard, parts);
+    /** A disjunction of nothing but patterns of one port as an item; empty for another guard. */
+    Optional<Item> item(Expression guard) {
+        List<Automaton.Pattern> patterns = new ArrayList<>();
         Set<Port> matched = new HashSet<>();
-        for (Expression part : parts) {
+        for (Expression part : WrittenExpressions.row(guard, BinaryOperator.OR)) {
             if (!(part instanceof Expression.PortMatches matches)) {
                 return Optional.empty();
             }
             matched.add(matches.port());
+            patterns.add(matches.pattern());
         }
-        return matched.stream().findFirst().filter(port -> matched.size() == 1);
-    }
-
-    /** A disjunction of patterns of one port as an item. */
-    String alternatives(Expression guard) {
-        List<Expression> parts = new ArrayList<>();
-        collect(guard, parts);
-        Port port = ((Expression.PortMatches) parts.get(0)).port();
-        return item(port, parts.stream().map(p -> ((Expression.PortMatches) p).pattern()).toList());
-    }
-
-    private static void collect(Expression guard, List<Expression> parts) {
-        Optional<Expression.Binary> or = binary(guard, BinaryOperator.OR);
-        if (or.isPresent()) {
-            collect(or.get().left(), parts);
-            collect(or.get().right(), parts);
-        } else {
-            parts.add(guard);
-        }
-    }
-
-    static Optional<Expression.Binary> binary(Expression expression, BinaryOperator operator) {
-        return expression instanceof Expression.Binary binary && binary.operator() == operator
-                ? Optional.of(binary)
-                : Optional.empty();
+        return matched.stream()
+                .filter(port -> matched.size() == 1)
+                .map(port -> item(port, patterns))
+                .findFirst();
     }
 
     String conjunction(List<Expression> guards) {
         return guards.stream()
                 .map(
                         guard ->
-                                guards.size() > 1 && binary(guard, BinaryOperator.OR).isPresent()
+                                guards.size() > 1
+                                                && WrittenExpressions.row(guard, BinaryOperator.OR)
+                                                                .size()
+                                                        > 1
                                         ? "(" + guard(guard) + ")"
                                         : guard(guard))
                 .collect(Collectors.joining(" && "));
@@ -167,17 +140,17 @@ final class ModelWords {
             return "!(" + guard(not.operand()) + ")";
         }
         Expression.Binary binary = (Expression.Binary) guard;
-        if (binary.operator() == BinaryOperator.OR) {
-            return guard(binary.left()) + " || " + guard(binary.right());
-        }
-        if (binary.operator() == BinaryOperator.AND) {
-            return conjunction(List.of(binary.left(), binary.right()));
-        }
-        return ((Expression.PortRead) binary.left()).port().name()
-                + " "
-                + binary.operator().sign()
-                + " "
-                + operand(binary.right());
+        return switch (binary.operator()) {
+            case OR ->
+                    WrittenExpressions.row(binary, BinaryOperator.OR).stream()
+                            .map(this::guard)
+                            .collect(Collectors.joining(" || "));
+            case AND -> conjunction(WrittenExpressions.row(binary, BinaryOperator.AND));
+            default ->
+                    ((Expression.PortRead) binary.left()).port().name()
+                            + (" " + binary.operator().sign() + " ")
+                            + operand(binary.right());
+        };
     }
 
     private String operand(Expression e) {
@@ -188,9 +161,9 @@ final class ModelWords {
         String port = matches.port().name();
         if (matches.pattern() instanceof Automaton.OneOf oneOf) {
             return port
-                    + " isin {"
-                    + oneOf.values().stream().map(this::constant).collect(Collectors.joining(", "))
-                    + "}";
+                    + oneOf.values().stream()
+                            .map(this::constant)
+                            .collect(Collectors.joining(", ", " isin {", "}"));
         }
         return port + (matches.pattern() instanceof Automaton.Absent ? " == --" : " != --");
     }

@@ -1,5 +1,7 @@
 package arcomat.generate;
 
+import arcomat.generate.template.ShippedTemplates;
+
 /** Writes a formula for the program MONA. */
 public final class MonaText {
     /** The template writes it, too. */
@@ -18,6 +20,6 @@ public final class MonaText {
      * @param formula what the template sees, its components by name
      */
     public static String render(Record formula) {
-        return OwnTemplate.render("mona", "refinement.ftl", formula);
+        return ShippedTemplates.render("mona", "refinement.ftl", formula);
     }
 }

@@ -1,13 +1,19 @@
 package arcomat.generate;
 
-import arcomat.generate.language.Language;
-import arcomat.generate.language.Names;
-import arcomat.generate.language.TemplateFailure;
-import arcomat.generate.language.Words;
-import arcomat.generate.view.AssignmentView;
+import arcomat.generate.OutputFiles.Kind;
+import arcomat.generate.language.NameForms;
+import arcomat.generate.language.Places;
+import arcomat.generate.language.TargetNames;
+import arcomat.generate.monitor.MonitorClass;
+import arcomat.generate.plan.Program;
+import arcomat.generate.text.FileContext;
+import arcomat.generate.text.MemberNames;
+import arcomat.generate.view.HeadView.AssignmentView;
 import arcomat.generate.view.MonitorView;
 import arcomat.generate.view.MonitorsView;
 import arcomat.generate.view.MonitorsView.WatcherView;
+import arcomat.generate.views.Heads;
+import arcomat.generate.views.MessageTypes;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
@@ -45,45 +51,36 @@ public final class Monitors {
      * @return files, or findings that say why there are none, see {@link Generator#generate}
      */
     public static Generation generate(Component watched, List<Automaton> automata, Target target) {
-        TargetFindings findings = new TargetFindings(target);
-        try {
-            return new Monitors(watched, automata).generate(target, findings);
-        } catch (Language.MissingEntry e) {
-            return Generation.failed(findings.missing(e.getMessage()));
-        } catch (TemplateFailure e) {
-            return Generation.failed(findings.template(e));
-        }
+        Monitors monitors = new Monitors(watched, automata);
+        return Generator.generate(
+                target, (names, output, findings) -> monitors.write(names, output));
     }
 
-    private Generation generate(Target target, TargetFindings findings) throws TemplateFailure {
+    private CodeLayout write(TargetNames names, OutputFiles output) {
         List<Component> all = new ArrayList<>();
         classes.forEach(each -> all.add(each.component()));
         Component whole = MonitorClass.component(watched, "", List.of(), watched.span());
         if (classes.size() > 1) {
             all.add(whole);
         }
-        Program program = Program.ofMonitors(new Names(new Language(target.entries())), all);
-        Output output = new Output(target, findings);
+        Program program = Program.ofMonitors(names, all);
         MessageTypes types = new MessageTypes(program);
         output.write(types);
         for (MonitorClass each : classes) {
             MonitorView view = each.view(program);
-            output.write("monitor", view.head(), view);
+            output.write(Kind.MONITOR, view.head(), view);
         }
         if (classes.size() > 1) {
             MonitorsView view = view(program.context(whole), program);
-            output.write("monitors", view.head(), view);
+            output.write(Kind.MONITORS, view.head(), view);
         }
-        return new Generation(
-                findings.all().isEmpty() ? output.files() : List.of(),
-                findings.all(),
-                Layouts.of(program, types, List.of()));
+        return CodeLayout.of(program, types, List.of());
     }
 
     private MonitorsView view(FileContext context, Program program) {
         List<WatcherView> watchers = new ArrayList<>();
         for (MonitorClass each : classes) {
-            String field = context.members().claim(Words.uncapitalised(each.requirement()));
+            String field = context.members().claim(NameForms.uncapitalised(each.requirement()));
             watchers.add(
                     new WatcherView(
                             field,
@@ -93,12 +90,14 @@ public final class Monitors {
                                     + Places.line(each.automaton().span()),
                             copies(field, context.members(), program.members(each.component()))));
         }
-        boolean events = watched.profile() == Component.Profile.EVENT_DRIVEN;
         return new MonitorsView(
-                Heads.of(context, false), watched.qualifiedName(), watchers, events);
+                Heads.of(context, false),
+                watched.qualifiedName(),
+                watchers,
+                context.isEventDriven());
     }
 
-    private List<AssignmentView> copies(String field, Members from, Members to) {
+    private List<AssignmentView> copies(String field, MemberNames from, MemberNames to) {
         List<AssignmentView> copies = new ArrayList<>();
         boolean events = watched.profile() == Component.Profile.EVENT_DRIVEN;
         for (Port port : events ? watched.inputs() : watched.ports()) {

@@ -1,5 +1,7 @@
 package arcomat.generate;
 
+import arcomat.generate.monitor.SelfWatch;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Model;
 

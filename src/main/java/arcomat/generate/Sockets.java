@@ -28,8 +28,8 @@ final class Sockets {
         this.types = types;
     }
 
-    static List<Diagnostic> check(Request request, Map<String, String> entries) {
-        String names = entries.getOrDefault("sockets", "").strip();
+    static List<Diagnostic> check(Request request, Target target) {
+        String names = target.entries().getOrDefault("sockets", "").strip();
         if (names.isEmpty()) {
             return List.of();
         }

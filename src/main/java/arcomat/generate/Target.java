@@ -1,17 +1,18 @@
 package arcomat.generate;
 
+import arcomat.generate.template.ShippedTemplates;
 import arcomat.source.SourceFile;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.StringReader;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Properties;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /**
  * What code is made for: a description and templates. Shipped with the tool, or a user's own
@@ -41,7 +42,7 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
         if (!name.matches("[a-z][a-z0-9-]*")) {
             return Optional.empty();
         }
-        return resource(name, DESCRIPTION)
+        return ShippedTemplates.text(name, DESCRIPTION)
                 .map(text -> new Target(name, withTemplates(name, text)))
                 .map(target -> target.on(target.baseName().flatMap(Target::shipped)));
     }
@@ -60,32 +61,18 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
         Map<String, String> files = new LinkedHashMap<>();
         files.put(DESCRIPTION, description);
         Map<String, String> entries = entries(description);
-        for (String key : entries.keySet()) {
-            if (key.startsWith(TEMPLATE)) {
-                read(name, key.substring(TEMPLATE.length()), files);
-            }
-        }
-        for (String library : entries.getOrDefault("libraries", "").split("\\s+")) {
-            if (!library.isEmpty()) {
-                read(name, library, files);
-            }
-        }
+        Stream<String> templates =
+                entries.keySet().stream()
+                        .filter(key -> key.startsWith(TEMPLATE))
+                        .map(key -> key.substring(TEMPLATE.length()));
+        String libraries = entries.getOrDefault("libraries", "");
+        Stream.concat(templates, Stream.of(libraries.split("\\s+")))
+                .filter(file -> !file.isEmpty())
+                .forEach(
+                        file ->
+                                ShippedTemplates.text(name, file)
+                                        .ifPresent(text -> files.put(file, text)));
         return files;
-    }
-
-    private static void read(String name, String file, Map<String, String> files) {
-        resource(name, file).ifPresent(text -> files.put(file, text));
-    }
-
-    static Optional<String> resource(String target, String file) {
-        String path = "/templates/" + target + "/" + file;
-        try (InputStream stream = Target.class.getResourceAsStream(path)) {
-            return stream == null
-                    ? Optional.empty()
-                    : Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 
     /** Whether its programs are compiled and packed for the brick. */
@@ -140,22 +127,25 @@ public record Target(String name, Map<String, String> files, Optional<Target> ba
         return entries;
     }
 
-    /** What a template is filled in with, and where the result goes. */
-    record Rule(String template, String subject, String path) {}
+    /**
+     * What a template is filled in with, and where the result goes.
+     *
+     * @param subject as the description names it
+     */
+    record Rule(String template, String subject, String path) {
+        /** {@code template.atomic.ftl = atomic | {folder}{name}.java}. */
+        private static Rule of(String key, String line) {
+            String[] parts = line.split("\\|", 2);
+            String path = parts.length > 1 ? parts[1].strip() : "";
+            return new Rule(key.substring(TEMPLATE.length()), parts[0].strip(), path);
+        }
+    }
 
-    /** {@code template.atomic.ftl = atomic | {folder}{name}.java}. */
-    Map<String, Rule> rules() {
-        Map<String, Rule> rules = new TreeMap<>();
-        entries()
-                .forEach(
-                        (key, line) -> {
-                            if (key.startsWith(TEMPLATE)) {
-                                String template = key.substring(TEMPLATE.length());
-                                String[] parts = line.split("\\|", 2);
-                                String path = parts.length > 1 ? parts[1].strip() : "";
-                                rules.put(template, new Rule(template, parts[0].strip(), path));
-                            }
-                        });
-        return rules;
+    /** By the names of their templates. */
+    List<Rule> rules() {
+        return entries().entrySet().stream()
+                .filter(entry -> entry.getKey().startsWith(TEMPLATE))
+                .map(entry -> Rule.of(entry.getKey(), entry.getValue()))
+                .toList();
     }
 }

@@ -1,12 +1,17 @@
 package arcomat.generate;
 
-import arcomat.generate.language.TemplateFailure;
+import static java.util.stream.Collectors.joining;
+
+import arcomat.generate.OutputFiles.Kind;
+import arcomat.generate.language.TargetLanguage;
+import arcomat.generate.template.TemplateFailure;
 import arcomat.model.Component;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /** Findings about the files of a target, at their places. */
@@ -33,62 +38,59 @@ final class TargetFindings {
 
     /** A platform component that somebody has to write a class for. */
     void implementation(Component component, GeneratedFile skeleton) {
+        String message =
+                "platform component %s needs an implementation for target %s: write %s/%s under the"
+                        + " model root, beginning with\n%s";
         all.add(
                 Diagnostic.error(
                         IMPLEMENTATION,
                         component.span(),
-                        "platform component "
-                                + component.qualifiedName()
-                                + " needs an implementation for target "
-                                + target.name()
-                                + ": write "
-                                + target.platformFolder()
-                                + "/"
-                                + skeleton.path()
-                                + " under the model root, beginning with\n"
-                                + skeleton.text()));
+                        message.formatted(
+                                component.qualifiedName(),
+                                target.name(),
+                                target.platformFolder(),
+                                skeleton.path(),
+                                skeleton.text())));
     }
 
     Diagnostic template(TemplateFailure failure) {
-        SourceFile file = file(failure.template());
+        String name = failure.template();
+        SourceFile file = file(name);
         return Diagnostic.error(
                 TEMPLATE,
                 span(file, failure.line(), failure.column()),
-                "template " + failure.template() + " cannot be filled in: " + failure.getMessage());
+                "template " + name + " cannot be filled in: " + failure.getMessage());
     }
 
-    Diagnostic missing(String entry) {
-        SourceFile file = file(Target.DESCRIPTION);
+    Diagnostic missing(TargetLanguage.MissingEntry failure) {
         return Diagnostic.error(
                 DESCRIPTION,
-                file.span(0, 0),
-                "the description of target "
-                        + target.name()
-                        + " has no entry "
-                        + entry
-                        + ", which this model needs; add it to "
-                        + Target.DESCRIPTION);
+                file(Target.DESCRIPTION).span(0, 0),
+                "the description of target %s has no entry %s, which this model needs; add it to %s"
+                        .formatted(target.name(), failure.getMessage(), Target.DESCRIPTION));
     }
 
-    void subject(String template, String subject, Iterable<String> known) {
+    void kind(Target.Rule rule, OutputFiles.Kind... known) {
+        String kinds = Arrays.stream(known).map(Object::toString).collect(joining(", "));
+        String message = "template %s is for '%s', which is nothing to make files for; use one of ";
         all.add(
                 Diagnostic.error(
                         DESCRIPTION,
-                        entry("template." + template),
-                        "template "
-                                + template
-                                + " is for '"
-                                + subject
-                                + "', which is nothing to make files for; use one of "
-                                + String.join(", ", known)));
+                        entry(rule),
+                        message.formatted(rule.template(), rule.subject()) + kinds));
     }
 
-    void path(String template, String path, String why) {
+    void path(Target.Rule rule, String path, String why) {
         all.add(
                 Diagnostic.error(
                         PATH,
-                        entry("template." + template),
-                        "template " + template + " would write '" + path + "', which " + why));
+                        entry(rule),
+                        "template "
+                                + rule.template()
+                                + " would write '"
+                                + path
+                                + "', which "
+                                + why));
     }
 
     private SourceFile file(String name) {
@@ -96,7 +98,8 @@ final class TargetFindings {
     }
 
     /** The line of an entry in the description. */
-    private Span entry(String key) {
+    private Span entry(Target.Rule rule) {
+        String key = "template." + rule.template();
         SourceFile file = target.descriptionWith(key);
         int start = Math.max(0, file.text().indexOf(key));
         int end = file.text().indexOf('\n', start);

@@ -1,11 +1,19 @@
 package arcomat.generate;
 
-import arcomat.generate.language.TemplateFailure;
+import arcomat.generate.OutputFiles.Kind;
 import arcomat.generate.language.TypeName;
+import arcomat.generate.monitor.SelfWatches;
+import arcomat.generate.plan.AutomatonPlan;
+import arcomat.generate.plan.Program;
+import arcomat.generate.text.FileContext;
 import arcomat.generate.view.HeadView;
 import arcomat.generate.view.PartsView;
 import arcomat.generate.view.PlatformView;
 import arcomat.generate.view.ProgramView;
+import arcomat.generate.views.AtomicViews;
+import arcomat.generate.views.CompositeViews;
+import arcomat.generate.views.EventViews;
+import arcomat.generate.views.Heads;
 import arcomat.model.Component;
 import arcomat.model.Type;
 
@@ -14,70 +22,55 @@ import java.util.Optional;
 /** Everything that files are made for, in a fixed order. */
 final class Views {
     private final Program program;
-    private final MessageTypes types;
     private final SelfWatches watches;
     private final Request request;
+    private final OutputFiles output;
     private final TargetFindings findings;
 
     Views(
             Program program,
-            MessageTypes types,
             SelfWatches watches,
             Request request,
+            OutputFiles output,
             TargetFindings findings) {
         this.program = program;
-        this.types = types;
         this.watches = watches;
         this.request = request;
+        this.output = output;
         this.findings = findings;
     }
 
-    void all(Output output) throws TemplateFailure {
-        output.write(types);
-        for (FileContext context : program.contexts()) {
-            component(context, output);
-        }
-        watches.write(output);
-        for (Component main : request.programs()) {
-            program(main, output);
-        }
+    void write() {
+        program.contexts().forEach(this::component);
+        watches.views().forEach(view -> output.write(Kind.MONITOR, view.head(), view));
+        request.programs().forEach(this::program);
     }
 
-    private void component(FileContext context, Output output) throws TemplateFailure {
+    private void component(FileContext context) {
         Component component = context.component();
-        HeadView head = Heads.of(context, program.draws(component));
-        if (component.profile() == Component.Profile.EVENT_DRIVEN) {
-            eventDriven(context, head, output);
-        } else if (component.platform()) {
-            PlatformView view =
-                    new PlatformView(
-                            head,
-                            !component.outputs().isEmpty(),
-                            !component.inputs().isEmpty(),
-                            "");
-            platform(context, "platform", head, view, output);
-        } else if (context.composition().isPresent()) {
-            CompositeViews views = new CompositeViews(context, program);
-            output.write("composite", head, views.view(head));
-            for (PartsView view : views.sections(head)) {
-                output.write("section", view.folder(), view.prefix(), view.name(), view);
-            }
-        } else if (Members.automaton(component).isPresent()) {
-            AtomicViews views = new AtomicViews(context, program.choosing());
-            output.write("atomic", head, views.view(head, program.traced()));
-        }
-    }
-
-    private void eventDriven(FileContext context, HeadView head, Output output)
-            throws TemplateFailure {
-        EventViews views = new EventViews(context, program);
-        if (Members.automaton(context.component()).isPresent()) {
-            output.write("event", head, views.atomic(head));
-        } else {
-            if (context.component().platform()) {
-                platform(context, "border", head, views.network(head), output);
+        HeadView head = Heads.of(component, program);
+        Optional<AutomatonPlan> automaton = program.automaton(component);
+        if (context.isEventDriven()) {
+            EventViews views = new EventViews(context, program, head);
+            if (automaton.isPresent()) {
+                output.write(Kind.EVENT, head, views.atomic(automaton.get()));
+            } else if (component.platform()) {
+                platform(component, Kind.BORDER, head, views.network());
             } else {
-                output.write("network", head, views.network(head));
+                output.write(Kind.NETWORK, head, views.network());
+            }
+        } else if (component.platform()) {
+            boolean senses = !component.outputs().isEmpty();
+            boolean acts = !component.inputs().isEmpty();
+            platform(component, Kind.PLATFORM, head, new PlatformView(head, senses, acts, ""));
+        } else if (automaton.isPresent()) {
+            AtomicViews views = new AtomicViews(context, automaton.get());
+            output.write(Kind.ATOMIC, head, views.view(head, program.traced()));
+        } else if (context.composition().isPresent()) {
+            CompositeViews views = new CompositeViews(context, program, head);
+            output.write(Kind.COMPOSITE, head, views.view());
+            for (PartsView view : views.sections()) {
+                output.write(Kind.SECTION, view.folder(), view.prefix(), view.name(), view);
             }
         }
     }
@@ -86,39 +79,37 @@ final class Views {
      * A class written by hand wins. Where there is none, some targets make platform components
      * themselves, and others cannot do without.
      */
-    private void platform(
-            FileContext context, String subject, HeadView head, Record view, Output output)
-            throws TemplateFailure {
-        Optional<GeneratedFile> skeleton = output.draft(subject, head, view);
-        Optional<String> byHand = skeleton.map(GeneratedFile::path).map(request.handwritten()::get);
-        if (byHand.isPresent()) {
-            output.copy(skeleton.get().path(), byHand.get());
+    private void platform(Component component, Kind kind, HeadView head, Record view) {
+        Optional<GeneratedFile> skeleton = output.draft(kind, head, view);
+        if (skeleton.isEmpty()) {
+            return;
+        }
+        String path = skeleton.get().path();
+        String general = generalName(component);
+        String generalPath = path.replace(head.name(), general);
+        String byHand = request.handwritten().get(path);
+        String forAll = request.handwritten().get(generalPath);
+        if (byHand != null) {
+            output.copy(path, byHand);
         } else if (view instanceof PlatformView platform
-                && skeleton.isPresent()
-                && isWrittenForAll(context.component(), skeleton.get(), head)) {
-            String general = generalName(context.component());
-            String path = generalPath(context.component(), skeleton.get(), head);
-            output.copy(path, request.handwritten().get(path));
-            output.write(subject, head, platform.extending(general));
-        } else if (skeleton.isPresent() && needsClass()) {
-            findings.implementation(context.component(), skeleton.get());
+                && forAll != null
+                && mayBeWrittenForAll(component)) {
+            output.copy(generalPath, forAll);
+            output.write(kind, head, platform.extending(general));
+        } else if (needsClass()) {
+            findings.implementation(component, skeleton.get());
         } else {
-            output.write(subject, head, view);
+            output.write(kind, head, view);
         }
     }
 
     /**
-     * Whether one class serves every instantiation of a generic component. It can where all
+     * Whether one class may serve every instantiation of a generic component. It can where all
      * messages are enums: they are numbers, whatever the enum.
      */
-    private boolean isWrittenForAll(Component component, GeneratedFile skeleton, HeadView head) {
+    private static boolean mayBeWrittenForAll(Component component) {
         return !generalName(component).equals(component.name())
-                && component.ports().stream().allMatch(p -> p.type() instanceof Type.EnumType)
-                && request.handwritten().containsKey(generalPath(component, skeleton, head));
-    }
-
-    private static String generalPath(Component component, GeneratedFile skeleton, HeadView head) {
-        return skeleton.path().replace(head.name(), generalName(component));
+                && component.ports().stream().allMatch(p -> p.type() instanceof Type.EnumType);
     }
 
     /** Without type arguments. */
@@ -130,13 +121,12 @@ final class Views {
         return program.names().language().entry("platform").orElse("").strip().equals("class");
     }
 
-    private void program(Component main, Output output) throws TemplateFailure {
+    private void program(Component main) {
         TypeName name = program.nameOfProgram(main);
-        HeadView head = Heads.of(program.context(main), program.draws(main));
-        boolean events = main.profile() == Component.Profile.EVENT_DRIVEN;
+        boolean events = program.context(main).isEventDriven();
         ProgramView view =
                 new ProgramView(
-                        head,
+                        Heads.of(main, program),
                         name.packageName(),
                         name.prefix(),
                         name.folder(),
@@ -146,6 +136,6 @@ final class Views {
                         events ? "" : program.call(main),
                         Integer.toString(main.cycle()),
                         watches.of(main));
-        output.write("program", name.folder(), name.prefix(), name.name(), view);
+        output.write(Kind.PROGRAM, name.folder(), name.prefix(), name.name(), view);
     }
 }

@@ -2,6 +2,7 @@ package arcomat.generate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
@@ -182,10 +183,10 @@ class OwnTargetTest {
         assertThat(Generator.generate(Request.library(whole, Choosing.FIRST), target).findings())
                 .extracting(Diagnostic::code)
                 .contains("ARC0804");
-        Output output = new Output(target, new TargetFindings(target));
+        OutputFiles output = new OutputFiles(target, new TargetFindings(target));
         output.copy("a", "first");
         output.copy("A", "second");
-        assertThat(output.files()).containsExactly(new GeneratedFile("a", "first"));
+        assertThat(output.all()).containsExactly(new GeneratedFile("a", "first"));
     }
 
     private static final String DEVICES =

@@ -3,6 +3,7 @@ package arcomat.generate;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Letter;

@@ -2,6 +2,7 @@ package arcomat.generate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Model;
 import arcomat.symbols.Scenario;

@@ -17,19 +17,19 @@ public final class Escapes {
     }
 
     /** The inside of a string literal, as the entry {@code escape} of the target asks for. */
-    public static String string(Language language, String text) {
+    public static String string(TargetLanguage language, String text) {
         return isC(language) ? cString(text) : javaString(text);
     }
 
     /** The inside of a character literal. */
-    public static String character(Language language, char c) {
+    public static String character(TargetLanguage language, char c) {
         if (c == '\'') {
             return "\\'";
         }
         return c == '"' ? "\"" : string(language, String.valueOf(c));
     }
 
-    private static boolean isC(Language language) {
+    private static boolean isC(TargetLanguage language) {
         return language.entry("escape").orElse("java").equals("c");
     }
 

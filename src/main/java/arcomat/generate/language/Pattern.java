@@ -1,6 +1,5 @@
 package arcomat.generate.language;
 
-import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 
@@ -25,7 +24,7 @@ record Pattern(int level, String form) {
     }
 
     /** Fills the places; a place with nothing to fill it stays as it is. */
-    Text fill(Map<String, String> names, List<Text> operands) {
+    Text fill(Map<String, String> names, Text... operands) {
         StringBuilder filled = new StringBuilder();
         Matcher place = PLACE.matcher(form);
         while (place.find()) {
@@ -35,16 +34,16 @@ record Pattern(int level, String form) {
         return new Text(place.appendTail(filled).toString(), level);
     }
 
-    private static String content(Matcher place, Map<String, String> names, List<Text> operands) {
+    private static String content(Matcher place, Map<String, String> names, Text... operands) {
         String name = place.group(1);
         if (!Character.isDigit(name.charAt(0))) {
             return names.getOrDefault(name, place.group());
         }
         int index = Integer.parseInt(name);
-        if (index >= operands.size()) {
+        if (index >= operands.length) {
             return place.group();
         }
         int wanted = place.group(2) == null ? 0 : Integer.parseInt(place.group(2));
-        return operands.get(index).atLevel(wanted);
+        return operands[index].atLevel(wanted);
     }
 }

@@ -1,2 +1,2 @@
-/** How a target spells things: its description, its templates, its identifiers, its expressions. */
+/** How a target spells things: the description of its language, its identifiers and literals. */
 package arcomat.generate.language;

@@ -1,5 +1,8 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.HeadView.AssignmentView;
+import arcomat.generate.view.HeadView.FieldView;
+
 import java.util.List;
 
 /**
@@ -35,4 +38,76 @@ public record AtomicView(
         String taken,
         boolean traced,
         boolean checks,
-        boolean wide) {}
+        boolean wide) {
+    /** A state: its named constant, its code and its name in the model. */
+    public record StateNameView(String constant, int code, String name) {}
+
+    /**
+     * States whose transitions share a method.
+     *
+     * @param number position among the sections; section k has the states from k * size on
+     * @param draws whether a transition may have to be drawn
+     */
+    public record SectionView(String method, int number, boolean draws, List<StateView> states) {}
+
+    /**
+     * A state with what leads out of it.
+     *
+     * @param label constant or code
+     * @param name in the model
+     * @param chooses whether more than one transition may be enabled and one of them is to be drawn
+     * @param wide whether there are more than 31 of them
+     * @param last whether the last transition is always enabled where no earlier one is
+     * @param chunks where there are too many transitions for one method: all of them, in methods
+     * @param error message where no transition is enabled and that is forbidden, a literal of the
+     *     target; empty otherwise
+     */
+    public record StateView(
+            String label,
+            String name,
+            List<TransitionView> transitions,
+            boolean chooses,
+            boolean wide,
+            boolean last,
+            List<ChunkView> chunks,
+            String error) {}
+
+    /**
+     * A transition.
+     *
+     * @param index position in the automaton
+     * @param comment line and text in the model
+     * @param condition empty where it holds always
+     * @param locals values to be computed before any assignment
+     * @param assignments in an order that needs no further locals
+     * @param messages event-driven: methods that send, with what they send, before any assignment
+     * @param target constant or code of the next state, empty where the state stays
+     */
+    public record TransitionView(
+            int index,
+            String comment,
+            String condition,
+            List<FieldView> locals,
+            List<AssignmentView> messages,
+            List<AssignmentView> assignments,
+            String target) {}
+
+    /**
+     * Some transitions of a state that has too many for one method.
+     *
+     * @param last whether the last transition is always enabled where no earlier one is
+     */
+    public record ChunkView(String method, List<TransitionView> transitions, boolean last) {}
+
+    /** A part of a condition that is too long for one method. */
+    public record ConditionView(String method, String condition) {}
+
+    /**
+     * What happens where no transition is enabled.
+     *
+     * @param kind {@code chaos}, {@code output}, {@code ignore} or {@code error}
+     * @param reachable whether the code can come here at all
+     */
+    public record CompletionView(
+            String kind, List<AssignmentView> assignments, boolean reachable) {}
+}

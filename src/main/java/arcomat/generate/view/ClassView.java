@@ -1,5 +1,7 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.HeadView.TypeView;
+
 import java.util.List;
 
 /**

@@ -1,5 +1,7 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.HeadView.AssignmentView;
+
 import java.util.List;
 
 /**
@@ -26,4 +28,67 @@ public record CompositeView(
         List<AssignmentView> registers,
         List<AssignmentView> fresh,
         LoopsView loops,
-        boolean checks) {}
+        boolean checks) {
+    /**
+     * A part of a composite, or an array of parts.
+     *
+     * @param arguments of its constructor
+     * @param length of the array; 0 for a single part
+     * @param elements how the array is filled; empty for a single part
+     */
+    public record PartView(
+            String type,
+            String name,
+            String arguments,
+            String comment,
+            int length,
+            List<ElementsView> elements) {
+
+        public static PartView single(String type, String name, String arguments, String comment) {
+            return new PartView(type, name, arguments, comment, 0, List.of());
+        }
+
+        /**
+         * Elements of an array that are constructed alike.
+         *
+         * @param place the element that is assigned to
+         * @param index variable of the loop; empty for a single element
+         * @param first first value of the index
+         * @param end the index stays below
+         */
+        public record ElementsView(
+                String place, String arguments, String index, int first, int end) {}
+    }
+
+    /**
+     * A part at its place in the schedule, or parts in an array, one after the other.
+     *
+     * @param part with the index in brackets where it is in an array
+     * @param call {@code step}, {@code act}, or empty where there is nothing to call
+     * @param copies messages that the part gets right before
+     * @param index variable of the loop; empty for a single part
+     * @param first first value of the index
+     * @param end the index stays below
+     */
+    public record StepView(
+            String part,
+            String call,
+            List<AssignmentView> copies,
+            String index,
+            int first,
+            int end) {
+
+        public static StepView once(String part, String call, List<AssignmentView> copies) {
+            return new StepView(part, call, copies, "", 0, 1);
+        }
+    }
+
+    /**
+     * What loops over arrays of parts do besides the steps.
+     *
+     * @param fixed flags of messages that are always there
+     * @param known copies of what is known when a slice starts
+     * @param reordered whether receivers of delayed messages take their steps before the senders
+     */
+    public record LoopsView(List<StepView> fixed, List<StepView> known, boolean reordered) {}
+}

@@ -1,5 +1,9 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.AtomicView.StateNameView;
+import arcomat.generate.view.HeadView.AssignmentView;
+import arcomat.generate.view.HeadView.FieldView;
+
 import java.util.List;
 
 /**
@@ -32,7 +36,7 @@ public record MonitorView(
         List<SeenView> outputs,
         List<FieldView> variables,
         List<GoView> initials,
-        List<SectionView> sections,
+        List<MonitorSectionView> sections,
         List<GoView> completion,
         String state,
         List<SpeltView> spelt,
@@ -100,8 +104,9 @@ public record MonitorView(
      * @param method empty where one section holds all
      * @param variables those that are read, with their value out of what is kept
      */
-    public record SectionView(String method, List<FieldView> variables, List<StateView> states) {}
+    public record MonitorSectionView(
+            String method, List<FieldView> variables, List<MonitorStateView> states) {}
 
     /** A state with transitions out of it. */
-    public record StateView(String label, String name, List<GoView> transitions) {}
+    public record MonitorStateView(String label, String name, List<GoView> transitions) {}
 }

@@ -1,5 +1,7 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.HeadView.AssignmentView;
+
 import java.util.List;
 
 /**

@@ -1,5 +1,8 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.CompositeView.PartView;
+import arcomat.generate.view.EventView.EventPortView;
+
 import java.util.List;
 
 /**

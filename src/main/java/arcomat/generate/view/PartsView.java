@@ -1,5 +1,10 @@
 package arcomat.generate.view;
 
+import arcomat.generate.view.CompositeView.LoopsView;
+import arcomat.generate.view.CompositeView.PartView;
+import arcomat.generate.view.CompositeView.StepView;
+import arcomat.generate.view.HeadView.AssignmentView;
+
 import java.util.List;
 
 /**

@@ -1,6 +1,6 @@
 package arcomat.pipeline.compile;
 
-import arcomat.generate.Layout;
+import arcomat.generate.CodeLayout;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Trace;
@@ -30,7 +30,7 @@ final class CompiledActor {
             Network.Instance instance,
             Automaton automaton,
             Object object,
-            Layout.Place place,
+            CodeLayout.Place place,
             Messages messages) {
         this.path = instance.path();
         this.automaton = automaton;
@@ -55,7 +55,7 @@ final class CompiledActor {
             }
             Component.Atomic body = (Component.Atomic) instance.component().body();
             Object object = parts.get(instance.path()).object();
-            Layout.Place where = model.place(instance.component());
+            CodeLayout.Place where = model.place(instance.component());
             for (Automaton automaton : body.automata()) {
                 actors.add(new CompiledActor(instance, automaton, object, where, messages));
             }

@@ -1,6 +1,6 @@
 package arcomat.pipeline.compile;
 
-import arcomat.generate.Layout;
+import arcomat.generate.CodeLayout;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
@@ -63,7 +63,7 @@ final class CompiledEvents implements CompiledExecution.Engine {
     }
 
     private void connectInput(Network.External external) {
-        Layout.Place place = place(external);
+        CodeLayout.Place place = place(external);
         String method = place.methods().get(external.port().name());
         senders.put(external.name(), new Call(part(external).object(), method, 1));
     }
@@ -79,7 +79,7 @@ final class CompiledEvents implements CompiledExecution.Engine {
         recorder.record(external.port(), shown.get(external.name()));
     }
 
-    private Layout.Place place(Network.External external) {
+    private CodeLayout.Place place(Network.External external) {
         return model.place(part(external).component());
     }
 

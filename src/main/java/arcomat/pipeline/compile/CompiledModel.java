@@ -1,12 +1,12 @@
 package arcomat.pipeline.compile;
 
-import arcomat.generate.Choosing;
+import arcomat.generate.CodeLayout;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
-import arcomat.generate.Layout;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.rt.ModelError;
 import arcomat.semantics.network.Composition;
@@ -21,7 +21,7 @@ import java.util.Optional;
 
 /** A component as compiled code, loaded and ready to be instantiated. Compiled once, run often. */
 public record CompiledModel(
-        Component component, Choosing choosing, Layout layout, ClassLoader loader) {
+        Component component, Choosing choosing, CodeLayout layout, ClassLoader loader) {
 
     /**
      * Generates Java for a component and all its parts, compiles and loads it.
@@ -93,7 +93,7 @@ public record CompiledModel(
         }
     }
 
-    Layout.Place place(Component part) {
+    CodeLayout.Place place(Component part) {
         return layout.components().get(part.qualifiedName());
     }
 

@@ -1,6 +1,6 @@
 package arcomat.pipeline.compile;
 
-import arcomat.generate.Layout;
+import arcomat.generate.CodeLayout;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
@@ -47,7 +47,7 @@ final class CompiledSlices implements CompiledExecution.Engine {
         this.surroundings = new Surroundings(network);
         this.messages = new Messages(model);
         Component component = model.component();
-        Layout.Place place = model.place(component);
+        CodeLayout.Place place = model.place(component);
         whole =
                 model.instantiate(
                         place.className(), messages.constructorArguments(arguments, seed));

@@ -1,6 +1,6 @@
 package arcomat.pipeline.compile;
 
-import arcomat.generate.Layout;
+import arcomat.generate.CodeLayout;
 import arcomat.model.Parameter;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -63,7 +63,7 @@ final class Messages {
         return model.instantiate(className, attributes);
     }
 
-    private Layout.MessageClass layout(Type.ClassType type) {
+    private CodeLayout.MessageClass layout(Type.ClassType type) {
         return model.layout().classes().get(type.name());
     }
 

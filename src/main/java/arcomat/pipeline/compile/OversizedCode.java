@@ -1,8 +1,8 @@
 package arcomat.pipeline.compile;
 
+import arcomat.generate.CodeLayout;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
-import arcomat.generate.Layout;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
@@ -30,9 +30,9 @@ public final class OversizedCode {
 
     private static final int LONGEST_TEXT = 65_535;
 
-    private final Layout layout;
+    private final CodeLayout layout;
 
-    private OversizedCode(Layout layout) {
+    private OversizedCode(CodeLayout layout) {
         this.layout = layout;
     }
 
@@ -72,12 +72,12 @@ public final class OversizedCode {
     }
 
     /** What is said of a class; empty where a problem is another one. */
-    public static Optional<Diagnostic> finding(Compilation.Problem problem, Layout layout) {
+    public static Optional<Diagnostic> finding(Compilation.Problem problem, CodeLayout layout) {
         return new OversizedCode(layout).finding(problem);
     }
 
     private Optional<Diagnostic> finding(Compilation.Problem problem) {
-        Optional<Map.Entry<String, Layout.Place>> component = component(problem.path());
+        Optional<Map.Entry<String, CodeLayout.Place>> component = component(problem.path());
         return problem.limit()
                 .map(
                         limit ->
@@ -100,7 +100,7 @@ public final class OversizedCode {
     }
 
     /** The component that a class belongs to; a large one has several, whose names begin alike. */
-    private Optional<Map.Entry<String, Layout.Place>> component(String path) {
+    private Optional<Map.Entry<String, CodeLayout.Place>> component(String path) {
         String name = path.substring(0, path.length() - JAVA.length()).replace('/', '.');
         return layout.components().entrySet().stream()
                 .filter(each -> name.startsWith(each.getValue().className()))

@@ -1,6 +1,6 @@
 package arcomat.pipeline.compile;
 
-import arcomat.generate.Layout;
+import arcomat.generate.CodeLayout;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Type;
@@ -19,7 +19,7 @@ final class PortSlot {
     /**
      * @param name as letters have it
      */
-    PortSlot(String name, Port port, Object owner, Layout.Place place, Messages messages) {
+    PortSlot(String name, Port port, Object owner, CodeLayout.Place place, Messages messages) {
         this.name = name;
         this.port = port;
         this.message = new Slot(owner, place.messages().get(port.name()));

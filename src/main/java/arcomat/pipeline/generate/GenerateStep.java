@@ -1,11 +1,11 @@
 package arcomat.pipeline.generate;
 
-import arcomat.generate.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
-import arcomat.generate.SelfWatch;
 import arcomat.generate.Target;
+import arcomat.generate.monitor.SelfWatch;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Model;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckResult;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.generate;
 
-import arcomat.generate.SelfWatch;
+import arcomat.generate.monitor.SelfWatch;
 
 /**
  * What a robot watches itself for.

@@ -1,7 +1,7 @@
 package arcomat.pipeline.monitor;
 
 import arcomat.analysis.refinement.Promise;
-import arcomat.generate.SelfWatch;
+import arcomat.generate.monitor.SelfWatch;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Model;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.simulate;
 
-import arcomat.generate.Choosing;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Model;

@@ -1,10 +1,10 @@
 package arcomat.pipeline.world;
 
-import arcomat.generate.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Model;
 import arcomat.pipeline.brick.JarReader;
 import arcomat.pipeline.brick.PluggedDevices;

@@ -8,8 +8,8 @@ import java.util.Map;
 
 /** Texts of a model between the quotation marks of Java and of C. */
 class EscapesTest {
-    private static final Language JAVA = new Language(Map.of());
-    private static final Language C = new Language(Map.of("escape", "c"));
+    private static final TargetLanguage JAVA = new TargetLanguage(Map.of());
+    private static final TargetLanguage C = new TargetLanguage(Map.of("escape", "c"));
 
     @Test
     void whatIsPlainStaysAsItIs() {

@@ -2,12 +2,12 @@ package arcomat.pipeline.compile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.generate.Choosing;
+import arcomat.generate.CodeLayout;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
-import arcomat.generate.Layout;
 import arcomat.generate.Monitors;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
@@ -23,7 +23,7 @@ import java.util.Map;
 public final class CompiledMonitor {
     private final Component watched;
     private final CompiledModel compiled;
-    private final Layout.Place place;
+    private final CodeLayout.Place place;
 
     private CompiledMonitor(Component watched, CompiledModel compiled) {
         this.watched = watched;

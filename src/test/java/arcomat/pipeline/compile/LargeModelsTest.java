@@ -9,8 +9,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
-import arcomat.generate.Choosing;
 import arcomat.generate.SampleComponents;
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;

@@ -2,13 +2,13 @@ package arcomat.pipeline.compile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.generate.Choosing;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Monitors;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Automaton;
 import arcomat.model.Component;

@@ -3,12 +3,12 @@ package arcomat.pipeline.compile;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import arcomat.generate.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Monitors;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;

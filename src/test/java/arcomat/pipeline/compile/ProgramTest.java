@@ -2,12 +2,12 @@ package arcomat.pipeline.compile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.generate.Choosing;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Model;

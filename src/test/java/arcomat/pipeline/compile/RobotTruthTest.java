@@ -2,7 +2,7 @@ package arcomat.pipeline.compile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.generate.Choosing;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;

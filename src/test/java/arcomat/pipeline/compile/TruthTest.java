@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
-import arcomat.generate.Choosing;
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Expression;

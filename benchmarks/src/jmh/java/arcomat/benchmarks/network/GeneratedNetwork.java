@@ -1,10 +1,10 @@
 package arcomat.benchmarks.network;
 
-import arcomat.generate.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
+import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.source.SourceFile;

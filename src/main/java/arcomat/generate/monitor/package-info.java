@@ -1,0 +1,2 @@
+/** The views of classes that watch a component while it runs, also inside of its own program. */
+package arcomat.generate.monitor;

@@ -1,0 +1,155 @@
+package arcomat.generate.plan;
+
+import arcomat.generate.text.Exclusion;
+import arcomat.generate.text.FileContext;
+import arcomat.generate.text.Formula;
+import arcomat.generate.text.FormulaBuilder;
+import arcomat.generate.text.RuntimeChecks;
+import arcomat.generate.text.Simplification;
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.semantics.expression.Fault;
+import arcomat.semantics.expression.Guards;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What the code of an automaton decides in each state: which transitions it asks for, in which
+ * order and under which conditions.
+ *
+ * @param states one per state of the automaton
+ * @param draws whether something is drawn, at the beginning or in a state
+ * @param checks whether an operation may go wrong
+ */
+public record AutomatonPlan(
+        Automaton automaton, List<State> states, boolean draws, boolean checks) {
+    private static final int MOST_DRAWN = 63;
+
+    /**
+     * A state.
+     *
+     * @param ways transitions that may be taken, in text order
+     * @param chooses whether more than one may be enabled and one of them is to be drawn
+     * @param last whether the last one is always enabled where no earlier one is
+     */
+    public record State(List<Way> ways, boolean chooses, boolean last) {}
+
+    /**
+     * A transition out of a state.
+     *
+     * @param index position in the automaton
+     * @param enabled when it is enabled
+     * @param asked what there is to ask once the earlier ones are not
+     */
+    public record Way(int index, Automaton.Transition transition, Formula enabled, Formula asked) {
+        private boolean checks() {
+            RuntimeChecks known = RuntimeChecks.where(enabled);
+            return known.areNeeded(transition.sends())
+                    || known.areNeededFor(transition.assignments());
+        }
+    }
+
+    /**
+     * Decides.
+     *
+     * @throws TooManyChoices where one has to be drawn from more transitions than can be
+     */
+    static AutomatonPlan of(FileContext context, Automaton automaton, Choosing choosing) {
+        Component component = context.component();
+        boolean checks = RuntimeChecks.atBeginning(component, automaton);
+        Guards guards = new Guards(component.profile());
+        List<List<Way>> bySource = new ArrayList<>();
+        automaton.states().forEach(state -> bySource.add(new ArrayList<>()));
+        for (int i = 0; i < automaton.transitions().size(); i++) {
+            Automaton.Transition transition = automaton.transitions().get(i);
+            Expression condition = guards.enabledWhen(transition);
+            checks |= RuntimeChecks.dividesAnywhere(condition);
+            String place = Fault.place(component, automaton, transition);
+            Formula enabled = new FormulaBuilder(context.expressions().at(place)).of(condition);
+            bySource.get(transition.source()).add(new Way(i, transition, enabled, enabled));
+        }
+        boolean random = choosing == Choosing.RANDOM;
+        Simplification simplification = new Simplification(context.expressions()::mayBeAbsent);
+        List<State> states = new ArrayList<>();
+        for (List<Way> ways : bySource) {
+            State state = state(ways, random, simplification);
+            if (state.chooses && ways.size() > MOST_DRAWN) {
+                String name = automaton.states().get(states.size());
+                throw new TooManyChoices(component, name, ways.size());
+            }
+            checks |= state.ways.stream().anyMatch(Way::checks);
+            states.add(state);
+        }
+        boolean draws = automaton.initials().size() > 1 || states.stream().anyMatch(State::chooses);
+        return new AutomatonPlan(automaton, states, random && draws, checks);
+    }
+
+    private static State state(List<Way> ways, boolean random, Simplification simplification) {
+        List<Formula> enabled = ways.stream().map(Way::enabled).toList();
+        if (random && anyOverlap(enabled)) {
+            return new State(ways, true, false);
+        }
+        List<Way> asked = new ArrayList<>();
+        Simplification.Excluded earlier = new Simplification.Excluded();
+        for (Way way : ways) {
+            Formula rest = simplification.after(earlier, way.enabled);
+            rest = simplification.inOpenCases(enabled.subList(0, asked.size()), rest);
+            earlier.add(simplification.not(way.enabled).conjuncts());
+            asked.add(new Way(way.index, way.transition, way.enabled, rest));
+            if (rest.equals(Formula.TRUE)) {
+                return new State(asked, false, true);
+            }
+        }
+        return new State(asked, false, false);
+    }
+
+    private static boolean anyOverlap(List<Formula> conditions) {
+        for (int i = 0; i < conditions.size(); i++) {
+            for (int k = i + 1; k < conditions.size(); k++) {
+                if (!Exclusion.contradict(conditions.get(i), conditions.get(k))) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    /** Whether there is an error where no transition of a state is enabled. */
+    public boolean forbids(State state) {
+        return automaton.completion() == Automaton.Completion.ERROR && !state.last;
+    }
+
+    /** Whether a step, or the construction, may end in an error of the model. */
+    boolean mayFail() {
+        return checks || states.stream().anyMatch(this::forbids);
+    }
+
+    /**
+     * A state has more transitions that may be enabled together than a set in one number can hold.
+     */
+    public static final class TooManyChoices extends RuntimeException {
+        private static final long serialVersionUID = 1L;
+
+        private final transient Component component;
+
+        private TooManyChoices(Component component, String state, int transitions) {
+            super(
+                    "state "
+                            + state
+                            + " has "
+                            + transitions
+                            + " transitions that may be enabled together, and random choices are"
+                            + " generated for at most "
+                            + MOST_DRAWN
+                            + "; make their triggers exclude each other, or generate with --choose"
+                            + " first");
+            this.component = component;
+        }
+
+        public Component component() {
+            return component;
+        }
+    }
+}

@@ -1,0 +1,114 @@
+package arcomat.generate.text;
+
+import arcomat.model.Automaton;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.Type;
+import arcomat.model.Value;
+import arcomat.semantics.expression.Interval;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * Which operations may go wrong at runtime, by a division by zero or a value out of its range, so
+ * that generated code has to look out for it.
+ *
+ * @param known where variables lie, by name, beside what their types say
+ */
+public record RuntimeChecks(Map<String, Interval> known) {
+
+    /** Where nothing is known of variables but their types. */
+    public static final RuntimeChecks ANYWHERE = new RuntimeChecks(Map.of());
+
+    /** Where a condition holds, and tells between which bounds variables lie. */
+    public static RuntimeChecks where(Formula condition) {
+        Map<String, Interval> known = new HashMap<>();
+        for (Formula conjunct : condition.conjuncts()) {
+            if (conjunct instanceof Formula.Test test && test.bounds().isPresent()) {
+                Formula.Bounds bounds = test.bounds().get();
+                Interval between = Interval.of(bounds.low(), bounds.high());
+                known.merge(bounds.number(), between, Interval::within);
+            }
+        }
+        return new RuntimeChecks(known);
+    }
+
+    /** Whether computing a value may go wrong, or leave the range of what the value is for. */
+    public boolean areNeeded(Expression value, Type wanted) {
+        return isNeeded(value, wanted) || dividesAnywhere(value);
+    }
+
+    /** Whether computing a condition may go wrong. */
+    public static boolean dividesAnywhere(Expression value) {
+        return value.contains(e -> e instanceof Expression.Binary binary && isNeeded(binary));
+    }
+
+    /** Whether computing what is sent may go wrong. */
+    public boolean areNeeded(List<Automaton.Send> sends) {
+        return sends.stream()
+                .anyMatch(
+                        send ->
+                                send.emission().values().stream()
+                                        .anyMatch(v -> areNeeded(v, send.port().type())));
+    }
+
+    /** Whether computing what is assigned may go wrong. */
+    public boolean areNeededFor(List<Automaton.Assignment> assignments) {
+        return assignments.stream().anyMatch(a -> areNeeded(a.value(), a.variable().type()));
+    }
+
+    /** Whether a first value, or what is sent and assigned at the beginning, may go wrong. */
+    public static boolean atBeginning(Component component, Automaton automaton) {
+        return Stream.concat(component.constants().stream(), automaton.variables().stream())
+                        .anyMatch(each -> ANYWHERE.areNeeded(each.initial(), each.type()))
+                || automaton.initials().stream()
+                        .anyMatch(
+                                each ->
+                                        ANYWHERE.areNeeded(each.sends())
+                                                || ANYWHERE.areNeededFor(each.assignments()));
+    }
+
+    /** Whether a division by zero has to be looked out for. */
+    static boolean isNeeded(Expression.Binary binary) {
+        return (binary.operator() == BinaryOperator.DIVIDE
+                        || binary.operator() == BinaryOperator.REMAINDER)
+                && binary.left().type() instanceof Type.IntegerType
+                && !isNonZero(binary.right());
+    }
+
+    private static boolean isNonZero(Expression e) {
+        return e instanceof Expression.Constant constant
+                && constant.value() instanceof Value.IntegerValue integer
+                && integer.value() != 0;
+    }
+
+    /**
+     * Whether a value may leave the range of what it is for. A message keeps its range; but nothing
+     * is concluded of what others may have sent.
+     */
+    boolean isNeeded(Expression value, Type wanted) {
+        if (!(wanted instanceof Type.IntegerType range) || !range.ranged()) {
+            return false;
+        }
+        Interval possible =
+                value instanceof Expression.PortRead
+                        ? Interval.ofType(value)
+                        : Interval.of(value, this::read);
+        return !possible.isWithin(Interval.of(range.low(), range.high()));
+    }
+
+    private Interval read(Expression e) {
+        if (e instanceof Expression.VariableRead read) {
+            Interval type = Interval.ofType(e);
+            Interval narrower = known.get(read.variable().name());
+            return narrower == null ? type : type.within(narrower);
+        }
+        return e instanceof Expression.ParameterRead
+                ? Interval.ofType(e)
+                : Interval.ofWidth(e.type());
+    }
+}

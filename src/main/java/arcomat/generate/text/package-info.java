@@ -1,0 +1,2 @@
+/** Conditions and expressions of a model in the language of a target, as one file names things. */
+package arcomat.generate.text;
