@@ -28,7 +28,8 @@ class ViewTableTest {
     private static final Path SOURCES = Path.of("src/main/java/arcomat/generate/view");
 
     private static final Pattern TABLE =
-            Pattern.compile("(?m)^\\| record \\| is \\| has \\|\n\\|---\\|---\\|---\\|\n((?:\\|.*\n)*)");
+            Pattern.compile(
+                    "(?m)^\\| record \\| is \\| has \\|\n\\|---\\|---\\|---\\|\n((?:\\|.*\n)*)");
 
     /** A comment, its first sentence, and the record that it is about. */
     private static final Pattern RECORD =
