@@ -11,7 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 
 /** Guards with one small mistake: an operator that looks much the same, a number beside. */
-final class GuardMutants {
+record GuardMutants(Expression guard) {
     private static final Map<BinaryOperator, BinaryOperator> TAKEN_FOR =
             Map.of(
                     BinaryOperator.LESS, BinaryOperator.LESS_OR_EQUAL,
@@ -22,12 +22,6 @@ final class GuardMutants {
                     BinaryOperator.NOT_EQUAL, BinaryOperator.EQUAL,
                     BinaryOperator.AND, BinaryOperator.OR,
                     BinaryOperator.OR, BinaryOperator.AND);
-
-    private final Expression guard;
-
-    GuardMutants(Expression guard) {
-        this.guard = guard;
-    }
 
     /**
      * A guard with a mistake.

@@ -23,20 +23,12 @@ import java.util.stream.Collectors;
  * Small mistakes in the transitions of an automaton: each is the automaton with one of them, as
  * somebody may have written it instead.
  */
-public final class Mutants {
+public record Mutants(Component component, Automaton automaton) {
     /** With more states, a transition is led to the next one only. */
     private static final int FEW_STATES = 12;
 
     /** So many other messages are sent instead. */
     private static final int FEW_MESSAGES = 4;
-
-    private final Component component;
-    private final Automaton automaton;
-
-    public Mutants(Component component, Automaton automaton) {
-        this.component = component;
-        this.automaton = automaton;
-    }
 
     /** An automaton with a mistake. */
     public record Mutant(Mistake mistake, Automaton automaton) {}

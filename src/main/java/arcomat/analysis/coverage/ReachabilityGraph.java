@@ -123,8 +123,8 @@ final class ReachabilityGraph {
     }
 
     /** What the component would be without a transition. */
-    Absence without(Goal goal) {
-        return new Absence(this, behaviour, goal, budget);
+    MissingTransition without(Goal goal) {
+        return new MissingTransition(this, behaviour, goal, budget);
     }
 
     /** How many configurations were met. */

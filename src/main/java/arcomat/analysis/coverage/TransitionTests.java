@@ -189,10 +189,10 @@ public final class TransitionTests {
      */
     private List<Untold> tell(List<Test> tests) {
         boolean timed = promise.component().profile() == Component.Profile.TIME_SYNCHRONOUS;
-        return timed ? new Distinctions(promise, budget).tell(tests, this::telling) : List.of();
+        return timed ? new MutationTests(promise, budget).tell(tests, this::telling) : List.of();
     }
 
-    private Test telling(Distinction.Run run) {
+    private Test telling(DistinguishingSearch.Run run) {
         Goal transition = run.mistake().transition();
         StreamTest streams = streamTest(nameOf(transition), run.inputs(), run.expected());
         return new Test(streams, List.of(), Optional.of(run.mistake()), run.promised());

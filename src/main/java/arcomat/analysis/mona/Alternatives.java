@@ -7,7 +7,8 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * Numbers for steps, such that state, letter and number determine the next state.
+ * Numbers for steps, such that state, letter and number determine the next state: a greedy
+ * colouring of steps that a letter leaves open.
  *
  * <p>States that are hidden cost MONA one determinisation for each of their bits, and all of them
  * but one meet sets of sets. With hidden choices it is cheap to hide the states, which follow from

@@ -1,7 +1,7 @@
 package arcomat.analysis.coverage;
 
-import arcomat.analysis.coverage.Distinction.Found;
-import arcomat.analysis.coverage.Distinction.Run;
+import arcomat.analysis.coverage.DistinguishingSearch.Found;
+import arcomat.analysis.coverage.DistinguishingSearch.Run;
 import arcomat.analysis.coverage.Mutants.Mutant;
 import arcomat.analysis.coverage.TransitionTests.Test;
 import arcomat.analysis.coverage.TransitionTests.Untold;
@@ -18,7 +18,7 @@ import java.util.function.Function;
  * mistake: the proof that the component does something that the mistaken one does not is a run, and
  * that run is one more test. Time-synchronous: an event-driven test looks at whole streams only.
  */
-final class Distinctions {
+final class MutationTests {
     /** Work in all, in steps that are computed: seconds, the same on every machine. */
     private static final long PATIENCE = 3_000_000;
 
@@ -37,7 +37,7 @@ final class Distinctions {
 
     private final List<Automaton> chosen;
     private final Promise promise;
-    private final Driven right;
+    private final CodedComponent right;
     private final Budget budget;
     private final Budget again;
     private final List<Untold> untold = new ArrayList<>();
@@ -45,16 +45,16 @@ final class Distinctions {
     /** Runs that show a mistake where the right component promises nothing any more. */
     private final List<Beyond> beyond = new ArrayList<>();
 
-    private record Beyond(Distinction distinction, Run run) {}
+    private record Beyond(DistinguishingSearch distinction, Run run) {}
 
     /**
      * @param chosen an atomic component that works slice by slice, or some of its automata: those
      *     with mistakes
      */
-    Distinctions(Promise chosen, Budget budget) {
+    MutationTests(Promise chosen, Budget budget) {
         this.chosen = chosen.automata();
         this.promise = Promise.of(chosen.component(), chosen.arguments());
-        this.right = Driven.of(promise);
+        this.right = CodedComponent.of(promise);
         this.budget = budget.atMost(PAIRS).patient(PATIENCE);
         this.again = budget.atMost(PAIRS).patient(PATIENCE);
     }
@@ -95,8 +95,9 @@ final class Distinctions {
     private void look(
             Mutant mutant, Promise mistaken, List<Test> tests, Function<Run, Test> named) {
         Budget share = budget.patient(SHARE);
-        Distinction distinction =
-                new Distinction(right, mutant.mistake(), mistaken, share, again.patient(SHARE));
+        DistinguishingSearch distinction =
+                new DistinguishingSearch(
+                        right, mutant.mistake(), mistaken, share, again.patient(SHARE));
         Found found = distinction.look(tests);
         found.untold().ifPresent(each -> untold.add(share.isSpent() ? tooLong(each) : each));
         found.run()

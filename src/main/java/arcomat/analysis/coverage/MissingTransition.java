@@ -26,21 +26,10 @@ import java.util.Set;
  * A component as it would be without one of its transitions: whether it could have been taken for
  * the whole one in a run, and how long to go on until it cannot.
  */
-final class Absence {
+record MissingTransition(
+        ReachabilityGraph graph, Behaviour behaviour, Goal missing, Budget budget) {
     /** So many ways to go on are tried. */
     private static final int MOST_TRIED = 300;
-
-    private final ReachabilityGraph graph;
-    private final Behaviour behaviour;
-    private final Goal missing;
-    private final Budget budget;
-
-    Absence(ReachabilityGraph graph, Behaviour behaviour, Goal missing, Budget budget) {
-        this.budget = budget;
-        this.graph = graph;
-        this.behaviour = behaviour;
-        this.missing = missing;
-    }
 
     private record Way(Node node, Set<List<Configuration>> places) {}
 

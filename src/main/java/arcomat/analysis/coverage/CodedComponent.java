@@ -18,16 +18,16 @@ import java.util.List;
  * @param silent whether code sends nothing where no transition is enabled: no message has to be
  *     made up
  */
-record Driven(Promise promise, Promise asRun, Promise promising, boolean silent) {
+record CodedComponent(Promise promise, Promise asRun, Promise promising, boolean silent) {
 
-    static Driven of(Promise promise) {
+    static CodedComponent of(Promise promise) {
         boolean silent = promise.component().outputs().stream().noneMatch(Port::total);
         Promise asRun =
                 silent
                         ? promise.withAutomata(
-                                promise.automata().stream().map(Driven::asRun).toList())
+                                promise.automata().stream().map(CodedComponent::asRun).toList())
                         : promise;
-        return new Driven(promise, asRun, promising(promise, asRun), silent);
+        return new CodedComponent(promise, asRun, promising(promise, asRun), silent);
     }
 
     private static Automaton asRun(Automaton automaton) {

@@ -21,22 +21,19 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
-/** A component and the same with one mistake: a run that only the right one has. */
-final class Distinction {
+/**
+ * A component and the same with one mistake: a run that only the right one has.
+ *
+ * @param again for second looks, so that they take nothing from the first ones
+ */
+record DistinguishingSearch(
+        CodedComponent right, Mistake mistake, Promise mistaken, Budget budget, Budget again) {
     private static final String BARRED = "every run that shows it errs or ends in chaos";
 
     private static final String BARRED_SO_FAR =
             "the runs that were found to show it err or end in chaos";
 
     private static final String LEFT_OPEN = "only what the model leaves open shows it";
-
-    private final Driven right;
-    private final Mistake mistake;
-    private final Promise mistaken;
-    private final Budget budget;
-
-    /** For second looks, so that they take nothing from the first ones. */
-    private final Budget again;
 
     /**
      * A run that a mistaken component does not have.
@@ -62,14 +59,6 @@ final class Distinction {
         }
     }
 
-    Distinction(Driven right, Mistake mistake, Promise mistaken, Budget budget, Budget again) {
-        this.right = right;
-        this.mistake = mistake;
-        this.mistaken = mistaken;
-        this.budget = budget;
-        this.again = again;
-    }
-
     Found look(List<Test> tests) {
         return Budget.within(
                 () -> isTold(tests) ? Found.NOTHING : search(),
@@ -78,7 +67,7 @@ final class Distinction {
 
     /** Whether one of the tests fails. */
     boolean isTold(List<Test> tests) {
-        Following following = new Following(mistaken, budget);
+        TestOracle following = new TestOracle(mistaken, budget);
         return !tests.stream().allMatch(test -> following.allows(test.streams()));
     }
 
@@ -118,7 +107,7 @@ final class Distinction {
             return Optional.empty();
         }
         Run run = run(failure.trace(), true);
-        boolean lost = new Following(right.promise(), budget).isLost(run.inputs, run.expected);
+        boolean lost = new TestOracle(right.promise(), budget).isLost(run.inputs, run.expected);
         return lost ? Optional.empty() : Optional.of(run);
     }
 

@@ -20,12 +20,12 @@ import java.util.Map;
 import java.util.Set;
 
 /** Whether an atomic component that works slice by slice allows what a test expects. */
-final class Following {
+final class TestOracle {
     private final Component component;
     private final Behaviour behaviour;
     private final Budget budget;
 
-    Following(Promise promise, Budget budget) {
+    TestOracle(Promise promise, Budget budget) {
         this.component = promise.component();
         this.behaviour = Behaviour.of(promise.component(), promise.automata(), promise.arguments());
         this.budget = budget;
