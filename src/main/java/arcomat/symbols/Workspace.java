@@ -18,6 +18,7 @@ import arcomat.symbols.names.Outline;
 import arcomat.symbols.names.UnitScope;
 import arcomat.symbols.signatures.Signature;
 import arcomat.tree.ClassDiagram;
+import arcomat.tree.Definition;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -96,14 +97,15 @@ public final class Workspace {
         UnitScope scope = new UnitScope(unit, index);
         scopes.put(unit.file(), scope);
         index.addQualifier(unit.packageText());
-        unit.definition()
-                .match(
+        var kinds =
+                new Definition.Cases<>(
                         component ->
                                 topLevel.add(
                                         add(ComponentDeclaration.topLevel(scope, component), seen)),
                         automaton -> bareAutomata.add(AutomatonSymbol.bare(automaton, scope)),
                         diagram -> diagrams.add(define(scope, diagram, seen)),
                         suite -> testSuites.add(new TestSuiteSymbol(scope, suite, this::symbol)));
+        unit.definition().match(kinds);
     }
 
     /** Makes the symbol of a component, then those of the components inside it. */

@@ -4,7 +4,6 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 
 /** An I/O-omega automaton, embedded in a component or a file of its own. */
 public record Automaton(
@@ -13,17 +12,18 @@ public record Automaton(
         Optional<Name> name,
         List<AutomatonElement> elements)
         implements Definition, Behaviour {
+    @Override
+    public List<Automaton> automata() {
+        return List.of(this);
+    }
+
     /** The elements of one kind, in text order. */
     public <E extends AutomatonElement> List<E> elements(Class<E> kind) {
         return elements.stream().filter(kind::isInstance).map(kind::cast).toList();
     }
 
     @Override
-    public <R> R match(
-            Function<Component, R> component,
-            Function<Automaton, R> automaton,
-            Function<ClassDiagram, R> diagram,
-            Function<TestSuite, R> suite) {
-        return automaton.apply(this);
+    public <R> R match(Cases<R> cases) {
+        return cases.automaton().apply(this);
     }
 }

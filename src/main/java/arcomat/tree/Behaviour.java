@@ -8,6 +8,8 @@ import java.util.Optional;
 /** A behaviour language embedded in a component: automata, or I/O tables. */
 public sealed interface Behaviour extends Element
         permits Automaton, IoTable, Behaviour.Implementation {
+    /** The automata that it consists of; none in other languages. */
+    List<Automaton> automata();
 
     /**
      * {@code implementation Name {..}} of the older tools. A body of bare automaton elements is

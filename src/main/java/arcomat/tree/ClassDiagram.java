@@ -4,17 +4,12 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 
 /** A UML/P class diagram that defines message types. */
 public record ClassDiagram(Span span, Name name, List<TypeDefinition> types) implements Definition {
     @Override
-    public <R> R match(
-            Function<Component, R> component,
-            Function<Automaton, R> automaton,
-            Function<ClassDiagram, R> diagram,
-            Function<TestSuite, R> suite) {
-        return diagram.apply(this);
+    public <R> R match(Cases<R> cases) {
+        return cases.diagram().apply(this);
     }
 
     public sealed interface TypeDefinition extends Node {

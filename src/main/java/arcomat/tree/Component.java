@@ -4,7 +4,6 @@ import arcomat.source.Span;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 
 /**
  * A component type, top-level or inner.
@@ -34,11 +33,7 @@ public record Component(
     }
 
     @Override
-    public <R> R match(
-            Function<Component, R> component,
-            Function<Automaton, R> automaton,
-            Function<ClassDiagram, R> diagram,
-            Function<TestSuite, R> suite) {
-        return component.apply(this);
+    public <R> R match(Cases<R> cases) {
+        return cases.component().apply(this);
     }
 }

@@ -12,6 +12,11 @@ public record IoTable(
         List<Name> outputs,
         List<Row> rows)
         implements Behaviour {
+    @Override
+    public List<Automaton> automata() {
+        return List.of();
+    }
+
     /** {@code | a | b | => | c |;}. */
     public record Row(Span span, List<Block.Value> inputs, List<Block.Value> outputs)
             implements Node {}

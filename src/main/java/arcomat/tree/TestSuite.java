@@ -14,12 +14,8 @@ public record TestSuite(
         List<Member> members)
         implements Definition {
     @Override
-    public <R> R match(
-            Function<Component, R> component,
-            Function<Automaton, R> automaton,
-            Function<ClassDiagram, R> diagram,
-            Function<TestSuite, R> suite) {
-        return suite.apply(this);
+    public <R> R match(Cases<R> cases) {
+        return cases.suite().apply(this);
     }
 
     public sealed interface Member extends Node {}
@@ -48,24 +44,29 @@ public record TestSuite(
 
     public sealed interface StreamElement extends Node {
         /** Takes the sum apart: one answer for each form. */
-        <R> R match(
-                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat);
+        <R> R match(Cases<R> cases);
+
+        /**
+         * One answer for each form.
+         *
+         * @param <R> what is answered
+         */
+        record Cases<R>(
+                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {}
     }
 
     /** {@code Tk}: the end of a time slice. */
     public record Tick(Span span) implements StreamElement {
         @Override
-        public <R> R match(
-                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {
-            return tick.apply(this);
+        public <R> R match(Cases<R> cases) {
+            return cases.tick().apply(this);
         }
     }
 
     public record Message(Span span, Expression expression) implements StreamElement {
         @Override
-        public <R> R match(
-                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {
-            return message.apply(this);
+        public <R> R match(Cases<R> cases) {
+            return cases.message().apply(this);
         }
     }
 
@@ -73,9 +74,8 @@ public record TestSuite(
     public record Repeat(Span span, int count, List<StreamElement> elements)
             implements StreamElement {
         @Override
-        public <R> R match(
-                Function<Tick, R> tick, Function<Message, R> message, Function<Repeat, R> repeat) {
-            return repeat.apply(this);
+        public <R> R match(Cases<R> cases) {
+            return cases.repeat().apply(this);
         }
     }
 }

@@ -191,10 +191,7 @@ public final class AutomatonSymbol {
     private List<InitialSymbol> makeInitials() {
         List<InitialSymbol> all = new ArrayList<>();
         for (AutomatonElement.Initial initial : node.elements(AutomatonElement.Initial.class)) {
-            List<ItemSymbol> items =
-                    initial.output()
-                            .map(b -> itemScope.get().items(b, Side.INITIAL))
-                            .orElse(List.of());
+            List<ItemSymbol> items = itemScope().items(initial.output(), Side.INITIAL);
             for (Name state : initial.states()) {
                 all.add(new InitialSymbol(initial, state, state(state.text()), items));
             }

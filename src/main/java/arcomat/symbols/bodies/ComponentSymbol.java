@@ -9,12 +9,10 @@ import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnitScope;
 import arcomat.symbols.signatures.Signature;
-import arcomat.tree.Automaton;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
 import arcomat.tree.Element;
 import arcomat.tree.IoTable;
-import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
@@ -39,6 +37,7 @@ public final class ComponentSymbol {
     private final Lazy<List<InvariantSymbol>> invariants = new Lazy<>(this::makeInvariants);
     private final Lazy<List<InstanceSymbol>> ownInstances =
             new Lazy<>(() -> Instances.declaredIn(this));
+    private final Lazy<Boolean> eventDriven = new Lazy<>(this::computeEventDriven);
     private final Lazy<Instances> instances = new Lazy<>(() -> Instances.of(this));
     private final Lazy<Connectors> connectors = new Lazy<>(() -> Connectors.of(this));
 
@@ -51,17 +50,10 @@ public final class ComponentSymbol {
     }
 
     private List<AutomatonSymbol> makeAutomata() {
-        List<AutomatonSymbol> automata = new ArrayList<>();
-        for (Element element : node().elements()) {
-            if (element instanceof Automaton automaton) {
-                automata.add(AutomatonSymbol.embedded(automaton, this));
-            } else if (element instanceof Behaviour.Implementation implementation) {
-                implementation
-                        .automata()
-                        .forEach(a -> automata.add(AutomatonSymbol.embedded(a, this)));
-            }
-        }
-        return List.copyOf(automata);
+        return node().elements(Behaviour.class).stream()
+                .flatMap(behaviour -> behaviour.automata().stream())
+                .map(automaton -> AutomatonSymbol.embedded(automaton, this))
+                .toList();
     }
 
     private List<TableSymbol> makeTables() {
@@ -168,11 +160,9 @@ public final class ComponentSymbol {
     }
 
     private List<InvariantSymbol> invariantsOf(ComponentSymbol component) {
-        List<InvariantSymbol> all = new ArrayList<>();
-        for (Element.Invariant each : component.node().elements(Element.Invariant.class)) {
-            all.add(new InvariantSymbol(each, component, this));
-        }
-        return List.copyOf(all);
+        return component.node().elements(Element.Invariant.class).stream()
+                .map(each -> new InvariantSymbol(each, component, this))
+                .toList();
     }
 
     /** Automata written here, those in an {@code implementation} included. */
@@ -199,7 +189,7 @@ public final class ComponentSymbol {
     }
 
     /** The component whose behaviour holds for this one. */
-    public ComponentSymbol behaviourOwner() {
+    private ComponentSymbol behaviourOwner() {
         for (ComponentSymbol component : lineage()) {
             if (!component.ownAutomata().isEmpty() || !component.ownTables().isEmpty()) {
                 return component;
@@ -215,7 +205,11 @@ public final class ComponentSymbol {
 
     /** Whether it steps once per event instead of once per slice. */
     public boolean isEventDriven() {
-        return Profiles.eventDriven(this).orElse(signature.timing().eventDriven());
+        return eventDriven.get();
+    }
+
+    private boolean computeEventDriven() {
+        return Parts.eventDriven(this).orElse(signature.timing().eventDriven());
     }
 
     /** All instances: inherited, declared, and those made for inner components. */
@@ -257,11 +251,6 @@ public final class ComponentSymbol {
     /** A type as written inside this component: type parameters come first. */
     public Resolution<TypeSymbol> resolveType(TypeReference reference) {
         return signature.resolveType(reference);
-    }
-
-    /** A component named inside this one: inner components, also of those around, come first. */
-    public Resolution<ComponentSymbol> resolveComponent(QualifiedName name) {
-        return signature.resolveComponent(name).map(components);
     }
 
     @Override

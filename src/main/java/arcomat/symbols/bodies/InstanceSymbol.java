@@ -13,6 +13,7 @@ import arcomat.symbols.names.UnknownType;
 import arcomat.symbols.signatures.ComponentReference;
 import arcomat.tree.Element;
 import arcomat.tree.Expression;
+import arcomat.tree.Name;
 import arcomat.tree.Node;
 
 import java.util.ArrayList;
@@ -34,8 +35,7 @@ public final class InstanceSymbol {
     }
 
     private final ComponentSymbol owner;
-    private final String name;
-    private final Span nameSpan;
+    private final Name name;
     private final Origin origin;
     private final Node node;
     private final ComponentReference type;
@@ -45,8 +45,7 @@ public final class InstanceSymbol {
 
     InstanceSymbol(
             ComponentSymbol owner,
-            String name,
-            Span nameSpan,
+            Name name,
             Origin origin,
             Node node,
             ComponentReference type,
@@ -54,7 +53,6 @@ public final class InstanceSymbol {
             List<Element.SimpleConnector> simpleConnectors) {
         this.owner = owner;
         this.name = name;
-        this.nameSpan = nameSpan;
         this.origin = origin;
         this.node = node;
         this.type = type;
@@ -68,12 +66,12 @@ public final class InstanceSymbol {
     }
 
     public String name() {
-        return name;
+        return name.text();
     }
 
     /** Where its name is; its type, where the name is implicit or automatic. */
     public Span nameSpan() {
-        return nameSpan;
+        return name.span();
     }
 
     public Origin origin() {
@@ -135,6 +133,6 @@ public final class InstanceSymbol {
 
     @Override
     public String toString() {
-        return name;
+        return name();
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.symbols.bodies;
 
+import arcomat.source.Span;
 import arcomat.symbols.bodies.InstanceSymbol.Origin;
 import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Resolution;
@@ -70,25 +71,19 @@ final class Instances {
     private static void addDeclared(
             ComponentSymbol owner, Element.Subcomponent node, List<InstanceSymbol> instances) {
         ComponentReference type = ComponentReference.inside(owner.signature(), node.type());
-        if (node.instances().isEmpty()) {
-            String name = Names.implicit(node.type().name().last().text());
+        List<Element.Instance> declared = node.instances();
+        if (declared.isEmpty()) {
+            Span span = node.type().span();
+            Name name = new Name(span, Names.implicit(node.type().name().last().text()));
             instances.add(
                     new InstanceSymbol(
-                            owner,
-                            name,
-                            node.type().span(),
-                            Origin.IMPLICIT,
-                            node,
-                            type,
-                            node.arguments(),
-                            List.of()));
+                            owner, name, Origin.IMPLICIT, node, type, node.arguments(), List.of()));
         }
-        for (Element.Instance instance : node.instances()) {
+        for (Element.Instance instance : declared) {
             instances.add(
                     new InstanceSymbol(
                             owner,
-                            instance.name().text(),
-                            instance.name().span(),
+                            instance.name(),
                             Origin.NAMED,
                             node,
                             type,
@@ -99,11 +94,10 @@ final class Instances {
 
     private static InstanceSymbol named(
             ComponentSymbol owner, ComponentSymbol inner, Component.NamedInstance instance) {
-        Name name = instance.name();
         return ofInner(
                 owner,
                 inner,
-                name,
+                instance.name(),
                 Origin.NAMED,
                 ComponentReference.resolve(owner.signature(), instance.arguments()));
     }
@@ -120,8 +114,7 @@ final class Instances {
                         inner.name(),
                         new Resolution.Found<>(inner.signature()),
                         arguments);
-        return new InstanceSymbol(
-                owner, name.text(), name.span(), origin, inner.node(), type, List.of(), List.of());
+        return new InstanceSymbol(owner, name, origin, inner.node(), type, List.of(), List.of());
     }
 
     /** On unless the last word about it is {@code off}. */

@@ -31,9 +31,10 @@ final class ItemScope {
         return values;
     }
 
-    List<ItemSymbol> items(Block block, Side side) {
+    /** Calls and increments are not among them. */
+    List<ItemSymbol> items(Optional<Block> block, Side side) {
         List<ItemSymbol> items = new ArrayList<>();
-        for (Block.Item item : block.items()) {
+        for (Block.Item item : block.map(Block::items).orElse(List.of())) {
             if (item instanceof Block.Message message) {
                 items.add(item(message, side));
             }

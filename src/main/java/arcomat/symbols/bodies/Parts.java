@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 
 /** Which components are made of which. */
@@ -93,5 +94,31 @@ public final class Parts {
         return ShortestCycles.of(graph).stream()
                 .map(cycle -> cycle.stream().map(components::get).toList())
                 .toList();
+    }
+
+    /**
+     * Whether a component steps once per event or once per slice. A decomposed component is what
+     * its parts are: the first atomic one decides. Platform components, and those that only pass
+     * messages on, adapt to their surroundings: empty where there are no others inside.
+     */
+    public static Optional<Boolean> eventDriven(ComponentSymbol component) {
+        return eventDriven(component, new HashSet<>());
+    }
+
+    private static Optional<Boolean> eventDriven(
+            ComponentSymbol component, Set<ComponentSymbol> seen) {
+        if (component.isPlatform() || !seen.add(component)) {
+            return Optional.empty();
+        }
+        if (!component.isDecomposed()) {
+            return Optional.of(component.signature().timing().eventDriven());
+        }
+        for (InstanceSymbol instance : component.instances()) {
+            Optional<Boolean> found = instance.component().flatMap(c -> eventDriven(c, seen));
+            if (found.isPresent()) {
+                return found;
+            }
+        }
+        return Optional.empty();
     }
 }

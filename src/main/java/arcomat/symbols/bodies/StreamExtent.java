@@ -17,15 +17,14 @@ public record StreamExtent(long ticks, long messages) {
 
     private static final long ENDLESS = Long.MAX_VALUE / 4;
 
-    static StreamExtent of(List<TestSuite.StreamElement> elements) {
-        return sum(elements.stream().map(StreamExtent::of));
-    }
+    private static final TestSuite.StreamElement.Cases<StreamExtent> FORMS =
+            new TestSuite.StreamElement.Cases<>(
+                    tick -> new StreamExtent(1, 0),
+                    message -> new StreamExtent(0, 1),
+                    repeat -> of(repeat.elements()).times(repeat.count()));
 
-    private static StreamExtent of(TestSuite.StreamElement element) {
-        return element.match(
-                tick -> new StreamExtent(1, 0),
-                message -> new StreamExtent(0, 1),
-                repeat -> of(repeat.elements()).times(repeat.count()));
+    static StreamExtent of(List<TestSuite.StreamElement> elements) {
+        return sum(elements.stream().map(element -> element.match(FORMS)));
     }
 
     private StreamExtent times(int count) {

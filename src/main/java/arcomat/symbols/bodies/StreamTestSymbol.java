@@ -112,7 +112,7 @@ public final class StreamTestSymbol {
     }
 
     private Resolution<PortSymbol> port(TestSuite.PortStream stream) {
-        Optional<ComponentSymbol> component = suite.componentUnderTest();
+        Optional<ComponentSymbol> component = suite.component().found();
         if (component.isEmpty()) {
             return Resolution.excused();
         }

@@ -15,7 +15,6 @@ import arcomat.tree.Unit;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Function;
 
 /** A suite of stream tests with the component it is for. */
@@ -73,10 +72,6 @@ public final class TestSuiteSymbol {
 
     ValueScope emptyScope() {
         return ValueScope.empty(scope, scope::type);
-    }
-
-    Optional<ComponentSymbol> componentUnderTest() {
-        return component().found();
     }
 
     private List<StreamTestSymbol> makeTests() {

@@ -15,8 +15,8 @@ public final class TransitionSymbol {
     private final AutomatonSymbol automaton;
     private final AutomatonElement.Transition node;
     private final Lazy<Optional<Typed>> guard = new Lazy<>(this::typeGuard);
-    private final Lazy<List<ItemSymbol>> input = new Lazy<>(this::inputItems);
-    private final Lazy<List<ItemSymbol>> output = new Lazy<>(this::outputItems);
+    private final Lazy<List<ItemSymbol>> input = new Lazy<>(() -> items(Side.INPUT));
+    private final Lazy<List<ItemSymbol>> output = new Lazy<>(() -> items(Side.OUTPUT));
 
     TransitionSymbol(AutomatonSymbol automaton, AutomatonElement.Transition node) {
         this.automaton = automaton;
@@ -59,15 +59,7 @@ public final class TransitionSymbol {
                                         g.condition(), automaton.scope(), BuiltinType.BOOLEAN));
     }
 
-    private List<ItemSymbol> inputItems() {
-        return node.input()
-                .map(block -> automaton.itemScope().items(block, Side.INPUT))
-                .orElse(List.of());
-    }
-
-    private List<ItemSymbol> outputItems() {
-        return node.output()
-                .map(block -> automaton.itemScope().items(block, Side.OUTPUT))
-                .orElse(List.of());
+    private List<ItemSymbol> items(Side side) {
+        return automaton.itemScope().items(side == Side.INPUT ? node.input() : node.output(), side);
     }
 }

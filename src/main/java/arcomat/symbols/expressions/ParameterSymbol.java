@@ -6,7 +6,6 @@ import arcomat.tree.Expression;
 import arcomat.tree.Parameter;
 
 import java.util.function.BiFunction;
-import java.util.function.Function;
 
 /** A configuration parameter of a component. */
 public final class ParameterSymbol extends DeclaredValue {
@@ -25,10 +24,7 @@ public final class ParameterSymbol extends DeclaredValue {
     }
 
     @Override
-    public <R> R match(
-            Function<PortSymbol, R> port,
-            Function<VariableSymbol, R> variable,
-            Function<ParameterSymbol, R> parameter) {
-        return parameter.apply(this);
+    public TypedExpression read(Expression.Reference node) {
+        return new TypedExpression.ParameterRead(node, this);
     }
 }

@@ -6,13 +6,13 @@ import arcomat.symbols.names.TypeSubstitution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
 import arcomat.tree.Element;
+import arcomat.tree.Expression;
 import arcomat.tree.Name;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TypeReference;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
 
 /**
  * A port of a component, or an input or output of a bare automaton.
@@ -106,11 +106,8 @@ public record PortSymbol(
     }
 
     @Override
-    public <R> R match(
-            Function<PortSymbol, R> port,
-            Function<VariableSymbol, R> variable,
-            Function<ParameterSymbol, R> parameter) {
-        return port.apply(this);
+    public TypedExpression read(Expression.Reference node) {
+        return new TypedExpression.PortRead(node, this);
     }
 
     /** Ports are the same when the same text declares them, whatever their types are seen as. */

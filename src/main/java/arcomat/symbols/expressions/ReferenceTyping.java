@@ -36,11 +36,11 @@ final class ReferenceTyping {
         List<Name> parts = reference.name().parts();
         Optional<ValueSymbol> value = scope.value(parts.get(0).text());
         if (value.isPresent()) {
-            return attributes(reference, read(reference, value.get()), 1);
+            return attributes(reference, value.get().read(reference), 1);
         }
         Optional<ValueSymbol> ofPart = ofPart(parts);
         if (ofPart.isPresent()) {
-            return attributes(reference, read(reference, ofPart.get()), 2);
+            return attributes(reference, ofPart.get().read(reference), 2);
         }
         return parts.size() == 1 ? bareConstant(reference, expected) : qualifiedConstant(reference);
     }
@@ -50,13 +50,6 @@ final class ReferenceTyping {
         return parts.size() < 2
                 ? Optional.empty()
                 : scope.value(parts.get(0).text() + "." + parts.get(1).text());
-    }
-
-    private static TypedExpression read(Expression.Reference node, ValueSymbol value) {
-        return value.match(
-                port -> new TypedExpression.PortRead(node, port),
-                variable -> new TypedExpression.VariableRead(node, variable),
-                parameter -> new TypedExpression.ParameterRead(node, parameter));
     }
 
     /**

@@ -2,8 +2,7 @@ package arcomat.symbols.expressions;
 
 import arcomat.source.Span;
 import arcomat.symbols.names.TypeSymbol;
-
-import java.util.function.Function;
+import arcomat.tree.Expression;
 
 /** What a simple name in an expression or an item can mean. */
 public sealed interface ValueSymbol permits PortSymbol, DeclaredValue {
@@ -15,9 +14,6 @@ public sealed interface ValueSymbol permits PortSymbol, DeclaredValue {
     /** Where the name is declared; for an implicit name, where its type is. */
     Span nameSpan();
 
-    /** Takes the sum apart: one answer for each form. */
-    <R> R match(
-            Function<PortSymbol, R> port,
-            Function<VariableSymbol, R> variable,
-            Function<ParameterSymbol, R> parameter);
+    /** The expression that names it. */
+    TypedExpression read(Expression.Reference node);
 }

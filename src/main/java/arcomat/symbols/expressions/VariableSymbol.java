@@ -6,7 +6,6 @@ import arcomat.tree.Expression;
 import arcomat.tree.Variable;
 
 import java.util.function.BiFunction;
-import java.util.function.Function;
 
 /** A variable of an automaton, or a variable of a component that its automata share. */
 public final class VariableSymbol extends DeclaredValue {
@@ -40,10 +39,7 @@ public final class VariableSymbol extends DeclaredValue {
     }
 
     @Override
-    public <R> R match(
-            Function<PortSymbol, R> port,
-            Function<VariableSymbol, R> variable,
-            Function<ParameterSymbol, R> parameter) {
-        return variable.apply(this);
+    public TypedExpression read(Expression.Reference node) {
+        return new TypedExpression.VariableRead(node, this);
     }
 }

@@ -7,11 +7,11 @@ import java.util.Optional;
 /** The built-in types; a Java primitive and its box are one type. */
 public enum BuiltinType implements TypeSymbol {
     BOOLEAN("Boolean", "boolean"),
-    BYTE("byte", "Byte"),
-    SHORT("short", "Short"),
-    CHARACTER("char", "Character"),
-    INTEGER("Integer", "int"),
-    LONG("Long", "long"),
+    BYTE("byte", "Byte", Byte.MIN_VALUE, Byte.MAX_VALUE),
+    SHORT("short", "Short", Short.MIN_VALUE, Short.MAX_VALUE),
+    CHARACTER("char", "Character", Character.MIN_VALUE, Character.MAX_VALUE),
+    INTEGER("Integer", "int", Integer.MIN_VALUE, Integer.MAX_VALUE),
+    LONG("Long", "long", Long.MIN_VALUE, Long.MAX_VALUE),
     FLOAT("float", "Float"),
     DOUBLE("Double", "double"),
     STRING("String", "java.lang.String");
@@ -20,10 +20,18 @@ public enum BuiltinType implements TypeSymbol {
 
     private final String displayName;
     private final String otherName;
+    private final long low;
+    private final long high;
 
     BuiltinType(String displayName, String otherName) {
+        this(displayName, otherName, 0, 0);
+    }
+
+    BuiltinType(String displayName, String otherName, long low, long high) {
         this.displayName = displayName;
         this.otherName = otherName;
+        this.low = low;
+        this.high = high;
     }
 
     private static Map<String, BuiltinType> byName() {
@@ -65,25 +73,18 @@ public enum BuiltinType implements TypeSymbol {
 
     /** The smallest whole number of this type. */
     public long low() {
-        return switch (this) {
-            case BYTE -> Byte.MIN_VALUE;
-            case SHORT -> Short.MIN_VALUE;
-            case CHARACTER -> Character.MIN_VALUE;
-            case INTEGER -> Integer.MIN_VALUE;
-            case LONG -> Long.MIN_VALUE;
-            case BOOLEAN, FLOAT, DOUBLE, STRING -> throw new IllegalStateException(displayName);
-        };
+        return ofWhole(low);
     }
 
     /** The greatest whole number of this type. */
     public long high() {
-        return switch (this) {
-            case BYTE -> Byte.MAX_VALUE;
-            case SHORT -> Short.MAX_VALUE;
-            case CHARACTER -> Character.MAX_VALUE;
-            case INTEGER -> Integer.MAX_VALUE;
-            case LONG -> Long.MAX_VALUE;
-            case BOOLEAN, FLOAT, DOUBLE, STRING -> throw new IllegalStateException(displayName);
-        };
+        return ofWhole(high);
+    }
+
+    private long ofWhole(long end) {
+        if (!isWhole()) {
+            throw new IllegalStateException(displayName);
+        }
+        return end;
     }
 }

@@ -36,9 +36,11 @@ public final class LiteralValues {
 
     /** As nearly all numbers are: a few digits and nothing else. */
     private static boolean isShortDecimal(String text) {
-        return text.length() < 10
-                && (text.charAt(0) != '0' || text.length() == 1)
-                && text.chars().allMatch(c -> c >= '0' && c <= '9');
+        boolean digits = text.length() < 10 && (text.charAt(0) != '0' || text.length() == 1);
+        for (int i = 0; digits && i < text.length(); i++) {
+            digits = text.charAt(i) >= '0' && text.charAt(i) <= '9';
+        }
+        return digits;
     }
 
     private static boolean isDecimal(String text) {

@@ -2,6 +2,7 @@ package arcomat.symbols.names;
 
 import arcomat.tree.ClassDiagram;
 import arcomat.tree.Component;
+import arcomat.tree.Definition;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;
@@ -28,10 +29,11 @@ public record Outline(
         Outline nothing = new Outline(home, List.of(), Optional.empty(), List.of());
         return unit.definition()
                 .match(
-                        component -> ofComponent(home, component),
-                        automaton -> nothing,
-                        diagram -> ofDiagram(home, diagram),
-                        suite -> nothing);
+                        new Definition.Cases<>(
+                                component -> ofComponent(home, component),
+                                automaton -> nothing,
+                                diagram -> ofDiagram(home, diagram),
+                                suite -> nothing));
     }
 
     private static Outline ofComponent(String home, Component component) {

@@ -7,12 +7,15 @@ import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.TypeSubstitution;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Stream;
 
 /** The ancestors of a component, and what it has from them. */
 final class Inheritance {
@@ -84,46 +87,42 @@ final class Inheritance {
     }
 
     private List<PortSymbol> collectPorts() {
-        if (nearestFirst.size() == 1) {
-            return heir.ownPorts();
-        }
-        List<PortSymbol> all = new ArrayList<>();
-        for (int i = nearestFirst.size() - 1; i > 0; i--) {
-            Ancestor ancestor = nearestFirst.get(i);
-            for (PortSymbol port : ancestor.component().ownPorts()) {
-                all.add(port.inherited(ancestor.substitution(), heir.defaultDelay()));
-            }
-        }
-        all.addAll(heir.ownPorts());
-        return List.copyOf(all);
+        return collect(
+                ancestor ->
+                        ancestor.component() == heir ? heir.ownPorts() : inheritedPorts(ancestor));
     }
 
+    private List<PortSymbol> inheritedPorts(Ancestor ancestor) {
+        return ancestor.component().ownPorts().stream()
+                .map(port -> port.inherited(ancestor.substitution(), heir.defaultDelay()))
+                .toList();
+    }
+
+    /** What the heir declares again stands among its own. */
     private List<ParameterSymbol> collectParameters() {
-        if (nearestFirst.size() == 1) {
-            return heir.ownParameters();
-        }
         Map<String, ParameterSymbol> inherited = new LinkedHashMap<>();
-        for (int i = nearestFirst.size() - 1; i > 0; i--) {
-            nearestFirst
-                    .get(i)
-                    .component()
-                    .ownParameters()
-                    .forEach(p -> inherited.put(p.name(), p));
+        for (Ancestor ancestor : topFirst()) {
+            List<ParameterSymbol> own = ancestor.component().ownParameters();
+            if (ancestor.component() == heir) {
+                own.forEach(parameter -> inherited.remove(parameter.name()));
+                return Stream.concat(inherited.values().stream(), own.stream()).toList();
+            }
+            own.forEach(parameter -> inherited.put(parameter.name(), parameter));
         }
-        heir.ownParameters().forEach(p -> inherited.remove(p.name()));
-        List<ParameterSymbol> all = new ArrayList<>(inherited.values());
-        all.addAll(heir.ownParameters());
-        return List.copyOf(all);
+        throw new AssertionError(heir);
     }
 
     private List<VariableSymbol> collectVariables() {
-        if (nearestFirst.size() == 1) {
-            return heir.ownVariables();
-        }
-        List<VariableSymbol> all = new ArrayList<>();
-        for (int i = nearestFirst.size() - 1; i >= 0; i--) {
-            all.addAll(nearestFirst.get(i).component().ownVariables());
-        }
-        return List.copyOf(all);
+        return collect(ancestor -> ancestor.component().ownVariables());
+    }
+
+    private <T> List<T> collect(Function<Ancestor, List<T>> declared) {
+        return topFirst().stream().flatMap(each -> declared.apply(each).stream()).toList();
+    }
+
+    private List<Ancestor> topFirst() {
+        List<Ancestor> line = new ArrayList<>(nearestFirst);
+        Collections.reverse(line);
+        return line;
     }
 }

@@ -36,14 +36,19 @@ public final class Signature {
     private final ComponentDeclaration declaration;
     private final Function<ComponentDeclaration, Signature> signatures;
     private final Timing timing;
-    private final Lazy<Optional<ComponentReference>> superComponent;
+    private final Members members = new Members(this);
+    private final Lazy<Optional<ComponentReference>> superComponent =
+            new Lazy<>(() -> node().superComponent().map(s -> ComponentReference.of(this, s)));
     private final Lazy<Inheritance> inheritance = new Lazy<>(() -> Inheritance.of(this));
-    private final Lazy<List<PortSymbol>> ownPorts;
-    private final Lazy<Map<String, PortSymbol>> portsByName;
-    private final Lazy<List<ParameterSymbol>> ownParameters;
-    private final Lazy<List<VariableSymbol>> ownVariables;
-    private final Lazy<ValueScope> parameterScope;
-    private final Lazy<ValueScope> constantScope;
+    private final Lazy<List<PortSymbol>> ownPorts = new Lazy<>(members::ports);
+    private final Lazy<Map<String, PortSymbol>> portsByName =
+            new Lazy<>(() -> firstByName(ports()));
+    private final Lazy<List<ParameterSymbol>> ownParameters = new Lazy<>(members::parameters);
+    private final Lazy<List<VariableSymbol>> ownVariables = new Lazy<>(members::variables);
+    private final Lazy<ValueScope> parameterScope =
+            new Lazy<>(() -> emptyScope().with(parameters()));
+    private final Lazy<ValueScope> constantScope =
+            new Lazy<>(() -> parameterScope().with(variables()));
 
     /**
      * @param signatures those of all components, this one included
@@ -54,15 +59,6 @@ public final class Signature {
         this.declaration = declaration;
         this.signatures = signatures;
         this.timing = Timing.of(declaration.node());
-        this.superComponent =
-                new Lazy<>(() -> node().superComponent().map(s -> ComponentReference.of(this, s)));
-        Members members = new Members(this);
-        this.ownPorts = new Lazy<>(members::ports);
-        this.portsByName = new Lazy<>(() -> firstByName(ports()));
-        this.ownParameters = new Lazy<>(members::parameters);
-        this.ownVariables = new Lazy<>(members::variables);
-        this.parameterScope = new Lazy<>(() -> emptyScope().with(parameters()));
-        this.constantScope = new Lazy<>(() -> parameterScope.get().with(variables()));
     }
 
     private static Map<String, PortSymbol> firstByName(List<PortSymbol> ports) {
@@ -142,12 +138,11 @@ public final class Signature {
 
     /** How time passes in it; inherited where it says nothing itself. */
     public Timing timing() {
-        for (Inheritance.Ancestor ancestor : inheritance.get().nearestFirst()) {
-            if (ancestor.component().timing.isWritten()) {
-                return ancestor.component().timing;
-            }
-        }
-        return timing;
+        return inheritance.get().nearestFirst().stream()
+                .map(ancestor -> ancestor.component().timing)
+                .filter(Timing::isWritten)
+                .findFirst()
+                .orElse(timing);
     }
 
     /** Delay of its outputs where they say nothing themselves. */

@@ -28,7 +28,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** Expressions. Parentheses leave no node. */
@@ -36,13 +38,26 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     /** Longer ones would be deep trees. */
     private static final int LONG_ROW = 16;
 
-    private static final Map<String, BinaryOperator> BINARY =
-            Stream.of(BinaryOperator.values())
-                    .collect(Collectors.toMap(BinaryOperator::symbol, operator -> operator));
+    /** By type of token, since most texts of tokens are never asked for. */
+    private static final Map<Integer, BinaryOperator> BINARY =
+            byToken(BinaryOperator.values(), BinaryOperator::symbol);
 
-    private static final Map<String, UnaryOperator> UNARY =
-            Stream.of(UnaryOperator.values())
-                    .collect(Collectors.toMap(UnaryOperator::symbol, operator -> operator));
+    private static final Map<Integer, UnaryOperator> UNARY =
+            byToken(UnaryOperator.values(), UnaryOperator::symbol);
+
+    private static <O> Map<Integer, O> byToken(O[] operators, Function<O, String> symbol) {
+        return Stream.of(operators).collect(Collectors.toMap(o -> typeOf(symbol.apply(o)), o -> o));
+    }
+
+    private static int typeOf(String symbol) {
+        return IntStream.rangeClosed(1, ArcomatLexer.VOCABULARY.getMaxTokenType())
+                .filter(
+                        type ->
+                                ("'" + symbol + "'")
+                                        .equals(ArcomatLexer.VOCABULARY.getLiteralName(type)))
+                .findFirst()
+                .orElseThrow();
+    }
 
     ExpressionBuilder(Phrases phrases) {
         super(phrases);
@@ -143,7 +158,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     private Expression unary(ParserRuleContext context, Token operator, ParserRuleContext operand) {
-        return new Unary(span(context), UNARY.get(operator.getText()), build(operand));
+        return new Unary(span(context), UNARY.get(operator.getType()), build(operand));
     }
 
     @Override
@@ -175,7 +190,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     @Override
     public Expression visitBinaryExpression(ArcomatParser.BinaryExpressionContext context) {
         List<ArcomatParser.ExpressionContext> row = Rows.operands(context);
-        return row(BINARY.get(context.operator.getText()), row, row.size() > LONG_ROW);
+        return row(BINARY.get(context.operator.getType()), row, row.size() > LONG_ROW);
     }
 
     /**

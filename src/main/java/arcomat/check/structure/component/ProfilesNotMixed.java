@@ -3,7 +3,7 @@ package arcomat.check.structure.component;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InstanceSymbol;
-import arcomat.symbols.bodies.Profiles;
+import arcomat.symbols.bodies.Parts;
 
 import java.util.Optional;
 
@@ -66,6 +66,6 @@ public final class ProfilesNotMixed implements Check.OnComponent {
     }
 
     private static Optional<Boolean> isEventDriven(InstanceSymbol instance) {
-        return instance.component().flatMap(Profiles::eventDriven);
+        return instance.component().flatMap(Parts::eventDriven);
     }
 }
