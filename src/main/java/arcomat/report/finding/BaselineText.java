@@ -24,14 +24,11 @@ public final class BaselineText {
         StringBuilder out = new StringBuilder(FIRST + "\n# code, fingerprint, how often, file\n");
         for (Map.Entry<Entry, Integer> each : baseline.entries().entrySet()) {
             Entry entry = each.getKey();
-            out.append(entry.code())
-                    .append(' ')
-                    .append(entry.fingerprint())
-                    .append(' ')
-                    .append(each.getValue())
-                    .append(' ')
-                    .append(OneLine.of(entry.path()))
-                    .append('\n');
+            String path = OneLine.of(entry.path());
+            out.append(
+                    String.join(
+                            " ", entry.code(), entry.fingerprint(), "" + each.getValue(), path));
+            out.append('\n');
         }
         return out.toString();
     }
@@ -77,21 +74,18 @@ public final class BaselineText {
             return "";
         }
         long number = gone.values().stream().mapToLong(Integer::longValue).sum();
-        StringBuilder out = new StringBuilder();
-        out.append(
-                style.good(
-                        FindingsText.count(number, "finding")
-                                + " of the baseline "
-                                + (number == 1 ? "is gone" : "are gone")
-                                + "; --write-baseline forgets:\n"));
-        gone.forEach(
-                (entry, times) ->
-                        out.append("  ")
-                                .append(entry.code())
-                                .append(' ')
-                                .append(Printable.escape(entry.path()))
-                                .append(times == 1 ? "" : ", " + times + " times")
-                                .append('\n'));
+        String headline =
+                "%s of the baseline %s gone; --write-baseline forgets:\n"
+                        .formatted(
+                                FindingsText.count(number, "finding"), number == 1 ? "is" : "are");
+        StringBuilder out = new StringBuilder(style.good(headline));
+        gone.forEach((entry, times) -> out.append(gone(entry, times)));
         return out.toString();
+    }
+
+    private static String gone(Entry entry, int times) {
+        String path = Printable.escape(entry.path());
+        return "  %s %s%s\n"
+                .formatted(entry.code(), path, times == 1 ? "" : ", " + times + " times");
     }
 }

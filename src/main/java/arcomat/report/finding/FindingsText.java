@@ -70,6 +70,11 @@ public final class FindingsText {
         return span.file().text().isEmpty() ? path : path + ":" + span.startPosition();
     }
 
+    /** A place by its name and with its lines. */
+    public static String placed(Span span, Style style) {
+        return "  " + place(span) + "\n" + Snippet.render(span, Severity.WARNING, style);
+    }
+
     static String word(Severity severity) {
         return severity == Severity.ERROR ? "error" : "warning";
     }

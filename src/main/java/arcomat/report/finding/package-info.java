@@ -1,5 +1,5 @@
 /**
- * Findings for people and build servers, and what they are compared with: a baseline, the state of
- * the last check. Knows nothing of runs and of proofs.
+ * Findings for people and build servers, and what they are compared with: a baseline. Knows nothing
+ * of runs and of proofs.
  */
 package arcomat.report.finding;

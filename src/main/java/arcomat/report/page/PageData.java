@@ -1,7 +1,5 @@
 package arcomat.report.page;
 
-import arcomat.report.page.Story.Drawing;
-import arcomat.report.page.Story.Remark;
 import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
 
@@ -10,8 +8,8 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.SerializableString;
 import com.fasterxml.jackson.core.io.CharacterEscapes;
 import com.fasterxml.jackson.core.json.JsonWriteFeature;
-import com.fasterxml.jackson.databind.ObjectWriter;
 import com.fasterxml.jackson.databind.SerializerProvider;
+import com.fasterxml.jackson.databind.cfg.EnumFeature;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import com.fasterxml.jackson.databind.ser.std.StdSerializer;
 
@@ -26,53 +24,18 @@ import java.util.stream.Stream;
  * What a page tells, as JSON that may stand inside an HTML page: nothing in it begins a tag. Its
  * reader is {@code resources/report}; other programs have the formats of {@code arcomat.report}.
  */
-record PageData(List<Run> stories) {
-    private static final ObjectWriter WRITER =
-            Json.mapper()
-                    .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
-                    .addModule(new SimpleModule().addSerializer(new TextSerializer()))
-                    .build()
-                    .writer(new HtmlEscapes());
-
-    /** A story with its timeline. */
-    record Run(
-            String title,
-            String tone,
-            String headline,
-            List<Note> remarks,
-            String unit,
-            int length,
-            List<Long> times,
-            List<Row> tracks,
-            List<Timeline.Flaw> flaws,
-            List<Picture> drawings) {
-        static Run of(Story story, Map<String, Integer> pictures) {
-            Timeline timeline = story.timeline();
-            return new Run(
-                    story.title(),
-                    Printable.word(story.tone()),
-                    story.headline(),
-                    story.remarks().stream().map(Note::of).toList(),
-                    timeline.unit(),
-                    timeline.length(),
-                    timeline.times(),
-                    timeline.tracks().stream().map(Row::of).toList(),
-                    timeline.flaws(),
-                    story.drawings().stream().map(each -> Picture.of(each, pictures)).toList());
-        }
-    }
-
+record PageData(List<Story> stories) {
     /** A remark; its place with the lines that it covers. */
-    record Note(
-            String tone,
+    private record Note(
+            Page.Tone tone,
             String text,
             Optional<Integer> at,
             Optional<String> place,
             Optional<List<Excerpt.Line>> lines) {
-        static Note of(Remark remark) {
+        static Note of(Story.Remark remark) {
             Optional<Excerpt> excerpt = remark.place().map(Excerpt::of);
             return new Note(
-                    Printable.word(remark.tone()),
+                    remark.tone(),
                     remark.text(),
                     remark.at().stream().boxed().findFirst(),
                     excerpt.map(Excerpt::place),
@@ -86,10 +49,10 @@ record PageData(List<Run> stories) {
      * @param elements of drawings, for each value, where there are any
      * @param runs value and length of each, one after the other
      */
-    record Row(
+    private record Row(
             String group,
             String name,
-            String kind,
+            Track.Kind kind,
             String before,
             List<String> values,
             Optional<List<List<String>>> elements,
@@ -100,7 +63,7 @@ record PageData(List<Run> stories) {
             return new Row(
                     track.group(),
                     track.name(),
-                    Printable.word(track.kind()),
+                    track.kind(),
                     track.before(),
                     track.values().stream().map(Track.Entry::text).toList(),
                     Optional.of(elements).filter(all -> !all.stream().allMatch(List::isEmpty)),
@@ -110,23 +73,29 @@ record PageData(List<Run> stories) {
         }
     }
 
-    /**
-     * A drawing.
-     *
-     * @param picture its number among {@link PageData#pictures}
-     */
-    record Picture(String title, int picture, List<String> tracks) {
-        static Picture of(Drawing drawing, Map<String, Integer> pictures) {
-            return new Picture(drawing.title(), pictures.get(drawing.svg()), drawing.tracks());
-        }
-    }
+    /** A drawing, with the number of its picture. */
+    private record Picture(String title, int picture, List<String> tracks) {}
 
     static String render(Page page) {
         Map<String, Integer> pictures = pictures(page);
         try {
-            return WRITER.writeValueAsString(
-                    new PageData(
-                            page.stories().stream().map(each -> Run.of(each, pictures)).toList()));
+            return Json.mapper()
+                    .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
+                    .enable(EnumFeature.WRITE_ENUMS_TO_LOWERCASE)
+                    .addModule(new SimpleModule().addSerializer(new TextSerializer()))
+                    .addModule(Json.form(Story.Remark.class, Note::of))
+                    .addModule(Json.form(Track.class, Row::of))
+                    .addModule(
+                            Json.form(
+                                    Story.Drawing.class,
+                                    each ->
+                                            new Picture(
+                                                    each.title(),
+                                                    pictures.get(each.svg()),
+                                                    each.tracks())))
+                    .build()
+                    .writer(new HtmlEscapes())
+                    .writeValueAsString(new PageData(page.stories()));
         } catch (JsonProcessingException e) {
             throw new AssertionError("texts and numbers can be written", e);
         }
@@ -136,7 +105,7 @@ record PageData(List<Run> stories) {
     static Map<String, Integer> pictures(Page page) {
         Map<String, Integer> pictures = new LinkedHashMap<>();
         for (Story story : page.stories()) {
-            for (Drawing drawing : story.drawings()) {
+            for (Story.Drawing drawing : story.drawings()) {
                 pictures.putIfAbsent(drawing.svg(), pictures.size());
             }
         }

@@ -3,6 +3,8 @@ package arcomat.report.page;
 import arcomat.report.page.Page.Tone;
 import arcomat.source.Span;
 
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -18,7 +20,7 @@ public record Story(
         Tone tone,
         String headline,
         List<Remark> remarks,
-        Timeline timeline,
+        @JsonUnwrapped Timeline timeline,
         List<Drawing> drawings) {
     public Story {
         remarks = List.copyOf(remarks);

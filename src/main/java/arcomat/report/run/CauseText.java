@@ -16,26 +16,19 @@ final class CauseText {
             Span span = taken.transition().span();
             return withoutStates(span.text()) + "  " + shortPlace(span);
         }
-        if (cause instanceof Trace.Completed completed) {
-            return switch (completed.completion()) {
-                case CHAOS -> "no transition fits: anything may happen (chaos), nothing does";
-                case OUTPUT -> "no transition fits: any output is allowed, none is sent";
-                case IGNORE -> "no transition fits: the input is ignored";
-                case ERROR -> "no transition fits: the input is forbidden (error)";
-            };
-        }
-        throw new AssertionError(cause);
+        return switch (((Trace.Completed) cause).completion()) {
+            case CHAOS -> "no transition fits: anything may happen (chaos), nothing does";
+            case OUTPUT -> "no transition fits: any output is allowed, none is sent";
+            case IGNORE -> "no transition fits: the input is ignored";
+            case ERROR -> "no transition fits: the input is forbidden (error)";
+        };
     }
 
     /** {@code transition 3} or the name of a completion, for programs. */
     static String brief(Trace.Cause cause) {
-        if (cause instanceof Trace.Taken taken) {
-            return "transition " + taken.index();
-        }
-        if (cause instanceof Trace.Completed completed) {
-            return Printable.word(completed.completion());
-        }
-        throw new AssertionError(cause);
+        return cause instanceof Trace.Taken taken
+                ? "transition " + taken.index()
+                : Printable.word(((Trace.Completed) cause).completion());
     }
 
     /** States have a column of their own. */

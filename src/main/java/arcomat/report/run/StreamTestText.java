@@ -9,7 +9,6 @@ import arcomat.simulate.test.StreamTestResult;
 import arcomat.simulate.test.StreamTestResult.Cell;
 import arcomat.simulate.test.StreamTestResult.Verdict;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -44,14 +43,12 @@ public final class StreamTestText {
             case VACUOUS ->
                     "  " + style.warning("passed, vacuous") + name + ": " + vacuous(result) + "\n";
             case FAILED -> "  " + style.error("FAILED") + name + failure(result, style) + "\n";
-            case UNKNOWN ->
-                    "  "
-                            + style.warning("unknown")
-                            + name
-                            + ": "
-                            + Printable.escape(reason(result))
-                            + "\n";
+            case UNKNOWN -> "  " + style.warning("unknown") + name + because(result) + "\n";
         };
+    }
+
+    private static String because(StreamTestResult result) {
+        return ": " + Printable.escape(reason(result));
     }
 
     /** From when on a test passes only because anything would. */
@@ -99,22 +96,19 @@ public final class StreamTestText {
 
     /** Expected, actual and allowed streams in a table, up to a little behind the difference. */
     static String sideBySide(StreamTestResult result, Style style) {
-        int last =
-                result.firstDifference().isPresent()
-                        ? result.firstDifference().getAsInt() + SLICES_BEHIND
-                        : Integer.MAX_VALUE;
+        int last = result.firstDifference().orElse(Integer.MAX_VALUE - SLICES_BEHIND);
         TextTable table =
                 new TextTable(List.of("slice", "port", "expected", "actual", "", "allowed"));
         for (Cell cell : result.cells()) {
-            if (cell.slice() <= last) {
-                List<String> cells = new ArrayList<>();
-                cells.add(String.valueOf(cell.slice()));
-                cells.add(Printable.escape(cell.port()));
-                cells.add(messages(cell.expected()));
-                cells.add(messages(cell.actual()));
-                cells.add(cell.differs() ? "<--" : "");
-                cells.add(cell.differs() ? allowed(cell) : "");
-                table.add(cells);
+            if (cell.slice() <= last + SLICES_BEHIND) {
+                table.add(
+                        List.of(
+                                String.valueOf(cell.slice()),
+                                Printable.escape(cell.port()),
+                                messages(cell.expected()),
+                                messages(cell.actual()),
+                                cell.differs() ? "<--" : "",
+                                cell.differs() ? allowed(cell) : ""));
             }
         }
         return table.render(style);

@@ -3,13 +3,13 @@ package arcomat.report.run;
 import arcomat.model.Trace;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
-import arcomat.report.text.Snippet;
 import arcomat.report.text.Style;
 import arcomat.simulate.watch.Watch.Violation;
 import arcomat.simulate.watch.Watching.Watched;
-import arcomat.source.Severity;
+import arcomat.source.Span;
 
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** What became of the requirements that a run was watched for, line by line. */
 public final class WatchedText {
@@ -26,31 +26,24 @@ public final class WatchedText {
     private static String render(Watched watched, String unit, Style style) {
         if (watched.violation().isPresent()) {
             Violation violation = watched.violation().get();
+            Span place = violation.requirement().span();
+            String message = Printable.escape(violation.message());
             return style.error("violated")
                     + ": "
-                    + Printable.escape(violation.message())
-                    + "\n  "
-                    + FindingsText.place(violation.requirement().span())
+                    + message
                     + "\n"
-                    + Snippet.render(violation.requirement().span(), Severity.WARNING, style);
+                    + FindingsText.placed(place, style);
         }
         String requirement = Printable.escape(watched.requirement());
         if (watched.unknown().isPresent()) {
-            return style.warning("unknown")
-                    + ": "
-                    + requirement
-                    + ": "
-                    + watched.unknown().get()
-                    + "\n";
+            String why = watched.unknown().get();
+            return style.warning("unknown") + ": " + requirement + ": " + why + "\n";
         }
         String nothing =
-                watched.nothingFrom().isPresent()
-                        ? ", but promises nothing from "
-                                + unit
-                                + " "
-                                + watched.nothingFrom().getAsInt()
-                                + " on"
-                        : "";
+                watched.nothingFrom().stream()
+                        .mapToObj(
+                                from -> ", but promises nothing from " + unit + " " + from + " on")
+                        .collect(Collectors.joining());
         return style.good("kept") + ": " + requirement + nothing + "\n";
     }
 }

@@ -18,6 +18,8 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.regex.Pattern;
 
 /**
  * JSON text with a line break at its end. A record is an object: its components are the fields, in
@@ -25,6 +27,7 @@ import java.util.Optional;
  */
 public final class Json {
     private static final ObjectMapper MAPPER = mapper().build();
+    private static final Pattern HALF_PAIR = Pattern.compile("\\p{Cs}");
 
     private Json() {}
 
@@ -35,7 +38,20 @@ public final class Json {
                 .visibility(PropertyAccessor.ALL, Visibility.NONE)
                 .visibility(PropertyAccessor.FIELD, Visibility.ANY)
                 .withConfigOverride(Optional.class, each -> each.setInclude(present))
-                .addModule(new SimpleModule().addSerializer(new OptionalSerializer()));
+                .addModule(form(Optional.class, Json::present));
+    }
+
+    private static Object present(Optional<?> optional) {
+        return optional.orElse(null);
+    }
+
+    /**
+     * To write something as something else.
+     *
+     * @param form no field where that is null
+     */
+    public static <T> SimpleModule form(Class<T> type, Function<T, ?> form) {
+        return new SimpleModule().addSerializer(new FormSerializer<>(type, form));
     }
 
     /** With two blanks of indentation. */
@@ -100,43 +116,30 @@ public final class Json {
 
     /** Half of a surrogate pair, which models may send, has no encoding but an escape. */
     private static String escapeHalfPairs(String json) {
-        if (json.codePoints().noneMatch(Json::isHalfPair)) {
-            return json;
-        }
-        StringBuilder escaped = new StringBuilder();
-        json.codePoints()
-                .forEach(
-                        c -> {
-                            if (isHalfPair(c)) {
-                                escaped.append(String.format("\\u%04x", c));
-                            } else {
-                                escaped.appendCodePoint(c);
-                            }
-                        });
-        return escaped.toString();
+        return HALF_PAIR
+                .matcher(json)
+                .replaceAll(half -> String.format("\\\\u%04x", half.group().codePointAt(0)));
     }
 
-    private static boolean isHalfPair(int codePoint) {
-        return Character.getType(codePoint) == Character.SURROGATE;
-    }
-
-    /** What is there, or nothing. */
-    private static final class OptionalSerializer extends StdSerializer<Optional<?>> {
+    private static final class FormSerializer<T> extends StdSerializer<T> {
         private static final long serialVersionUID = 1L;
 
-        OptionalSerializer() {
-            super(Optional.class, false);
+        private final transient Function<T, ?> form;
+
+        FormSerializer(Class<T> type, Function<T, ?> form) {
+            super(type);
+            this.form = form;
         }
 
         @Override
-        public boolean isEmpty(SerializerProvider provider, Optional<?> value) {
-            return value.isEmpty();
+        public boolean isEmpty(SerializerProvider provider, T value) {
+            return form.apply(value) == null;
         }
 
         @Override
-        public void serialize(Optional<?> value, JsonGenerator json, SerializerProvider provider)
+        public void serialize(T value, JsonGenerator json, SerializerProvider provider)
                 throws IOException {
-            provider.defaultSerializeValue(value.orElse(null), json);
+            provider.defaultSerializeValue(form.apply(value), json);
         }
     }
 }

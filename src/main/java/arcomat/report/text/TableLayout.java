@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * How wide the columns of a table are. Where lines end at a border, columns are made narrower until
@@ -14,7 +16,6 @@ import java.util.List;
  */
 record TableLayout(int[] widths, int border, boolean numbered) {
     private static final String GAP = "  ";
-    private static final String[] NOTHING = {};
 
     /** As many rows tell how wide columns are. */
     private static final int ROWS = 1000;
@@ -37,13 +38,13 @@ record TableLayout(int[] widths, int border, boolean numbered) {
     }
 
     private static int[] natural(List<List<String>> rows) {
-        int[] widths = new int[rows.get(0).size()];
-        for (List<String> row : rows) {
-            for (int i = 0; i < row.size(); i++) {
-                widths[i] = Math.max(widths[i], row.get(i).length());
-            }
-        }
-        return widths;
+        return IntStream.range(0, rows.get(0).size())
+                .map(i -> rows.stream().mapToInt(row -> cell(row, i).length()).max().orElse(0))
+                .toArray();
+    }
+
+    private static String cell(List<String> row, int column) {
+        return column < row.size() ? row.get(column) : "";
     }
 
     /** The first column is a number or a name that is looked for: it keeps its width. */
@@ -61,13 +62,13 @@ record TableLayout(int[] widths, int border, boolean numbered) {
     }
 
     private static int longestWord(int column, List<List<String>> rows) {
-        int longest = 1;
-        for (List<String> row : rows) {
-            for (String word : column < row.size() ? row.get(column).split(" ") : NOTHING) {
-                longest = Math.max(longest, Math.min(word.length(), LONG_WORD));
-            }
-        }
-        return longest;
+        int longest =
+                rows.stream()
+                        .flatMap(row -> Stream.of(cell(row, column).split(" ")))
+                        .mapToInt(String::length)
+                        .max()
+                        .orElse(0);
+        return Math.max(1, Math.min(longest, LONG_WORD));
     }
 
     /** Takes from the widest columns until they fit, or until nothing can be read any more. */
@@ -99,12 +100,9 @@ record TableLayout(int[] widths, int border, boolean numbered) {
     }
 
     private static long lines(int column, int width, List<List<String>> rows) {
-        long lines = 0;
-        for (List<String> row : rows) {
-            int length = column < row.size() ? row.get(column).length() : 0;
-            lines += (length + width - 1) / width;
-        }
-        return lines;
+        return rows.stream()
+                .mapToLong(row -> (cell(row, column).length() + width - 1) / width)
+                .sum();
     }
 
     /** The same with a first column of some width at least. */
@@ -122,35 +120,24 @@ record TableLayout(int[] widths, int border, boolean numbered) {
             parts.add(broken(cells.get(i), last ? Math.max(widths[i], toTheBorder()) : widths[i]));
         }
         int height = parts.stream().mapToInt(List::size).max().orElse(1);
-        List<String> lines = new ArrayList<>();
-        for (int line = 0; line < height; line++) {
-            lines.add(line(parts, line));
-        }
-        return lines;
+        return IntStream.range(0, height).mapToObj(line -> line(parts, line)).toList();
     }
 
     /** The room of the last column, and what is left behind it. */
     private int toTheBorder() {
-        int before = 0;
-        for (int i = 0; i < widths.length - 1; i++) {
-            before += widths[i] + GAP.length();
-        }
-        return border - before;
+        int gaps = (widths.length - 1) * GAP.length();
+        return border - gaps - Arrays.stream(widths, 0, widths.length - 1).sum();
     }
 
     /** A line below the headings. */
     String rule() {
-        List<List<String>> rules = new ArrayList<>();
-        for (int width : widths) {
-            rules.add(List.of("-".repeat(width)));
-        }
-        return line(rules, 0);
+        return line(Arrays.stream(widths).mapToObj("-"::repeat).map(List::of).toList(), 0);
     }
 
     private String line(List<List<String>> parts, int number) {
         StringBuilder line = new StringBuilder();
         for (int i = 0; i < parts.size(); i++) {
-            String cell = number < parts.get(i).size() ? parts.get(i).get(number) : "";
+            String cell = cell(parts.get(i), number);
             String blanks = " ".repeat(Math.max(0, widths[i] - cell.length()));
             line.append(i == 0 ? "" : GAP)
                     .append(i == 0 && numbered ? blanks + cell : cell + blanks);

@@ -3,6 +3,7 @@ package arcomat.report.verdict;
 import arcomat.analysis.evolution.Change;
 import arcomat.analysis.evolution.Change.Relation;
 import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
@@ -13,6 +14,7 @@ import arcomat.source.Span;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /**
  * What became of components: a line for each that changed, then the stories of those that do not
@@ -58,19 +60,18 @@ public final class GateText {
 
     /** What a component that promises more has more. */
     private static String more(Change change) {
-        StringBuilder out = new StringBuilder();
-        for (Change.Witness witness : change.witnesses()) {
-            boolean behaviour = !witness.verdict().trace().isEmpty();
-            witness.verdict().explanation().stream()
-                    .limit(1)
-                    .forEach(
-                            sentence ->
-                                    out.append(" ".repeat(WIDEST + 2))
-                                            .append(behaviour ? "no longer: " : "")
-                                            .append(Printable.escape(sentence.text()))
-                                            .append('\n'));
-        }
-        return out.toString();
+        return change.witnesses().stream()
+                .map(Change.Witness::verdict)
+                .filter(verdict -> !verdict.explanation().isEmpty())
+                .map(GateText::more)
+                .collect(Collectors.joining());
+    }
+
+    private static String more(Verdict verdict) {
+        return " ".repeat(WIDEST + 2)
+                + (verdict.trace().isEmpty() ? "" : "no longer: ")
+                + Printable.escape(verdict.explanation().get(0).text())
+                + "\n";
     }
 
     /** The finding, if there is one, then what shows it; that of a part is told there. */
@@ -80,18 +81,9 @@ public final class GateText {
         findings.stream()
                 .filter(finding -> isAbout(finding, entry))
                 .forEach(finding -> story.append(FindingsText.render(plain(finding), style)));
-        if (entry.cause().isEmpty()) {
-            entry.change().witnesses().stream()
-                    .limit(1)
-                    .forEach(
-                            each ->
-                                    story.append(story.isEmpty() ? "" : "\n")
-                                            .append(
-                                                    VerdictText.render(
-                                                            each.left(),
-                                                            each.right(),
-                                                            each.verdict(),
-                                                            style)));
+        if (entry.cause().isEmpty() && !entry.change().witnesses().isEmpty()) {
+            Change.Witness first = entry.change().witnesses().get(0);
+            section(VerdictText.render(first.left(), first.right(), first.verdict(), style), story);
         }
         section(story.toString(), out);
     }

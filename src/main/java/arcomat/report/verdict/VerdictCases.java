@@ -2,6 +2,7 @@ package arcomat.report.verdict;
 
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.report.finding.JunitXml.Case;
 import arcomat.report.finding.JunitXml.Case.Outcome;
 import arcomat.report.text.Style;
@@ -21,28 +22,19 @@ public final class VerdictCases {
 
     private static Case of(Answered each) {
         Verdict verdict = each.verdict();
-        return switch (verdict.answer()) {
-            case HOLDS -> of(each, Outcome.PASSED, "", notes(verdict));
-            case FAILS -> of(each, Outcome.FAILED, headline(each), details(each));
-            case UNKNOWN -> of(each, Outcome.UNDECIDED, headline(each), details(each));
-        };
+        if (verdict.answer() == Answer.HOLDS) {
+            return of(each, Outcome.PASSED, "", notes(verdict));
+        }
+        return of(
+                each,
+                verdict.answer() == Answer.FAILS ? Outcome.FAILED : Outcome.UNDECIDED,
+                Terms.headline(each),
+                VerdictText.render(each, Style.PLAIN));
     }
 
     private static Case of(Answered each, Outcome outcome, String message, String details) {
-        return new Case(GROUP, name(each), Optional.of(each.place()), outcome, message, details);
-    }
-
-    /** What was promised; of a promise without a right side, who made it. */
-    static String name(Answered each) {
-        return Terms.name(each);
-    }
-
-    private static String headline(Answered each) {
-        return Terms.headline(each);
-    }
-
-    private static String details(Answered each) {
-        return VerdictText.render(each, Style.PLAIN);
+        return new Case(
+                GROUP, Terms.name(each), Optional.of(each.place()), outcome, message, details);
     }
 
     private static String notes(Verdict verdict) {

@@ -71,25 +71,19 @@ public final class VerdictFindings {
     private static String text(Answered each, Moment moment) {
         String inputs = String.join(", ", VerdictText.inputs(moment.input()));
         String outputs = String.join(", ", VerdictText.shown(moment));
-        if (each.question() == Answered.Question.INVARIANT) {
-            return "in %s, out %s; %s is in %s"
-                    .formatted(
-                            inputs.isEmpty() ? "--" : inputs,
-                            outputs.isEmpty() ? "--" : outputs,
-                            each.left(),
-                            moment.left());
-        }
-        String right =
-                moment.right().isEmpty()
-                        ? " does not allow that"
-                        : " is in " + String.join(" or ", moment.right());
-        return "in %s, out %s; %s is in %s; %s%s"
+        return "in %s, out %s; %s is in %s%s"
                 .formatted(
                         inputs.isEmpty() ? "--" : inputs,
                         outputs.isEmpty() ? "--" : outputs,
                         each.left(),
                         moment.left(),
-                        each.right(),
-                        right);
+                        each.question() == Answered.Question.INVARIANT ? "" : right(each, moment));
+    }
+
+    private static String right(Answered each, Moment moment) {
+        String states = String.join(" or ", moment.right());
+        return "; "
+                + each.right()
+                + (states.isEmpty() ? " does not allow that" : " is in " + states);
     }
 }

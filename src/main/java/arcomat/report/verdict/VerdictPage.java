@@ -39,7 +39,7 @@ public final class VerdictPage {
         AutomatonDrawing pictures = new AutomatonDrawing();
         Answer worst = Answer.HOLDS;
         for (Answered each : answers) {
-            stories.add(story(VerdictCases.name(each), sentence(each), each, pictures));
+            stories.add(story(Terms.name(each), sentence(each), each, pictures));
             worst = worst.and(each.verdict().answer());
         }
         List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();

@@ -9,11 +9,9 @@ import arcomat.model.Letter;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.run.TraceTable;
 import arcomat.report.text.Printable;
-import arcomat.report.text.Snippet;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 import arcomat.semantics.expression.Sent;
-import arcomat.source.Severity;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -145,15 +143,8 @@ public final class VerdictText {
     }
 
     static String sentence(Sentence sentence, Style style) {
-        StringBuilder out = new StringBuilder(Printable.escape(sentence.text())).append('\n');
-        sentence.place()
-                .ifPresent(
-                        span ->
-                                out.append("  ")
-                                        .append(FindingsText.place(span))
-                                        .append('\n')
-                                        .append(Snippet.render(span, Severity.WARNING, style)));
-        return out.toString();
+        String place = sentence.place().map(span -> FindingsText.placed(span, style)).orElse("");
+        return Printable.escape(sentence.text()) + "\n" + place;
     }
 
     static String explored(Verdict verdict) {
