@@ -9,6 +9,7 @@ import arcomat.model.Letter;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * Whether the requirements on a component can be kept together.
@@ -30,6 +31,12 @@ public record Consistency(
     public Consistency {
         contradictions = List.copyOf(contradictions);
         notes = List.copyOf(notes);
+    }
+
+    /** With one more note. */
+    Consistency with(String note) {
+        List<String> more = Stream.concat(notes.stream(), Stream.of(note)).toList();
+        return new Consistency(answer, reason, contradictions, controller, more, explored);
     }
 
     /**

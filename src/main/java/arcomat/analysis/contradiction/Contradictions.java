@@ -2,15 +2,19 @@ package arcomat.analysis.contradiction;
 
 import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.game.Choices;
-import arcomat.analysis.game.controller.Controllers;
 import arcomat.analysis.game.CounterStrategy;
+import arcomat.analysis.game.CounterStrategy.Turn;
 import arcomat.analysis.game.Groups;
 import arcomat.analysis.game.Requirement;
 import arcomat.analysis.game.Synthesis;
 import arcomat.analysis.game.UnsatCores;
+import arcomat.analysis.game.controller.Controllers;
+import arcomat.analysis.refinement.Explanation;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.Verdict.Sentence;
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.product.Counterexample.Allowed;
 import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.system.AutomataSystem;
 import arcomat.analysis.search.system.RunErrors;
@@ -211,6 +215,29 @@ public final class Contradictions {
                 cores.isMinimal(core),
                 won.word(),
                 won.decided(),
-                won.turns().stream().map(turn -> Demands.step(turn, members)).toList());
+                won.turns().stream().map(turn -> step(turn, members)).toList());
+    }
+
+    /** What requirements ask for where they contradict each other, in words. */
+    private static Contradiction.Step step(Turn turn, List<Promise> requirements) {
+        List<Sentence> sentences = new ArrayList<>();
+        boolean errors = turn.demands().stream().anyMatch(each -> errs(each.allowed()));
+        for (Turn.Demand demand : turn.demands()) {
+            Promise requirement = requirements.get(demand.requirement());
+            boolean errs = errs(demand.allowed());
+            boolean only = demand.allowed().stream().allMatch(Allowed::error);
+            for (Allowed allowed : demand.allowed()) {
+                String words =
+                        allowed.error()
+                                ? only ? "only an error" : "an error"
+                                : Explanation.words(allowed, errors && !errs);
+                sentences.add(Explanation.allows(requirement, allowed, words));
+            }
+        }
+        return new Contradiction.Step(turn.input(), turn.answers(), sentences);
+    }
+
+    private static boolean errs(List<Allowed> allowed) {
+        return allowed.stream().anyMatch(Allowed::error);
     }
 }

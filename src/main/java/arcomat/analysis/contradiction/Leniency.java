@@ -6,7 +6,6 @@ import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Automaton.Completion;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 
@@ -30,23 +29,15 @@ final class Leniency {
         if (hidden.answer() != Answer.FAILS) {
             return found;
         }
-        List<String> notes = new ArrayList<>(found.notes());
         String names =
                 hidden.contradictions().get(0).requirements().stream()
                         .map(Automaton::name)
                         .collect(Collectors.joining(", "));
-        notes.add(
+        return found.with(
                 "with completion output in place of chaos there is a contradiction ("
                         + names
                         + "); in chaos a requirement asks for nothing after an input that it does"
                         + " not handle");
-        return new Consistency(
-                found.answer(),
-                found.reason(),
-                found.contradictions(),
-                found.controller(),
-                notes,
-                found.explored());
     }
 
     private static Automaton strict(Automaton a) {

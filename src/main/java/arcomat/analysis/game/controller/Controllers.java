@@ -176,8 +176,8 @@ public final class Controllers {
         Expression guard = null;
         for (int port = 0; port < box.groups().length; port++) {
             if (box.groups()[port] != null) {
-                PortCondition condition =
-                        new PortCondition(
+                MessageCondition condition =
+                        new MessageCondition(
                                 machine.inputs().get(port),
                                 state.looks().get(port),
                                 state.samples().get(port),
@@ -185,7 +185,7 @@ public final class Controllers {
                 if (condition.match().isPresent()) {
                     matches.add(condition.match().get());
                 } else {
-                    guard = PortCondition.and(guard, condition.guard());
+                    guard = MessageCondition.and(guard, condition.guard());
                 }
             }
         }

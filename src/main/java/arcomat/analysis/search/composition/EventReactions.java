@@ -1,6 +1,7 @@
 package arcomat.analysis.search.composition;
 
 import arcomat.analysis.search.Budget;
+import arcomat.analysis.search.step.CubeSplit;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
@@ -223,20 +224,11 @@ final class EventReactions {
 
     /** All ways to settle what somebody reads of an output; the rest stays open. */
     private List<List<Sent>> settled(int part, List<Sent> output) {
-        List<List<Sent>> settled = List.of(List.of());
+        List<List<Sent>> options = new ArrayList<>();
         for (int i = 0; i < output.size(); i++) {
-            List<List<Sent>> longer = new ArrayList<>();
-            for (Sent option : options(part, i, output.get(i))) {
-                for (List<Sent> each : settled) {
-                    budget.insist();
-                    List<Sent> copy = new ArrayList<>(each);
-                    copy.add(option);
-                    longer.add(copy);
-                }
-            }
-            settled = longer;
+            options.add(options(part, i, output.get(i)));
         }
-        return settled;
+        return CubeSplit.combinations(options, budget);
     }
 
     private List<Sent> options(int part, int output, Sent sent) {

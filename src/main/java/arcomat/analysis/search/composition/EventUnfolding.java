@@ -181,12 +181,10 @@ public final class EventUnfolding implements Unfolding {
 
     private List<Unfolding.Step> run(GlobalState before, Value[] letter, Look[] looks) {
         RunToCompletion run = new RunToCompletion(before.parts(), latched(before, letter));
-        if (isEmpty(letter)) {
-            // No port is there for the event: as in an empty slice, each part is completed.
-            return inOrder(run, parts::idle);
-        }
+        boolean empty = true;
         for (int i = 0; i < letter.length; i++) {
             if (letter[i] != null && !inputs.get(i).latched()) {
+                empty = false;
                 int signal = network.inputs().get(i).signal();
                 Optional<String> problem = parts.deliver(run, signal, List.of(letter[i]), i);
                 if (problem.isPresent()) {
@@ -194,18 +192,13 @@ public final class EventUnfolding implements Unfolding {
                 }
             }
         }
+        if (empty) {
+            // No port is there for the event: as in an empty slice, each part is completed.
+            return inOrder(run, parts::idle);
+        }
         List<Unfolding.Step> outcomes = new ArrayList<>();
         complete(List.of(run), looks, outcomes);
         return outcomes;
-    }
-
-    private boolean isEmpty(Value[] letter) {
-        for (int i = 0; i < letter.length; i++) {
-            if (letter[i] != null && !inputs.get(i).latched()) {
-                return false;
-            }
-        }
-        return true;
     }
 
     private Value[][] latched(GlobalState before, Value[] letter) {

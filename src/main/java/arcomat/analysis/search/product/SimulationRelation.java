@@ -9,6 +9,7 @@ import arcomat.semantics.value.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongIntHashMap;
+import com.carrotsearch.hppc.procedures.IntIntProcedure;
 
 import java.util.Optional;
 
@@ -26,7 +27,7 @@ import java.util.Optional;
 final class SimulationRelation {
     private static final int MOST_PAIRS = 5_000_000;
 
-    private final Product pairing;
+    private final Product product;
     private final Budget budget;
     private final LongIntHashMap numbers = new LongIntHashMap();
     private final IntArrayList lefts = new IntArrayList();
@@ -43,8 +44,8 @@ final class SimulationRelation {
     /** Letters that have been looked at. */
     private long work;
 
-    SimulationRelation(Product pairing, Budget budget) {
-        this.pairing = pairing;
+    SimulationRelation(Product product, Budget budget) {
+        this.product = product;
         this.budget = budget;
     }
 
@@ -62,31 +63,26 @@ final class SimulationRelation {
         return pair < closed && !refuted.isFallen(pair);
     }
 
-    /** All pairs that are known to be related. */
-    void forEachPair(PairVisitor visitor) {
+    /** Tells all pairs that are known to be related: configurations of the left and right side. */
+    void forEachPair(IntIntProcedure told) {
         for (int pair = 0; pair < closed; pair++) {
             if (!refuted.isFallen(pair)) {
-                visitor.visit(lefts.get(pair), rights.get(pair));
+                told.apply(lefts.get(pair), rights.get(pair));
             }
         }
     }
 
-    /** Told of configurations of both sides. */
-    interface PairVisitor {
-        void visit(int left, int right);
-    }
-
     /** For the whole: whether each beginning of the left has one of the right that simulates it. */
     Optional<Boolean> verdict() {
-        Steps mine = pairing.left.openings();
-        Steps theirs = pairing.right.openings();
+        Steps mine = product.left.openings();
+        Steps theirs = product.right.openings();
         for (int step = 0; step < mine.size(); step++) {
-            for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
+            for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
                 boolean answered = false;
                 for (int answer : sent.allowed()) {
                     int next = theirs.next()[answer];
                     answered |=
-                            pairing.isSettled(next)
+                            product.isSettled(next)
                                     || holds(mine.next()[step], next, Long.MAX_VALUE);
                 }
                 if (!answered) {
@@ -134,16 +130,16 @@ final class SimulationRelation {
     private void demand(int pair) {
         int left = lefts.get(pair);
         int right = rights.get(pair);
-        int set = pairing.sets.singleton(right);
-        Alphabet alphabet = pairing.alphabet(left, set);
-        Steps[] own = pairing.leftSteps(left, alphabet);
-        Steps[] other = pairing.rightSteps(set, right, alphabet);
+        int set = product.sets.singleton(right);
+        Alphabet alphabet = product.alphabet(left, set);
+        Steps[] own = product.leftSteps(left, alphabet);
+        Steps[] other = product.rightSteps(set, right, alphabet);
         for (int letter = 0; letter < alphabet.size(); letter++) {
             work++;
             Steps mine = own[letter];
             Steps theirs = other[letter];
             for (int step = 0; step < mine.size(); step++) {
-                for (CubeSplit.Case sent : pairing.cases(mine.outputs()[step], theirs)) {
+                for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
                     if (!demand(pair, mine.next()[step], theirs, sent.allowed())) {
                         return;
                     }
@@ -157,7 +153,7 @@ final class SimulationRelation {
      */
     private boolean demand(int owner, int left, Steps theirs, int[] allowed) {
         for (int answer : allowed) {
-            if (pairing.isSettled(theirs.next()[answer])) {
+            if (product.isSettled(theirs.next()[answer])) {
                 return true;
             }
         }

@@ -9,6 +9,7 @@ import arcomat.semantics.expression.Sent;
 import arcomat.semantics.value.Beside;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Comparator;
 import java.util.LinkedHashSet;
@@ -54,19 +55,11 @@ public final class CubeSplit {
         boolean error = !outputs.isLetter(sent);
         int[] alike = alike(others, error);
         Output cube = shown(sent);
-        List<List<Sent>> letters = List.of(List.of());
+        List<Set<Sent>> options = new ArrayList<>();
         for (int port = 0; port < ports.size(); port++) {
-            List<List<Sent>> longer = new ArrayList<>();
-            for (Sent option : options(cube.ports().get(port), port, alike)) {
-                for (List<Sent> letter : letters) {
-                    budget.insist();
-                    List<Sent> copy = new ArrayList<>(letter);
-                    copy.add(option);
-                    longer.add(copy);
-                }
-            }
-            letters = longer;
+            options.add(options(cube.ports().get(port), port, alike));
         }
+        List<List<Sent>> letters = combinations(options, budget);
         List<Case> cases = new ArrayList<>();
         for (List<Sent> letter : letters) {
             budget.insist();
@@ -76,6 +69,25 @@ public final class CubeSplit {
         }
         cases.sort(Comparator.comparingInt(Case::messages));
         return cases;
+    }
+
+    /** One option of each port, in all combinations; those of the first port change fastest. */
+    public static List<List<Sent>> combinations(
+            List<? extends Collection<Sent>> options, Budget budget) {
+        List<List<Sent>> combinations = List.of(List.of());
+        for (Collection<Sent> ofPort : options) {
+            List<List<Sent>> longer = new ArrayList<>();
+            for (Sent option : ofPort) {
+                for (List<Sent> each : combinations) {
+                    budget.insist();
+                    List<Sent> copy = new ArrayList<>(each);
+                    copy.add(option);
+                    longer.add(copy);
+                }
+            }
+            combinations = longer;
+        }
+        return combinations;
     }
 
     private Set<Sent> options(Sent sent, int port, int[] others) {

@@ -22,7 +22,7 @@ import java.util.Optional;
 import java.util.stream.IntStream;
 
 /** Whatever kinds of messages are wanted: the condition is true for these and no others. */
-class PortConditionTest {
+class MessageConditionTest {
     @Test
     void whatIsNoNumberIsToldFromNumbers() {
         Type type = new Type.RealType(false);
@@ -63,7 +63,7 @@ class PortConditionTest {
     private static void check(Type type, Compared look, List<Value> samples, int[] group) {
         ComponentBuilder builder = ComponentBuilder.component("C").in(type, "x");
         Port port = builder.port("x");
-        PortCondition condition = new PortCondition(port, look, samples, group);
+        MessageCondition condition = new MessageCondition(port, look, samples, group);
         Component component =
                 builder.automaton(Automaton.Completion.IGNORE, "s").initial("s", "").build();
         Automaton alone = component.automata().get(0);

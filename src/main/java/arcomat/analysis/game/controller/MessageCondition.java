@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** What a port carries, for some of its kinds of messages: a match, or else a guard. */
-final class PortCondition {
+final class MessageCondition {
     /** A type of so few values that those left are easier to read than those left out. */
     private static final int EASILY_LISTED = 8;
 
@@ -42,10 +42,10 @@ final class PortCondition {
      * @param samples of all kinds
      * @param group positions of those that are wanted; not all
      */
-    PortCondition(Port port, Look look, List<Value> samples, int[] group) {
+    MessageCondition(Port port, Look look, List<Value> samples, int[] group) {
         this.port = port;
         this.look = look;
-        this.noNumberPossible = samples.stream().anyMatch(PortCondition::isNoNumber);
+        this.noNumberPossible = samples.stream().anyMatch(MessageCondition::isNoNumber);
         samples.stream()
                 .filter(sample -> sample != null && !isNoNumber(sample))
                 .sorted(ValueOrder.NATURAL)
