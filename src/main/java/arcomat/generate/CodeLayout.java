@@ -1,6 +1,5 @@
 package arcomat.generate;
 
-import arcomat.generate.language.TypeName;
 import arcomat.generate.plan.Program;
 import arcomat.generate.text.FileContext;
 import arcomat.generate.text.MemberNames;
@@ -82,10 +81,9 @@ public record CodeLayout(
         }
         Map<String, MessageClass> classes = new LinkedHashMap<>();
         for (ClassView view : types.classes()) {
-            String name = new TypeName(view.packageName(), view.name()).qualified();
             List<String> attributes =
                     view.attributes().stream().map(ClassView.AttributeView::name).toList();
-            classes.put(view.model(), new MessageClass(name, attributes));
+            classes.put(view.model(), new MessageClass(view.self().qualified(), attributes));
         }
         Map<String, String> programs = new LinkedHashMap<>();
         for (Component main : mains) {

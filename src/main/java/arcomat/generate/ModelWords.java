@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Types, messages and conditions as a model writes them, with short names where these are clear.
@@ -58,10 +59,8 @@ final class ModelWords {
 
     /** What a transition sends. */
     String message(Automaton.Send send) {
-        List<String> values =
-                ((Automaton.Messages) send.emission())
-                        .values().stream().map(this::constant).toList();
-        String all = String.join(", ", values);
+        List<Expression> values = send.emission().values();
+        String all = constants(values);
         return send.port().name() + " = " + (values.size() == 1 ? all : "[" + all + "]");
     }
 
@@ -88,14 +87,16 @@ final class ModelWords {
     record Item(Port port, String text) {}
 
     Item item(Port port, List<Automaton.Pattern> patterns) {
-        List<String> alternatives = new ArrayList<>();
-        for (Automaton.Pattern pattern : patterns) {
-            if (pattern instanceof Automaton.OneOf oneOf) {
-                oneOf.values().forEach(value -> alternatives.add(constant(value)));
-            } else {
-                alternatives.add(pattern instanceof Automaton.Absent ? "--" : "?");
-            }
-        }
+        List<String> alternatives =
+                patterns.stream()
+                        .flatMap(
+                                pattern ->
+                                        pattern.match(
+                                                oneOf ->
+                                                        oneOf.values().stream().map(this::constant),
+                                                () -> Stream.of("--"),
+                                                () -> Stream.of("?")))
+                        .toList();
         String all = String.join(", ", alternatives);
         String said = alternatives.size() == 1 ? all : "alt {" + all + "}";
         return new Item(port, port.name() + " == " + said);
@@ -158,13 +159,16 @@ final class ModelWords {
     }
 
     private String matches(Expression.PortMatches matches) {
-        String port = matches.port().name();
-        if (matches.pattern() instanceof Automaton.OneOf oneOf) {
-            return port
-                    + oneOf.values().stream()
-                            .map(this::constant)
-                            .collect(Collectors.joining(", ", " isin {", "}"));
-        }
-        return port + (matches.pattern() instanceof Automaton.Absent ? " == --" : " != --");
+        String asked =
+                matches.pattern()
+                        .match(
+                                oneOf -> " isin {" + constants(oneOf.values()) + "}",
+                                () -> " == --",
+                                () -> " != --");
+        return matches.port().name() + asked;
+    }
+
+    private String constants(List<Expression> values) {
+        return values.stream().map(this::constant).collect(Collectors.joining(", "));
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.generate;
 
+import arcomat.generate.language.TypeName;
 import arcomat.generate.template.TemplateEngine;
 import arcomat.generate.view.ClassView;
 import arcomat.generate.view.EnumView;
@@ -65,22 +66,22 @@ final class OutputFiles {
     /** The enums and classes that messages are made of. */
     void write(MessageTypes types) {
         for (EnumView view : types.enums()) {
-            write(Kind.ENUM, view.folder(), view.prefix(), view.name(), view);
+            write(Kind.ENUM, view.self(), view);
         }
         for (ClassView view : types.classes()) {
-            write(Kind.CLASS, view.folder(), view.prefix(), view.name(), view);
+            write(Kind.CLASS, view.self(), view);
         }
     }
 
     /** Writes every file that the target makes for a component. */
     void write(Kind kind, HeadView head, Record view) {
-        write(kind, head.folder(), head.prefix(), head.name(), view);
+        write(kind, head.self(), view);
     }
 
     /** Writes every file that the target makes for something. */
-    void write(Kind kind, String folder, String prefix, String name, Record view) {
+    void write(Kind kind, TypeName name, Record view) {
         for (Target.Rule rule : rules(kind)) {
-            String path = path(rule, folder, prefix, name);
+            String path = path(rule, name);
             if (isFine(rule, path)) {
                 files.add(new GeneratedFile(path, engine.render(rule.template(), view)));
             }
@@ -117,15 +118,15 @@ final class OutputFiles {
                 .map(
                         rule ->
                                 new GeneratedFile(
-                                        path(rule, head.folder(), head.prefix(), head.name()),
+                                        path(rule, head.self()),
                                         engine.render(rule.template(), view)));
     }
 
-    private static String path(Target.Rule rule, String folder, String prefix, String name) {
+    private static String path(Target.Rule rule, TypeName name) {
         return rule.path()
-                .replace("{folder}", folder)
-                .replace("{prefix}", prefix)
-                .replace("{name}", name);
+                .replace("{folder}", name.folder())
+                .replace("{prefix}", name.prefix())
+                .replace("{name}", name.name());
     }
 
     /** Relative, made of plain names only; what begins with .arcomat is kept by the tool itself. */

@@ -70,7 +70,7 @@ final class Views {
             CompositeViews views = new CompositeViews(context, program, head);
             output.write(Kind.COMPOSITE, head, views.view());
             for (PartsView view : views.sections()) {
-                output.write(Kind.SECTION, view.folder(), view.prefix(), view.name(), view);
+                output.write(Kind.SECTION, view.self(), view);
             }
         }
     }
@@ -86,7 +86,7 @@ final class Views {
         }
         String path = skeleton.get().path();
         String general = generalName(component);
-        String generalPath = path.replace(head.name(), general);
+        String generalPath = path.replace(head.self().name(), general);
         String byHand = request.handwritten().get(path);
         String forAll = request.handwritten().get(generalPath);
         if (byHand != null) {
@@ -127,15 +127,12 @@ final class Views {
         ProgramView view =
                 new ProgramView(
                         Heads.of(main, program),
-                        name.packageName(),
-                        name.prefix(),
-                        name.folder(),
-                        name.name(),
+                        name,
                         program.senses(main) && !(events && main.platform()),
                         events && !main.platform(),
                         events ? "" : program.call(main),
                         Integer.toString(main.cycle()),
                         watches.of(main));
-        output.write(Kind.PROGRAM, name.folder(), name.prefix(), name.name(), view);
+        output.write(Kind.PROGRAM, name, view);
     }
 }

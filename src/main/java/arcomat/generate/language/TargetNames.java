@@ -88,7 +88,7 @@ public final class TargetNames {
                         .collect(Collectors.joining("."));
         UniqueNames scope =
                 packages.computeIfAbsent(home, key -> UniqueNames.ofFiles(reservedTypes()));
-        return new TypeName(
+        return TypeName.of(
                 home, scope.claimAll(NameForms.type(name), language.words("companions")));
     }
 

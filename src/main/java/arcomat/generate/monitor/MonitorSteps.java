@@ -153,7 +153,9 @@ final class MonitorSteps {
 
     private static boolean reads(Expression expression, Variable variable) {
         return expression.contains(
-                e -> e instanceof Expression.VariableRead r && r.variable().name().equals(variable.name()));
+                e ->
+                        e instanceof Expression.VariableRead r
+                                && r.variable().name().equals(variable.name()));
     }
 
     /** A transition is only tried: what goes wrong in it is noted. */
@@ -210,7 +212,11 @@ final class MonitorSteps {
         }
         for (Send send : sends) {
             if (send.port().name().equals(port.name())) {
-                return promise(position, port, text, send.emission());
+                return send.emission()
+                        .match(
+                                messages -> Optional.of(promise(position, port, text, messages)),
+                                Optional::empty,
+                                () -> Optional.of(any(position)));
             }
         }
         return automaton.omitted() == Automaton.Omitted.SILENT
@@ -218,18 +224,17 @@ final class MonitorSteps {
                 : Optional.of(anything(position, port));
     }
 
-    private static Optional<PromiseView> promise(
-            int position, Port port, ExpressionWriter text, Automaton.Emission emission) {
-        if (emission instanceof Automaton.Messages messages) {
-            List<String> codes =
-                    messages.values().stream()
-                            .map(value -> code(text, value, port.type(), port.name()))
-                            .toList();
-            return Optional.of(new PromiseView(position, codes, false, false));
-        }
-        return emission instanceof Automaton.Silence
-                ? Optional.empty()
-                : Optional.of(new PromiseView(position, List.of(), true, false));
+    private static PromiseView promise(
+            int position, Port port, ExpressionWriter text, Automaton.Messages messages) {
+        List<String> codes =
+                messages.values().stream()
+                        .map(value -> code(text, value, port.type(), port.name()))
+                        .toList();
+        return new PromiseView(position, codes, false, false);
+    }
+
+    private static PromiseView any(int position) {
+        return new PromiseView(position, List.of(), true, false);
     }
 
     /** A port that always has a message has one when nothing is said about it. */

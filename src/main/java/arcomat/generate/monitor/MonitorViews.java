@@ -123,8 +123,8 @@ final class MonitorViews {
             imports.add(CHECK);
         }
         for (TypeView type : head.mentions()) {
-            TypeName name = new TypeName(type.packageName(), type.name());
-            boolean foreign = !type.neighbour() && !type.packageName().isEmpty();
+            TypeName name = type.self();
+            boolean foreign = !type.neighbour() && !name.packageName().isEmpty();
             boolean code = type.kind().equals("enum");
             if (code) {
                 imports.add(name.qualified() + "Code");

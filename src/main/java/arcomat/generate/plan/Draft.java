@@ -1,6 +1,5 @@
 package arcomat.generate.plan;
 
-import arcomat.model.Component;
 import arcomat.semantics.network.Composition;
 import arcomat.semantics.network.Source;
 
@@ -92,7 +91,7 @@ public final class Draft {
         int weight = 0;
         for (int node = 1; node <= array.length; node++) {
             boolean same =
-                    node < array.length && mayShare.test(node) && component(node, component(first));
+                    node < array.length && mayShare.test(node) && name(node).equals(name(first));
             weight += same && sameArguments.test(node) && guess.follows(node) ? 0 : single(first);
             if (!same || weight > MOST_WEIGHT) {
                 add(first, node, mayShare);
@@ -104,15 +103,11 @@ public final class Draft {
 
     /** Until the arrays are known: as if each component had one. */
     private int numberOfComponent(int node) {
-        return component(node).qualifiedName().hashCode() & Integer.MAX_VALUE;
+        return name(node).hashCode() & Integer.MAX_VALUE;
     }
 
-    private Component component(int node) {
-        return composition.nodes().get(node).component();
-    }
-
-    private boolean component(int node, Component wanted) {
-        return component(node).qualifiedName().equals(wanted.qualifiedName());
+    private String name(int node) {
+        return composition.nodes().get(node).component().qualifiedName();
     }
 
     private void add(int first, int end, IntPredicate mayShare) {
@@ -203,11 +198,15 @@ public final class Draft {
      * what was sent in the slice before can be as long as the sender has not taken its step.
      */
     public boolean isLate(Stretch stretch, int node, int input) {
-        Source source = composition.nodes().get(node).inputs().get(input);
-        if (source instanceof Source.FromNode from) {
-            return from.fresh() || stretch.merged() && node <= from.node();
-        }
-        return source instanceof Source.FromOutside && stretch.merged();
+        return composition
+                .nodes()
+                .get(node)
+                .inputs()
+                .get(input)
+                .match(
+                        outside -> stretch.merged(),
+                        from -> from.fresh() || stretch.merged() && node <= from.node(),
+                        () -> false);
     }
 
     private boolean isEarly(Stretch stretch, int node, int input) {

@@ -1,5 +1,7 @@
 package arcomat.generate.template;
 
+import arcomat.generate.language.TypeName;
+
 import freemarker.template.ObjectWrapper;
 import freemarker.template.SimpleNumber;
 import freemarker.template.SimpleScalar;
@@ -58,6 +60,11 @@ final class ViewWrapper implements ObjectWrapper {
             for (RecordComponent component : view.getClass().getRecordComponents()) {
                 if (component.getName().equals(name)) {
                     return wrapper.wrap(read(component));
+                }
+            }
+            for (RecordComponent component : view.getClass().getRecordComponents()) {
+                if (component.getType() == TypeName.class) {
+                    return new RecordModel(wrapper, (TypeName) read(component)).get(name);
                 }
             }
             return null;

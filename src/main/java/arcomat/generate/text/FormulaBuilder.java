@@ -1,7 +1,6 @@
 package arcomat.generate.text;
 
 import arcomat.generate.language.Text;
-import arcomat.model.Automaton;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Expression.UnaryOperator;
@@ -64,14 +63,19 @@ public final class FormulaBuilder implements Expression.Cases<Formula> {
     @Override
     public Formula portMatches(Expression.PortMatches matches) {
         Port port = matches.port();
-        if (!(matches.pattern() instanceof Automaton.OneOf oneOf)) {
-            boolean something = matches.pattern() instanceof Automaton.Present;
-            return simplification.and(List.of(new Formula.Carries(port, something)));
-        }
-        Expression.PortRead read = new Expression.PortRead(port, matches.span());
-        List<Formula> values = oneOf.values().stream().map(v -> is(read, true, v)).toList();
-        return simplification.and(
-                List.of(new Formula.Carries(port, true), simplification.or(values)));
+        Formula something = new Formula.Carries(port, true);
+        return matches.pattern()
+                .match(
+                        oneOf -> {
+                            Expression.PortRead read =
+                                    new Expression.PortRead(port, matches.span());
+                            List<Formula> values =
+                                    oneOf.values().stream().map(v -> is(read, true, v)).toList();
+                            return simplification.and(
+                                    List.of(something, simplification.or(values)));
+                        },
+                        () -> simplification.and(List.of(new Formula.Carries(port, false))),
+                        () -> simplification.and(List.of(something)));
     }
 
     @Override

@@ -1,5 +1,6 @@
 package arcomat.generate.view;
 
+import arcomat.generate.language.TypeName;
 import arcomat.generate.view.HeadView.TypeView;
 
 import java.util.List;
@@ -10,13 +11,7 @@ import java.util.List;
  * @param model qualified name in the model
  */
 public record ClassView(
-        String packageName,
-        String prefix,
-        String folder,
-        String name,
-        String model,
-        List<TypeView> mentions,
-        List<AttributeView> attributes) {
+        TypeName self, String model, List<TypeView> mentions, List<AttributeView> attributes) {
 
     /**
      * An attribute.

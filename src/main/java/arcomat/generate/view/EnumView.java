@@ -1,5 +1,7 @@
 package arcomat.generate.view;
 
+import arcomat.generate.language.TypeName;
+
 import java.util.List;
 
 /**
@@ -7,13 +9,7 @@ import java.util.List;
  *
  * @param model qualified name in the model
  */
-public record EnumView(
-        String packageName,
-        String prefix,
-        String folder,
-        String name,
-        String model,
-        List<ConstantView> constants) {
+public record EnumView(TypeName self, String model, List<ConstantView> constants) {
 
     /**
      * A constant.

@@ -1,5 +1,7 @@
 package arcomat.generate.view;
 
+import arcomat.generate.language.TypeName;
+
 import java.util.List;
 
 /**
@@ -12,10 +14,7 @@ import java.util.List;
  * @param mentions types that the file names briefly
  */
 public record HeadView(
-        String packageName,
-        String prefix,
-        String folder,
-        String name,
+        TypeName self,
         String model,
         String file,
         int line,
@@ -27,19 +26,10 @@ public record HeadView(
     /**
      * A type that a file mentions.
      *
-     * @param packageName of the target, empty for none
-     * @param prefix the package as the beginning of an identifier, {@code coffee_types_}
-     * @param folder the package as the beginning of a path, {@code coffee/types/}
      * @param neighbour whether it lives in the package of the file
      * @param kind {@code enum}, {@code class} or {@code component}
      */
-    public record TypeView(
-            String packageName,
-            String prefix,
-            String folder,
-            String name,
-            boolean neighbour,
-            String kind) {}
+    public record TypeView(TypeName self, boolean neighbour, String kind) {}
 
     /**
      * A parameter, variable or constant.

@@ -1,5 +1,6 @@
 package arcomat.generate.view;
 
+import arcomat.generate.language.TypeName;
 import arcomat.generate.view.CompositeView.LoopsView;
 import arcomat.generate.view.CompositeView.PartView;
 import arcomat.generate.view.CompositeView.StepView;
@@ -23,10 +24,7 @@ import java.util.List;
  */
 public record PartsView(
         HeadView head,
-        String packageName,
-        String prefix,
-        String folder,
-        String name,
+        TypeName self,
         List<PartView> members,
         List<AssignmentView> fixed,
         List<String> sensors,

@@ -1,5 +1,6 @@
 package arcomat.generate.view;
 
+import arcomat.generate.language.TypeName;
 import arcomat.generate.view.HeadView.AssignmentView;
 
 import java.util.List;
@@ -14,10 +15,7 @@ import java.util.List;
  */
 public record ProgramView(
         HeadView head,
-        String packageName,
-        String prefix,
-        String folder,
-        String name,
+        TypeName self,
         boolean senses,
         boolean events,
         String call,

@@ -169,13 +169,9 @@ public final class CompositeViews {
         } else {
             content.addSections(section.inner(), whole);
         }
-        TypeName type = type(section);
         return new PartsView(
                 head,
-                type.packageName(),
-                type.prefix(),
-                type.folder(),
-                type.name(),
+                type(section),
                 content.members,
                 content.fixed,
                 content.sensors,

@@ -91,15 +91,16 @@ final class Copies {
     }
 
     private Copy copy(Source source, Sections.Section here, End receiver) {
-        if (source instanceof Source.FromNode from) {
-            String object = leading(from.node(), here) + arrangement.object(from.node());
-            return copy(sender(from, object), receiver);
-        }
-        return source instanceof Source.FromOutside from
-                ? copy(
-                        new End(here == null ? "" : whole, composition.component(), from.port()),
-                        receiver)
-                : Copy.NONE;
+        return source.match(
+                outside -> {
+                    String object = here == null ? "" : whole;
+                    return copy(new End(object, composition.component(), outside.port()), receiver);
+                },
+                from -> {
+                    String object = leading(from.node(), here) + arrangement.object(from.node());
+                    return copy(sender(from, object), receiver);
+                },
+                () -> Copy.NONE);
     }
 
     private End sender(Source.FromNode from, String object) {

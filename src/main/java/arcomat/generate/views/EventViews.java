@@ -162,11 +162,10 @@ public final class EventViews {
     }
 
     private static boolean isFrom(Source source, int sender, Port port) {
-        if (source instanceof Source.FromNode from) {
-            return from.node() == sender && from.port().name().equals(port.name());
-        }
-        return source instanceof Source.FromOutside outside
-                && sender < 0
-                && outside.port().name().equals(port.name());
+        String name = port.name();
+        return source.match(
+                outside -> sender < 0 && outside.port().name().equals(name),
+                from -> from.node() == sender && from.port().name().equals(name),
+                () -> false);
     }
 }

@@ -36,12 +36,8 @@ public final class Heads {
      */
     public static HeadView of(FileContext context, boolean draws) {
         Component component = context.component();
-        TypeName self = context.self();
         return new HeadView(
-                self.packageName(),
-                self.prefix(),
-                self.folder(),
-                self.name(),
+                context.self(),
                 component.qualifiedName(),
                 Places.file(component),
                 Places.line(component.span()),
@@ -90,10 +86,7 @@ public final class Heads {
                 .map(
                         type ->
                                 new TypeView(
-                                        type.packageName(),
-                                        type.prefix(),
-                                        type.folder(),
-                                        type.name(),
+                                        type,
                                         references.isNeighbour(type),
                                         components.contains(type)
                                                 ? "component"

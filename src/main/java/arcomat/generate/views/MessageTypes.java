@@ -55,14 +55,7 @@ public final class MessageTypes {
             int number = constants.size() + 1;
             constants.add(new EnumView.ConstantView(name.name(), name.code(), number, constant));
         }
-        TypeName self = names.of(type);
-        return new EnumView(
-                self.packageName(),
-                self.prefix(),
-                self.folder(),
-                self.name(),
-                type.name(),
-                constants);
+        return new EnumView(names.of(type), type.name(), constants);
     }
 
     public List<ClassView> classes() {
@@ -83,10 +76,7 @@ public final class MessageTypes {
         }
         List<Type> types = type.attributes().stream().map(Type.Attribute::type).toList();
         return new ClassView(
-                self.packageName(),
-                self.prefix(),
-                self.folder(),
-                self.name(),
+                self,
                 type.name(),
                 Heads.mentions(references, Set.of(), names.ofEnums(types)),
                 attributes);
