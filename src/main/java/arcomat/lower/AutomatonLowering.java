@@ -69,7 +69,7 @@ final class AutomatonLowering {
         return new Automaton.Transition(
                 transition.source().orElseThrow().index(),
                 transition.target().orElseThrow().index(),
-                guards.isEmpty() ? Optional.empty() : Optional.of(Guards.conjunction(guards)),
+                guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards)),
                 matches,
                 sends(transition.output()),
                 assignments(transition.output()),
@@ -80,8 +80,8 @@ final class AutomatonLowering {
             ItemSymbol item, List<Automaton.Match> matches, List<Expression> guards) {
         ValueSymbol target = target(item);
         if (target instanceof PortSymbol port) {
-            Optional<PortCondition> condition = values.condition(port(port), item.value());
-            condition.flatMap(PortCondition::match).ifPresent(matches::add);
+            Optional<InputCondition> condition = values.condition(port(port), item.value());
+            condition.flatMap(InputCondition::match).ifPresent(matches::add);
             condition.filter(c -> c.match().isEmpty()).ifPresent(c -> guards.add(c.guard()));
         } else {
             guards.add(values.comparison(read(target, item), item.value()));

@@ -54,17 +54,17 @@ final class TableLowering {
 
     private List<Automaton.Transition> transitions() {
         List<Automaton.Transition> transitions = new ArrayList<>();
-        List<List<PortCondition>> earlier = new ArrayList<>();
+        List<List<InputCondition>> earlier = new ArrayList<>();
         for (TableSymbol.Row row : table.rows()) {
-            List<PortCondition> conditions = conditions(row);
+            List<InputCondition> conditions = conditions(row);
             transitions.add(transition(row, conditions, earlier));
             earlier.add(conditions);
         }
         return transitions;
     }
 
-    private List<PortCondition> conditions(TableSymbol.Row row) {
-        List<PortCondition> conditions = new ArrayList<>();
+    private List<InputCondition> conditions(TableSymbol.Row row) {
+        List<InputCondition> conditions = new ArrayList<>();
         List<TableSymbol.Column> columns = table.inputs();
         for (int i = 0; i < columns.size(); i++) {
             values.condition(port(columns.get(i)), row.inputs().get(i)).ifPresent(conditions::add);
@@ -74,14 +74,14 @@ final class TableLowering {
 
     private Automaton.Transition transition(
             TableSymbol.Row row,
-            List<PortCondition> conditions,
-            List<List<PortCondition>> earlier) {
+            List<InputCondition> conditions,
+            List<List<InputCondition>> earlier) {
         List<Automaton.Match> matches = new ArrayList<>();
         List<Expression> guards = new ArrayList<>();
-        for (PortCondition condition : conditions) {
+        for (InputCondition condition : conditions) {
             condition.match().ifPresentOrElse(matches::add, () -> guards.add(condition.guard()));
         }
-        for (List<PortCondition> other : earlier) {
+        for (List<InputCondition> other : earlier) {
             if (canMeet(conditions, other)) {
                 guards.add(denial(other, row));
             }
@@ -89,24 +89,25 @@ final class TableLowering {
         return new Automaton.Transition(
                 0,
                 0,
-                guards.isEmpty() ? Optional.empty() : Optional.of(Guards.conjunction(guards)),
+                guards.isEmpty() ? Optional.empty() : Optional.of(Connectives.conjunction(guards)),
                 matches,
                 sends(row),
                 List.of(),
                 row.node().span());
     }
 
-    private static boolean canMeet(List<PortCondition> row, List<PortCondition> other) {
+    private static boolean canMeet(List<InputCondition> row, List<InputCondition> other) {
         return row.stream().noneMatch(c -> other.stream().anyMatch(c::excludes));
     }
 
     /** A row without conditions matches always, so that nothing behind it ever does. */
-    private static Expression denial(List<PortCondition> row, TableSymbol.Row place) {
+    private static Expression denial(List<InputCondition> row, TableSymbol.Row place) {
         if (row.isEmpty()) {
             return new Expression.Constant(
                     new Value.BooleanValue(false), new Type.BooleanType(), place.node().span());
         }
-        return Guards.not(Guards.conjunction(row.stream().map(PortCondition::guard).toList()));
+        return Connectives.not(
+                Connectives.conjunction(row.stream().map(InputCondition::guard).toList()));
     }
 
     private List<Automaton.Send> sends(TableSymbol.Row row) {

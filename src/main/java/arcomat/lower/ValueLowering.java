@@ -16,12 +16,12 @@ import java.util.Optional;
 record ValueLowering(ExpressionLowering expressions) {
 
     /** What a value on the input side asks of a port; empty for {@code *}. */
-    Optional<PortCondition> condition(Port port, ItemValue value) {
+    Optional<InputCondition> condition(Port port, ItemValue value) {
         if (value.node() instanceof Block.DontCare) {
             return Optional.empty();
         }
         return Optional.of(
-                new PortCondition(port, patterns(port.type(), value), value.node().span()));
+                new InputCondition(port, patterns(port.type(), value), value.node().span()));
     }
 
     private List<Automaton.Pattern> patterns(Type type, ItemValue value) {
@@ -53,9 +53,9 @@ record ValueLowering(ExpressionLowering expressions) {
     Expression comparison(Expression variable, ItemValue value) {
         List<Expression> equal = new ArrayList<>();
         for (Typed typed : value.expressions()) {
-            equal.add(Guards.equal(variable, expressions.lower(typed, variable.type())));
+            equal.add(Connectives.equal(variable, expressions.lower(typed, variable.type())));
         }
-        return Guards.disjunction(equal);
+        return Connectives.disjunction(equal);
     }
 
     /** What a value on the output side sends; empty for {@code *}, which leaves the port out. */

@@ -9,8 +9,8 @@ import java.util.List;
 import java.util.Optional;
 
 /** What the input side asks of a port: that one of the patterns matches. */
-record PortCondition(Port port, List<Automaton.Pattern> patterns, Span span) {
-    PortCondition {
+record InputCondition(Port port, List<Automaton.Pattern> patterns, Span span) {
+    InputCondition {
         patterns = List.copyOf(patterns);
     }
 
@@ -23,14 +23,14 @@ record PortCondition(Port port, List<Automaton.Pattern> patterns, Span span) {
 
     /** As a guard that is always defined. */
     Expression guard() {
-        return Guards.disjunction(
+        return Connectives.disjunction(
                 patterns.stream()
                         .<Expression>map(p -> new Expression.PortMatches(port, p, span))
                         .toList());
     }
 
     /** Whether the same letter can never satisfy both, as far as constants tell. */
-    boolean excludes(PortCondition other) {
+    boolean excludes(InputCondition other) {
         return port.name().equals(other.port.name())
                 && patterns.stream()
                         .allMatch(p -> other.patterns.stream().allMatch(q -> areDisjoint(p, q)));

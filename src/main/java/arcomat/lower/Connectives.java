@@ -5,11 +5,11 @@ import arcomat.model.Type;
 
 import java.util.List;
 
-/** Builds guards out of guards. */
-final class Guards {
+/** Builds guards out of guards, by the connectives of logic. */
+final class Connectives {
     private static final Type BOOLEAN = new Type.BooleanType();
 
-    private Guards() {}
+    private Connectives() {}
 
     /** At least one operand is given. */
     static Expression conjunction(List<Expression> operands) {
