@@ -72,4 +72,7 @@ public record Diagnostic(
     public Diagnostic withSeverity(Severity other) {
         return new Diagnostic(code, other, span, message, related, fix);
     }
+
+    /** Another place that explains a finding, with a note on what is to be seen there. */
+    public record Related(Span span, String note) {}
 }

@@ -16,4 +16,7 @@ public record Fix(String title, List<TextEdit> edits) {
     public static Fix replace(String title, Span span, String text) {
         return new Fix(title, List.of(new TextEdit(span, text)));
     }
+
+    /** Replaces the text of a span. */
+    public record TextEdit(Span span, String text) {}
 }

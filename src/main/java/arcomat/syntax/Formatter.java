@@ -1,5 +1,6 @@
 package arcomat.syntax;
 
+import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.layout.Layout;
 
@@ -33,5 +34,17 @@ public final class Formatter {
     private static boolean breaksLikeWindows(String text) {
         int first = text.indexOf('\n');
         return first > 0 && text.charAt(first - 1) == '\r';
+    }
+
+    /**
+     * What came of formatting a file.
+     *
+     * @param text the canonical text; empty exactly if there are findings
+     * @param findings the syntax errors in text order
+     */
+    public record Formatted(Optional<String> text, List<Diagnostic> findings) {
+        public Formatted {
+            findings = List.copyOf(findings);
+        }
     }
 }

@@ -4,7 +4,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
-import arcomat.tree.Comment;
+import arcomat.tree.Unit.Comment;
 
 import org.antlr.v4.runtime.ANTLRErrorStrategy;
 import org.antlr.v4.runtime.BailErrorStrategy;

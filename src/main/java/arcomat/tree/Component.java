@@ -1,6 +1,7 @@
 package arcomat.tree;
 
 import arcomat.source.Span;
+import arcomat.tree.TypeReference.TypeArgument;
 
 import java.util.List;
 import java.util.Optional;
@@ -36,4 +37,11 @@ public record Component(
     public <R> R match(Cases<R> cases) {
         return cases.component().apply(this);
     }
+
+    /** A configuration parameter of a component. */
+    public record Parameter(Span span, TypeReference type, Name name, Optional<Expression> initial)
+            implements Node {}
+
+    /** {@code T} or {@code T extends Bound & Bound}. */
+    public record TypeParameter(Span span, Name name, List<TypeReference> bounds) implements Node {}
 }

@@ -19,4 +19,14 @@ public record TypeReference(
         implements Node {
     /** {@code [low .. high]} on an integer type, both ends included. */
     public record Range(Span span, Expression low, Expression high) implements Node {}
+
+    /** What stands between the angle brackets of a type. */
+    public sealed interface TypeArgument extends Node {
+
+        record Given(Span span, TypeReference type) implements TypeArgument {}
+
+        /** {@code ?}, {@code ? extends T} or {@code ? super T}. */
+        record Wildcard(Span span, boolean upper, Optional<TypeReference> bound)
+                implements TypeArgument {}
+    }
 }

@@ -26,4 +26,10 @@ public record Unit(
     public String packageText() {
         return packageName.map(QualifiedName::text).orElse("");
     }
+
+    /** A comment with its delimiters. */
+    public record Comment(Span span, String text) implements Node {}
+
+    /** {@code import a.b.C;} or, with a wildcard, {@code import a.b.*;}. */
+    public record Import(Span span, QualifiedName name, boolean wildcard) implements Node {}
 }

@@ -11,8 +11,8 @@ import arcomat.check.law.Check;
 import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 import arcomat.source.Diagnostic;
+import arcomat.source.Fix.TextEdit;
 import arcomat.source.SourceFile;
-import arcomat.source.TextEdit;
 import arcomat.symbols.Workspace;
 import arcomat.tree.Unit;
 

@@ -3,7 +3,7 @@ package arcomat.symbols;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.DelayCycle;
+import arcomat.symbols.bodies.Delays.DelayCycle;
 import arcomat.symbols.names.ClassSymbol;
 
 import org.junit.jupiter.api.Test;

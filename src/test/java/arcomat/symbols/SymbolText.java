@@ -3,7 +3,7 @@ package arcomat.symbols;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
-import arcomat.symbols.bodies.DelayCycle;
+import arcomat.symbols.bodies.Delays.DelayCycle;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.StateSymbol;
@@ -14,8 +14,8 @@ import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.UnitScope;
-import arcomat.tree.Import;
 import arcomat.tree.Unit;
+import arcomat.tree.Unit.Import;
 
 import java.util.List;
 import java.util.stream.Collectors;

@@ -2,7 +2,6 @@ package arcomat.syntax;
 
 import arcomat.source.Span;
 import arcomat.tree.Block.Single;
-import arcomat.tree.Comment;
 import arcomat.tree.Expression;
 import arcomat.tree.Expression.Binary;
 import arcomat.tree.Expression.JavaExpression;
@@ -11,6 +10,7 @@ import arcomat.tree.Expression.Reference;
 import arcomat.tree.Expression.Unary;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
+import arcomat.tree.Unit.Comment;
 
 import java.lang.reflect.RecordComponent;
 import java.util.List;

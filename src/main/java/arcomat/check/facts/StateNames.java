@@ -1,7 +1,7 @@
 package arcomat.check.facts;
 
 import arcomat.source.Fix;
-import arcomat.source.TextEdit;
+import arcomat.source.Fix.TextEdit;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.StateSymbol;
 import arcomat.tree.AutomatonElement;

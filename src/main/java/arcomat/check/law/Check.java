@@ -30,8 +30,8 @@ import arcomat.tree.ClassDiagram;
 import arcomat.tree.Node;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
-import arcomat.tree.TypeArgument;
 import arcomat.tree.TypeReference;
+import arcomat.tree.TypeReference.TypeArgument;
 import arcomat.tree.Unit;
 
 import java.util.ArrayList;

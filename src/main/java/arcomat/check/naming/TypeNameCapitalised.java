@@ -4,8 +4,8 @@ import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
+import arcomat.tree.Component.TypeParameter;
 import arcomat.tree.Name;
-import arcomat.tree.TypeParameter;
 
 /** ARC0209: names of components and message types start with a capital letter. (Hab16 CV1) */
 public final class TypeNameCapitalised implements Check.OnComponent, Check.OnClassDiagram {

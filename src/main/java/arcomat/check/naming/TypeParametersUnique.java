@@ -3,7 +3,7 @@ package arcomat.check.naming;
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.tree.TypeParameter;
+import arcomat.tree.Component.TypeParameter;
 
 /** ARC0202: the type parameters of a component differ in name. */
 public final class TypeParametersUnique implements Check.OnComponent {

@@ -16,10 +16,10 @@ import arcomat.symbols.expressions.PortSymbol;
 import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.signatures.ComponentReference;
 import arcomat.tree.Component;
+import arcomat.tree.Component.TypeParameter;
 import arcomat.tree.Element;
 import arcomat.tree.Node;
 import arcomat.tree.QualifiedName;
-import arcomat.tree.TypeParameter;
 import arcomat.tree.TypeReference;
 
 import java.util.List;

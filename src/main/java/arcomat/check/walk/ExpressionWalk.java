@@ -7,8 +7,8 @@ import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Expression;
 import arcomat.tree.QualifiedName;
-import arcomat.tree.TypeArgument;
 import arcomat.tree.TypeReference;
+import arcomat.tree.TypeReference.TypeArgument;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -7,7 +7,7 @@ import arcomat.diagram.Highlights.Highlight;
 import arcomat.diagram.Highlights.Kind;
 import arcomat.model.Automaton;
 import arcomat.source.Diagnostic;
-import arcomat.source.Related;
+import arcomat.source.Diagnostic.Related;
 import arcomat.source.Span;
 
 import java.util.ArrayList;

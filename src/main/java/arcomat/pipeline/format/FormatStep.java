@@ -9,8 +9,8 @@ import arcomat.pipeline.step.PathNames;
 import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.syntax.Formatted;
 import arcomat.syntax.Formatter;
+import arcomat.syntax.Formatter.Formatted;
 
 import java.io.IOException;
 import java.util.ArrayList;

@@ -10,9 +10,9 @@ import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
 import arcomat.symbols.names.Outline;
 import arcomat.syntax.Parsed;
-import arcomat.tree.Import;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
+import arcomat.tree.Unit.Import;
 
 import java.util.ArrayList;
 import java.util.HashMap;

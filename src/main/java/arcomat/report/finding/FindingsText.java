@@ -4,7 +4,7 @@ import arcomat.report.text.Printable;
 import arcomat.report.text.Snippet;
 import arcomat.report.text.Style;
 import arcomat.source.Diagnostic;
-import arcomat.source.Related;
+import arcomat.source.Diagnostic.Related;
 import arcomat.source.Severity;
 import arcomat.source.Span;
 

@@ -3,8 +3,8 @@ package arcomat.report.finding;
 import arcomat.report.finding.Reported.Standing;
 import arcomat.report.text.Printable;
 import arcomat.source.Diagnostic;
+import arcomat.source.Diagnostic.Related;
 import arcomat.source.Position;
-import arcomat.source.Related;
 
 import java.util.ArrayList;
 import java.util.List;

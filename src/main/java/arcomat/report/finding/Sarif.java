@@ -5,9 +5,9 @@ import arcomat.report.text.Fields;
 import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
 import arcomat.source.Diagnostic;
+import arcomat.source.Diagnostic.Related;
 import arcomat.source.Fix;
-import arcomat.source.Related;
-import arcomat.source.TextEdit;
+import arcomat.source.Fix.TextEdit;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

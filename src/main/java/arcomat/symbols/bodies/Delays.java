@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Collectors;
 
 /**
  * What runs through a component without delay. Every delay-0 output of an atomic component depends
@@ -63,5 +64,29 @@ public final class Delays {
     /** Empty for a part that contains the whole again: that is another finding. */
     private Optional<InstantGraph> known(ComponentSymbol part) {
         return Optional.ofNullable(graphs.get(part));
+    }
+
+    /**
+     * A cycle of messages in which nothing is delayed.
+     *
+     * @param component whose connectors close the cycle
+     * @param instances in the order in which messages run, the first not repeated
+     * @param connectors that lie on the cycle, in the same order
+     */
+    public record DelayCycle(
+            ComponentSymbol component,
+            List<InstanceSymbol> instances,
+            List<ConnectorSymbol> connectors) {
+        public DelayCycle {
+            instances = List.copyOf(instances);
+            connectors = List.copyOf(connectors);
+        }
+
+        /** {@code ctrl -> timer -> ctrl}. */
+        public String text() {
+            return instances.stream().map(InstanceSymbol::name).collect(Collectors.joining(" -> "))
+                    + " -> "
+                    + instances.get(0).name();
+        }
     }
 }

@@ -3,6 +3,7 @@ package arcomat.symbols.bodies;
 import arcomat.graph.Digraph;
 import arcomat.graph.ShortestCycles;
 import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.Delays.DelayCycle;
 import arcomat.symbols.expressions.PortSymbol;
 
 import java.util.ArrayList;

@@ -2,8 +2,8 @@ package arcomat.symbols.expressions;
 
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
+import arcomat.tree.Component.Parameter;
 import arcomat.tree.Expression;
-import arcomat.tree.Parameter;
 
 import java.util.function.BiFunction;
 

@@ -1,6 +1,6 @@
 package arcomat.symbols.names;
 
-import arcomat.tree.TypeParameter;
+import arcomat.tree.Component.TypeParameter;
 
 /** A type parameter of a component, inside the component. */
 public final class TypeVariable implements TypeSymbol {

@@ -2,10 +2,10 @@ package arcomat.symbols.names;
 
 import arcomat.tree.ClassDiagram;
 import arcomat.tree.Expression;
-import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.TypeReference;
 import arcomat.tree.Unit;
+import arcomat.tree.Unit.Import;
 
 import java.util.ArrayList;
 import java.util.HashMap;

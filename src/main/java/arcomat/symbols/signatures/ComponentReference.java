@@ -6,8 +6,8 @@ import arcomat.symbols.names.TypeSubstitution;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.symbols.names.UnknownType;
 import arcomat.symbols.names.UnsupportedType;
-import arcomat.tree.TypeArgument;
 import arcomat.tree.TypeReference;
+import arcomat.tree.TypeReference.TypeArgument;
 
 import java.util.ArrayList;
 import java.util.List;

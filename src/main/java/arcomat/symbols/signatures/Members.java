@@ -8,9 +8,9 @@ import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Resolution;
 import arcomat.symbols.names.TypeSymbol;
+import arcomat.tree.Component.Parameter;
 import arcomat.tree.Element;
 import arcomat.tree.Name;
-import arcomat.tree.Parameter;
 import arcomat.tree.Stereotype;
 import arcomat.tree.Variable;
 

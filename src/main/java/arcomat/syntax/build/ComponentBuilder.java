@@ -5,10 +5,10 @@ import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Automaton;
 import arcomat.tree.Behaviour;
 import arcomat.tree.Component;
+import arcomat.tree.Component.Parameter;
+import arcomat.tree.Component.TypeParameter;
 import arcomat.tree.Element;
 import arcomat.tree.IoTable;
-import arcomat.tree.Parameter;
-import arcomat.tree.TypeParameter;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;

@@ -10,8 +10,8 @@ import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Name;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Stereotype;
-import arcomat.tree.TypeArgument;
 import arcomat.tree.TypeReference;
+import arcomat.tree.TypeReference.TypeArgument;
 import arcomat.tree.Variable;
 
 import org.antlr.v4.runtime.ParserRuleContext;

@@ -2,11 +2,11 @@ package arcomat.syntax.build;
 
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatParser;
-import arcomat.tree.Comment;
 import arcomat.tree.Definition;
-import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
 import arcomat.tree.Unit;
+import arcomat.tree.Unit.Comment;
+import arcomat.tree.Unit.Import;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 

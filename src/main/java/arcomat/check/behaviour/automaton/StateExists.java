@@ -3,8 +3,8 @@ package arcomat.check.behaviour.automaton;
 import arcomat.check.facts.StateNames;
 import arcomat.check.law.Check;
 import arcomat.source.Fix;
+import arcomat.source.Fix.TextEdit;
 import arcomat.source.Nearest;
-import arcomat.source.TextEdit;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.tree.Name;
 

@@ -2,8 +2,8 @@ package arcomat.check.behaviour.expression;
 
 import arcomat.check.law.Check;
 import arcomat.source.Fix;
+import arcomat.source.Fix.TextEdit;
 import arcomat.source.Span;
-import arcomat.source.TextEdit;
 import arcomat.symbols.names.BuiltinType;
 import arcomat.symbols.names.RangeType;
 import arcomat.symbols.names.TypeSymbol;

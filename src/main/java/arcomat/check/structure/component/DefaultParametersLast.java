@@ -2,7 +2,7 @@ package arcomat.check.structure.component;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.tree.Parameter;
+import arcomat.tree.Component.Parameter;
 
 /**
  * ARC0119: parameters with a default value stand behind those without, because arguments are

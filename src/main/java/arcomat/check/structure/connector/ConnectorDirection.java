@@ -2,8 +2,8 @@ package arcomat.check.structure.connector;
 
 import arcomat.check.law.Check;
 import arcomat.source.Fix;
+import arcomat.source.Fix.TextEdit;
 import arcomat.source.Span;
-import arcomat.source.TextEdit;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol.End;

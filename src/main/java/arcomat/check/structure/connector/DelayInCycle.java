@@ -3,7 +3,7 @@ package arcomat.check.structure.connector;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
-import arcomat.symbols.bodies.DelayCycle;
+import arcomat.symbols.bodies.Delays.DelayCycle;
 
 import java.util.List;
 

@@ -2,8 +2,8 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.VisibleNames;
 import arcomat.check.law.Check;
-import arcomat.tree.Import;
 import arcomat.tree.Unit;
+import arcomat.tree.Unit.Import;
 
 /**
  * ARC0121: an import leads to something that exists. Imports from the Java library stay unreported:

@@ -2,8 +2,8 @@ package arcomat.check.structure.reference;
 
 import arcomat.check.facts.Deletion;
 import arcomat.check.law.Check;
-import arcomat.tree.Import;
 import arcomat.tree.QualifiedName;
+import arcomat.tree.Unit.Import;
 
 import java.util.Collection;
 import java.util.HashSet;

@@ -4,7 +4,7 @@ import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.symbols.signatures.ComponentReference;
 import arcomat.symbols.signatures.Signature;
-import arcomat.tree.TypeArgument;
+import arcomat.tree.TypeReference.TypeArgument;
 
 /** ARC0115: a generic component gets one type for each of its type parameters. (Hab16 R9) */
 public final class TypeArgumentsComplete implements Check.OnComponentUse {
