@@ -22,6 +22,7 @@ record BuildTasks(String scripts) {
                 List.of(
                         "build.gradle",
                         "gradle/checksums.gradle",
+                        "gradle/compiler.gradle",
                         "gradle/mutation.gradle",
                         "gradle/sbom.gradle",
                         "benchmarks/build.gradle")) {
