@@ -1,33 +1,14 @@
 package arcomat.cli;
 
-import arcomat.cli.command.AnalyzeCommand;
-import arcomat.cli.command.CheckBrickCommand;
-import arcomat.cli.command.CheckCommand;
+import arcomat.cli.command.ArcomatCommand;
 import arcomat.cli.command.Command;
-import arcomat.cli.command.ContradictionsCommand;
-import arcomat.cli.command.DiagramCommand;
-import arcomat.cli.command.DiffCommand;
-import arcomat.cli.command.EvolutionCommand;
-import arcomat.cli.command.ExplainCommand;
-import arcomat.cli.command.FormatCommand;
-import arcomat.cli.command.GateCommand;
-import arcomat.cli.command.GenerateCommand;
-import arcomat.cli.command.LinkCommand;
-import arcomat.cli.command.MonaCommand;
-import arcomat.cli.command.MonitorCommand;
-import arcomat.cli.command.RefinesCommand;
-import arcomat.cli.command.RunBrickCommand;
-import arcomat.cli.command.SimulateCommand;
-import arcomat.cli.command.TestCommand;
-import arcomat.cli.command.TestsCommand;
-import arcomat.cli.command.VerifyCommand;
-import arcomat.cli.command.WorldCommand;
+import arcomat.cli.command.Commands;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.HelpText;
 import arcomat.cli.terminal.TerminalDialogue;
-import arcomat.pipeline.step.TimeIsUp;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.TimeIsUp;
+import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 
@@ -36,10 +17,9 @@ import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 
 import java.nio.file.InvalidPathException;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.Supplier;
 
 /** The command line without the process around it: arguments and a console in, exit status out. */
 public final class Cli {
@@ -53,33 +33,6 @@ public final class Cli {
     private static final int NARROWEST = 55;
 
     private static final int WIDEST = 100;
-
-    /** In the order of their use. */
-    private static final Map<String, Function<Console, Command>> COMMANDS = new LinkedHashMap<>();
-
-    static {
-        COMMANDS.put("check", CheckCommand::new);
-        COMMANDS.put("format", FormatCommand::new);
-        COMMANDS.put("generate", GenerateCommand::new);
-        COMMANDS.put("simulate", SimulateCommand::new);
-        COMMANDS.put("test", TestCommand::new);
-        COMMANDS.put("diagram", DiagramCommand::new);
-        COMMANDS.put("analyze", AnalyzeCommand::new);
-        COMMANDS.put("refines", RefinesCommand::new);
-        COMMANDS.put("verify", VerifyCommand::new);
-        COMMANDS.put("contradictions", ContradictionsCommand::new);
-        COMMANDS.put("diff", DiffCommand::new);
-        COMMANDS.put("evolution", EvolutionCommand::new);
-        COMMANDS.put("gate", GateCommand::new);
-        COMMANDS.put("mona", MonaCommand::new);
-        COMMANDS.put("tests", TestsCommand::new);
-        COMMANDS.put("monitor", MonitorCommand::new);
-        COMMANDS.put("check-brick", CheckBrickCommand::new);
-        COMMANDS.put("run-brick", RunBrickCommand::new);
-        COMMANDS.put("world", WorldCommand::new);
-        COMMANDS.put("link", LinkCommand::new);
-        COMMANDS.put("explain", ExplainCommand::new);
-    }
 
     private Cli() {}
 
@@ -108,13 +61,13 @@ public final class Cli {
 
     private static CommandLine commandLine(String[] arguments, Console console) {
         Ansi ansi = console.style().coloured() ? Ansi.ON : Ansi.OFF;
-        CommandLine line = new CommandLine(new ArcomatCommand());
-        Map<String, Function<Console, Command>> wanted = COMMANDS;
-        if (arguments.length > 0 && COMMANDS.containsKey(arguments[0])) {
+        CommandLine line = new CommandLine(new ArcomatCommand(console));
+        Map<String, Supplier<Command>> wanted = Commands.BY_NAME;
+        if (arguments.length > 0 && wanted.containsKey(arguments[0])) {
             // Reading the annotations of the other commands would double the time of a short run.
-            wanted = Map.of(arguments[0], COMMANDS.get(arguments[0]));
+            wanted = Map.of(arguments[0], wanted.get(arguments[0]));
         }
-        wanted.values().forEach(command -> line.addSubcommand(command.apply(console)));
+        wanted.values().forEach(command -> line.addSubcommand(command.get()));
         int width = helpWidth(console);
         fit(line, width);
         line.getSubcommands().values().forEach(command -> fit(command, width));
@@ -130,6 +83,7 @@ public final class Cli {
     private static void fit(CommandLine command, int width) {
         CommandLine.Model.UsageMessageSpec usage = command.getCommandSpec().usageMessage();
         usage.description(HelpText.fit(usage.description(), width - 1));
+        usage.footerHeading("%nExamples:%n");
         usage.footer(HelpText.fit(usage.footer(), width - 1));
     }
 

@@ -3,12 +3,14 @@ package arcomat.docs;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.model.Automaton.Completion;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
 import arcomat.pipeline.analysis.AnalysisLimits;
-import arcomat.pipeline.analysis.RefinesRequest;
-import arcomat.pipeline.diagram.DiagramRequest;
+import arcomat.pipeline.analysis.ComparedSides;
+import arcomat.pipeline.analysis.ProveRefinement;
+import arcomat.pipeline.analysis.Prover;
+import arcomat.pipeline.diagram.DrawDiagrams;
 import arcomat.pipeline.picture.PictureFormat;
-import arcomat.pipeline.step.Progress;
 
 import org.junit.jupiter.api.Test;
 
@@ -25,16 +27,17 @@ class PicturesTest {
     private static final Path DRAWN = Path.of("build/pictures");
 
     private static final List<String> MODELS = List.of("models/coffee");
-    private final Pipeline pipeline = new Pipeline(Path.of(""), Progress.NONE);
+    private final Session session = Session.in(Path.of(""), Progress.NONE);
 
     @Test
     void componentsAndAutomata() throws Exception {
         List<String> components =
                 List.of("coffee.fetcher.Fetcher", "coffee.fig6.AvoidCrash", "coffee.types.Types");
         String out = DRAWN.resolve("coffee").toString();
-        DiagramRequest request =
-                new DiagramRequest(components, PictureFormat.svg, out, 1000, Optional.empty());
-        List<String> files = pipeline.diagram(request, MODELS).files();
+        DrawDiagrams task =
+                new DrawDiagrams(
+                        components, PictureFormat.svg, out, 1000, Optional.empty(), MODELS);
+        List<String> files = session.run(task).value().orElseThrow();
         assertThat(files).hasSize(4);
         for (String file : files) {
             same("coffee/" + file);
@@ -44,18 +47,14 @@ class PicturesTest {
     @Test
     void counterexample() throws Exception {
         Optional<Completion> ignore = Optional.of(Completion.IGNORE);
-        RefinesRequest request =
-                new RefinesRequest(
-                        "coffee.fig6.AvoidCrash",
-                        "coffee.fig5.AvoidCrash",
-                        ignore,
-                        ignore,
-                        Optional.empty(),
-                        Optional.empty(),
-                        Optional.empty(),
+        session.run(
+                new ProveRefinement(
+                        new ComparedSides(
+                                "coffee.fig6.AvoidCrash", "coffee.fig5.AvoidCrash", ignore, ignore),
+                        new Prover.Engine(),
                         Optional.of(DRAWN.resolve("refines.svg").toString()),
-                        new AnalysisLimits(Optional.empty(), Optional.empty()));
-        pipeline.refines(request, MODELS);
+                        MODELS,
+                        new AnalysisLimits(Optional.empty(), Optional.empty())));
         same("refines.svg");
     }
 

@@ -2,12 +2,14 @@ package arcomat.report;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.analysis.refinement.Answered;
 import arcomat.model.Trace;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
-import arcomat.pipeline.analysis.AnalysisResult;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.analysis.VerifyPromises;
+import arcomat.pipeline.simulate.RunStreamTests;
 import arcomat.report.page.Page;
 import arcomat.report.page.Page.Tone;
 import arcomat.report.page.Story;
@@ -28,6 +30,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** What pages tell about results, before a browser shows it. */
 class ResultPagesTest {
@@ -54,7 +57,10 @@ class ResultPagesTest {
     }
 
     private List<StreamTestResult> tests() throws WrongUse {
-        return new Pipeline(folder, Progress.NONE).test(List.of(".")).tests();
+        return Session.in(folder, Progress.NONE)
+                .run(new RunStreamTests(List.of(".")))
+                .value()
+                .orElseThrow();
     }
 
     private static Track track(Story story, String name) {
@@ -210,13 +216,13 @@ class ResultPagesTest {
                 "Late.arc",
                 DOOR.replace("component Door", "component Late refines Door")
                         .replace("left = 2", "left = 3"));
-        AnalysisResult result =
-                new Pipeline(folder, Progress.NONE)
-                        .verify(
-                                List.of("."),
-                                new AnalysisLimits(
-                                        java.util.Optional.empty(), java.util.Optional.empty()));
-        Story story = VerdictPage.of("verify", "all", result.answers()).stories().get(0);
+        AnalysisLimits limits = new AnalysisLimits(Optional.empty(), Optional.empty());
+        List<Answered> answers =
+                Session.in(folder, Progress.NONE)
+                        .run(new VerifyPromises(List.of("."), limits))
+                        .value()
+                        .orElseThrow();
+        Story story = VerdictPage.of("verify", "all", answers).stories().get(0);
         assertThat(texts(track(story, "right is")).get(4)).isEqualTo("not possible");
         assertThat(elements(track(story, "left: Late goes")))
                 .containsExactly(

@@ -2,14 +2,22 @@ package arcomat.cli.command;
 
 import arcomat.cli.option.OutputFormat;
 import arcomat.cli.option.ReportFormat;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
 
 import picocli.CommandLine.Option;
 
-/** What the commands that answer questions about models have in common. */
-abstract class AnalysisCommand extends LimitedCommand {
+/**
+ * What the commands that answer questions about models have in common.
+ *
+ * @param <T> the answer of models without errors
+ */
+abstract class AnalysisCommand<T> extends LimitedCommand {
     @Option(
             names = "--format",
             paramLabel = "FORMAT",
@@ -17,20 +25,43 @@ abstract class AnalysisCommand extends LimitedCommand {
             description = "How to write answers: ${COMPLETION-CANDIDATES}; default text.")
     private OutputFormat format;
 
-    AnalysisCommand(Console console) {
-        super(console);
-    }
+    /** What is asked; complains before anything is done in vain. */
+    abstract Task<CheckedAnswer<T>> task(Session session) throws WrongUse;
 
-    final boolean isJson() {
-        return format == OutputFormat.json;
+    /** Writes what was asked for beside what is printed. */
+    void report(T answer, Session session) throws WrongUse {}
+
+    abstract String json(T answer);
+
+    /**
+     * The answer for people.
+     *
+     * @param style of the console
+     */
+    abstract String text(T answer, Style style);
+
+    abstract int status(T answer);
+
+    @Override
+    final int run(Session session) throws WrongUse {
+        CheckedAnswer<T> reply = session.run(task(session));
+        tellAside(reply.check());
+        boolean json = format == OutputFormat.json;
+        if (reply.value().isEmpty()) {
+            return refuse(reply.check(), json);
+        }
+        T answer = reply.value().get();
+        report(answer, session);
+        print(json ? json(answer) : text(answer, console().style()));
+        return status(answer);
     }
 
     /** Models with errors cannot be asked anything: their findings are the answer. */
-    final int refuse(CheckResult check) {
-        if (isJson()) {
+    private int refuse(CheckResult check, boolean json) {
+        if (json) {
             print(
-                    CheckRendering.refused("", check, console)
-                            .text(ReportFormat.json, console.style()));
+                    CheckRendering.refused("", check, console())
+                            .text(ReportFormat.json, console().style()));
         } else {
             reportErrors(check);
         }

@@ -1,10 +1,12 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.analysis.AnalyzeRequest;
-import arcomat.pipeline.analysis.AnalyzeResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.AnalyzeAutomata;
+import arcomat.pipeline.analysis.AnalyzeAutomata.Found;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
 import arcomat.report.verdict.ExaminationJson;
 import arcomat.report.verdict.ExaminationText;
 
@@ -26,7 +28,6 @@ import java.util.List;
             "are states never reached and transitions never taken; in a trap nothing is sent any"
                     + " more."
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat analyze models/coffee",
             "  arcomat analyze --component coffee.fig3.AvoidCrash models/coffee",
@@ -36,7 +37,7 @@ import java.util.List;
             "looked at; 2 wrong use or models with errors. A finding that is meant is declared in",
             "the model: <<suppress = \"ARC1001: reason\">>."
         })
-public final class AnalyzeCommand extends AnalysisCommand {
+final class AnalyzeCommand extends AnalysisCommand<AnalyzeAutomata.Found> {
     @Option(
             names = "--component",
             paramLabel = "Q",
@@ -46,26 +47,29 @@ public final class AnalyzeCommand extends AnalysisCommand {
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
-    public AnalyzeCommand(Console console) {
-        super(console);
+    @Override
+    Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
+        return new AnalyzeAutomata(components, paths, limits());
     }
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        AnalyzeResult result = pipeline.analyze(new AnalyzeRequest(components, limits()), paths);
-        tellAside(result.check());
-        if (result.check().hasErrors()) {
-            return refuse(result.check());
+    String json(Found found) {
+        return ExaminationJson.render(found.examinations(), found.unexamined());
+    }
+
+    @Override
+    String text(Found found, Style style) {
+        StringBuilder out = new StringBuilder();
+        found.examinations().forEach(e -> out.append(ExaminationText.render(e, style)));
+        found.unexamined().forEach(e -> out.append(ExaminationText.render(e, style)).append('\n'));
+        if (found.meant() > 0) {
+            out.append(ExaminationText.meant(found.meant(), style)).append('\n');
         }
-        if (isJson()) {
-            print(ExaminationJson.render(result.examinations(), result.unexamined()));
-        } else {
-            result.examinations().forEach(e -> print(ExaminationText.render(e, console.style())));
-            result.unexamined().forEach(e -> printLine(ExaminationText.render(e, console.style())));
-            if (result.meant() > 0) {
-                printLine(ExaminationText.meant(result.meant(), console.style()));
-            }
-        }
-        return status(result.answer());
+        return out.toString();
+    }
+
+    @Override
+    int status(Found found) {
+        return status(found.answer());
     }
 }

@@ -2,10 +2,10 @@ package arcomat.cli.command;
 
 import arcomat.brick.BrickReport;
 import arcomat.cli.option.OutputFormat;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.JarReader;
 import arcomat.report.brick.BrickReportJson;
 import arcomat.report.brick.BrickReportText;
 import arcomat.report.finding.FindingsText;
@@ -17,7 +17,6 @@ import picocli.CommandLine.Option;
 @CommandLine.Command(
         name = "check-brick",
         description = "Checks a robot's jar against what the brick has and can hold.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat check-brick --jar build/brick/Fetcher.jar",
             "  arcomat check-brick --format json --jar build/brick/Fetcher.jar > brick.json",
@@ -26,7 +25,7 @@ import picocli.CommandLine.Option;
             "",
             "Exit status: 0 it fits on the brick; 1 it does not; 2 wrong use."
         })
-public final class CheckBrickCommand extends Command {
+final class CheckBrickCommand extends Command {
     @Option(
             names = "--jar",
             paramLabel = "ROBOT.jar",
@@ -41,13 +40,9 @@ public final class CheckBrickCommand extends Command {
             description = "${COMPLETION-CANDIDATES}; default text.")
     private OutputFormat format;
 
-    public CheckBrickCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        BrickReport report = pipeline.checkBrick(jar);
+    int run(Session session) throws WrongUse {
+        BrickReport report = JarReader.read(jar, session.names()).report();
         if (format == OutputFormat.json) {
             print(BrickReportJson.render(report));
         } else {
@@ -57,8 +52,8 @@ public final class CheckBrickCommand extends Command {
     }
 
     private void tell(BrickReport report) {
-        print(FindingsText.render(report.findings(), console.style()));
-        print(BrickReportText.render(report, console.style()));
+        print(FindingsText.render(report.findings(), console().style()));
+        print(BrickReportText.render(report, console().style()));
         printLine("'" + jar + "' " + (report.fits() ? "fits" : "does not fit") + " on the brick");
     }
 }

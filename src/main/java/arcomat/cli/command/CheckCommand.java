@@ -1,16 +1,17 @@
 package arcomat.cli.command;
 
 import arcomat.cli.option.BaselineOptions;
-import arcomat.cli.option.Rendering;
+import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.MachineFormats;
 import arcomat.cli.terminal.Version;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.recheck.CheckAgain;
 import arcomat.pipeline.recheck.Recheck;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.report.finding.CheckReport;
 import arcomat.source.Diagnostic;
 
@@ -26,7 +27,6 @@ import java.util.Locale;
 @CommandLine.Command(
         name = "check",
         description = "Reports what is wrong with models.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat check models/coffee              a model root: every model below it",
             "  arcomat check p/q/Robot.arc              one file; what it refers to is found by its"
@@ -39,7 +39,7 @@ import java.util.Locale;
             "Exit status: 0 no errors, with --strict no findings; 1 some that are not in the",
             "baseline; 2 wrong use, or input that cannot be read."
         })
-public final class CheckCommand extends Command {
+final class CheckCommand extends Command {
     /** What a model must fulfil. */
     enum Profile {
         requirements,
@@ -78,17 +78,13 @@ public final class CheckCommand extends Command {
             description = "Model files, and folders that are model roots.")
     private List<String> paths;
 
-    public CheckCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        CheckResult result = check(pipeline);
-        CheckReport report = baselines.apply(result, pipeline);
+    int run(Session session) throws WrongUse {
+        CheckResult result = check(session);
+        CheckReport report = baselines.apply(result, session);
         Rendering rendering =
-                new CheckRendering("check", report, strict, MachineFormats.of(console));
-        reports.write(rendering, pipeline, console);
+                new CheckRendering("check", report, strict, MachineFormats.of(console()));
+        reports.write(rendering, session, console());
         if (result.hasUnreadableInput()) {
             return ExitStatus.WRONG_USE;
         }
@@ -98,18 +94,20 @@ public final class CheckCommand extends Command {
         return fails ? ExitStatus.FINDINGS : ExitStatus.FINE;
     }
 
-    private CheckResult check(Pipeline pipeline) throws WrongUse {
+    private CheckResult check(Session session) throws WrongUse {
         boolean executable = profile == Profile.executable;
-        if (state == null) {
-            return tell(Recheck.full(pipeline.check(paths, executable)));
-        }
-        return tell(pipeline.checkAgain(paths, executable, state, Version.identity()));
+        return tell(
+                state == null
+                        ? Recheck.full(session.run(new CheckFiles(paths, executable)))
+                        : session.run(
+                                new CheckAgain(paths, executable, state, Version.identity())));
     }
 
     private CheckResult tell(Recheck recheck) {
         CheckResult result = recheck.result();
         if (verbose) {
-            console.err()
+            console()
+                    .err()
                     .printf(
                             Locale.ROOT,
                             "checked %,d of %,d files\n",

@@ -1,7 +1,7 @@
 package arcomat.cli.command;
 
-import arcomat.cli.option.Rendering;
 import arcomat.cli.option.ReportFormat;
+import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.MachineFormats;
 import arcomat.pipeline.check.Aside;

@@ -3,21 +3,24 @@ package arcomat.cli.command;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.ProgressLines;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
 
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParentCommand;
 
 import java.util.concurrent.Callable;
+import java.util.function.ToIntFunction;
 
-/** What the commands have in common: a console, a pipeline, and help. */
+/** What the commands have in common: a console, a session, and help. */
 public abstract class Command implements Callable<Integer> {
-    final Console console;
+    @ParentCommand private ArcomatCommand tool;
 
     @Option(
             names = {"-h", "--help"},
@@ -32,17 +35,13 @@ public abstract class Command implements Callable<Integer> {
                             + " terminal.")
     private boolean progress;
 
-    Command(Console console) {
-        this.console = console;
-    }
-
     @Override
     public final Integer call() throws WrongUse {
-        if (!progress && !console.watched()) {
-            return run(new Pipeline(console.directory(), limited(Progress.NONE)));
+        if (!progress && !console().watched()) {
+            return run(Session.in(console().directory(), limited(Progress.NONE)));
         }
-        try (ProgressLines lines = new ProgressLines(console.err())) {
-            return run(new Pipeline(console.directory(), limited(lines)));
+        try (ProgressLines lines = new ProgressLines(console().err())) {
+            return run(Session.in(console().directory(), limited(lines)));
         }
     }
 
@@ -51,14 +50,35 @@ public abstract class Command implements Callable<Integer> {
         return progress;
     }
 
+    final Console console() {
+        return tool.console();
+    }
+
     /** Does the work and returns the exit status. */
-    abstract int run(Pipeline pipeline) throws WrongUse;
+    abstract int run(Session session) throws WrongUse;
 
     /** Prints findings that keep a command from doing its work. */
     final int reportErrors(CheckResult check) {
-        print(FindingsText.render(check.findings(), console.style()));
-        printLine(FindingsText.summary(check.findings(), check.files(), console.style()));
+        print(FindingsText.render(check.findings(), console().style()));
+        printLine(FindingsText.summary(check.findings(), check.files(), console().style()));
         return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
+    }
+
+    /**
+     * Tells which files were written, or which findings do not let that be done.
+     *
+     * @param told tells more about what was written, and returns how many files there are
+     * @param out the folder, as the user wrote it
+     */
+    final <T> int tellWritten(CheckedAnswer<T> written, ToIntFunction<T> told, String out) {
+        tellAside(written.check());
+        if (written.value().isEmpty()) {
+            return reportErrors(written.check());
+        }
+        print(FindingsText.render(written.check().findings(), console().style()));
+        int files = told.applyAsInt(written.value().get());
+        printLine("wrote " + FindingsText.count(files, "file") + " to " + out);
+        return ExitStatus.FINE;
     }
 
     /** Tells what a command went on without; what it found out is for the standard output. */
@@ -69,8 +89,9 @@ public abstract class Command implements Callable<Integer> {
     /** The same of files from several places. */
     final void tellAside(Aside aside) {
         if (!aside.isEmpty()) {
-            console.err().print(FindingsText.render(aside.findings(), console.style()));
-            console.err()
+            console().err().print(FindingsText.render(aside.findings(), console().style()));
+            console()
+                    .err()
                     .println(
                             "left out, with errors in its syntax or in need of a file that has: "
                                     + Printable.escape(String.join(", ", aside.files())));
@@ -78,10 +99,10 @@ public abstract class Command implements Callable<Integer> {
     }
 
     final void print(String text) {
-        console.out().print(text);
+        console().out().print(text);
     }
 
     final void printLine(String text) {
-        console.out().print(text + "\n");
+        console().out().print(text + "\n");
     }
 }

@@ -1,12 +1,8 @@
 package arcomat.cli.command;
 
-import arcomat.analysis.refinement.Answered;
-import arcomat.cli.terminal.Console;
 import arcomat.model.Automaton.Completion;
-import arcomat.pipeline.analysis.RefinesRequest;
-import arcomat.pipeline.step.WrongUse;
-import arcomat.report.verdict.VerdictJson;
-import arcomat.report.verdict.VerdictText;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.ComparedSides;
 
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -17,7 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /** What the commands about two sides have in common. */
-abstract class ComparisonCommand extends AnalysisCommand {
+abstract class ComparisonCommand<T> extends AnalysisCommand<T> {
     @Option(
             names = "--completion",
             paramLabel = "LEFT,RIGHT",
@@ -40,55 +36,16 @@ abstract class ComparisonCommand extends AnalysisCommand {
             description = "Model files and model roots.")
     private List<String> paths;
 
-    ComparisonCommand(Console console) {
-        super(console);
-    }
-
     final List<String> paths() {
         return paths;
     }
 
-    /**
-     * @param mona the program to ask; empty for the engine
-     */
-    final RefinesRequest request(Optional<String> mona) throws WrongUse {
+    final ComparedSides sides() throws WrongUse {
         String[] sides = completion == null ? new String[0] : completion.split(",", -1);
         if (completion != null && sides.length != 2) {
             throw new WrongUse("--completion '" + completion + "' is no pair such as chaos,output");
         }
-        return new RefinesRequest(
-                left,
-                right,
-                completion(sides, 0),
-                completion(sides, 1),
-                mona,
-                certificate(),
-                doubted(),
-                diagram(),
-                limits());
-    }
-
-    /** Prints what was found out about both. */
-    final void print(Answered answered) {
-        print(
-                isJson()
-                        ? VerdictJson.render(answered.verdict())
-                        : VerdictText.render(answered, console.style()));
-    }
-
-    /** Where to write a proof. */
-    Optional<String> certificate() {
-        return Optional.empty();
-    }
-
-    /** A proof that is to be verified. */
-    Optional<String> doubted() {
-        return Optional.empty();
-    }
-
-    /** A picture of a failure. */
-    Optional<String> diagram() {
-        return Optional.empty();
+        return new ComparedSides(left, right, completion(sides, 0), completion(sides, 1));
     }
 
     private static Optional<Completion> completion(String[] sides, int side) throws WrongUse {
@@ -103,9 +60,8 @@ abstract class ComparisonCommand extends AnalysisCommand {
                         .orElseThrow(
                                 () ->
                                         new WrongUse(
-                                                "'"
-                                                        + name
-                                                        + "' is no completion; there are chaos,"
-                                                        + " output, ignore and error")));
+                                                "'%s' is no completion; there are chaos, output,"
+                                                        + " ignore and error",
+                                                name)));
     }
 }

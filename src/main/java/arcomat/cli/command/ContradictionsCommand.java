@@ -1,12 +1,13 @@
 package arcomat.cli.command;
 
-import arcomat.analysis.contradiction.Consistency;
 import arcomat.cli.option.PageOption;
-import arcomat.cli.terminal.Console;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.analysis.ContradictionsRequest;
-import arcomat.pipeline.analysis.ContradictionsResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.FindContradictions;
+import arcomat.pipeline.analysis.FindContradictions.Found;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
 import arcomat.report.verdict.ConsistencyJson;
 import arcomat.report.verdict.ConsistencyPage;
 import arcomat.report.verdict.ConsistencyText;
@@ -23,7 +24,6 @@ import java.util.Optional;
 @CommandLine.Command(
         name = "contradictions",
         description = "Looks for requirements that no system can keep together, or makes one.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat contradictions p.Robot models",
             "  arcomat contradictions --all p.Robot models    all minimal contradicting sets",
@@ -34,7 +34,7 @@ import java.util.Optional;
                     + " 3",
             "unknown; 2 wrong use or models with errors."
         })
-public final class ContradictionsCommand extends AnalysisCommand {
+final class ContradictionsCommand extends AnalysisCommand<FindContradictions.Found> {
     @Option(
             names = "--all",
             description = "Look for all minimal sets of requirements that contradict each other.")
@@ -63,35 +63,36 @@ public final class ContradictionsCommand extends AnalysisCommand {
 
     @Mixin private PageOption report = new PageOption();
 
-    public ContradictionsCommand(Console console) {
-        super(console);
+    @Override
+    Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
+        report.prepare(session);
+        return new FindContradictions(component, all, Optional.ofNullable(out), paths, limits());
     }
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        report.prepare(pipeline);
-        ContradictionsResult result =
-                pipeline.contradictions(
-                        new ContradictionsRequest(
-                                component, all, Optional.ofNullable(out), limits()),
-                        paths);
-        tellAside(result.check());
-        if (result.found().isEmpty()) {
-            return refuse(result.check());
-        }
-        Consistency found = result.found().get();
+    void report(Found found, Session session) throws WrongUse {
         report.write(
-                () -> ConsistencyPage.of(result.asked().orElseThrow(), found, result.controller()),
-                pipeline);
-        print(
-                isJson()
-                        ? ConsistencyJson.render(found, result.controller(), result.file())
-                        : ConsistencyText.render(
-                                result.title(),
-                                found,
-                                result.controller(),
-                                result.file(),
-                                console.style()));
-        return status(found.answer());
+                () -> ConsistencyPage.of(found.asked(), found.consistency(), found.controller()),
+                session);
+    }
+
+    @Override
+    String json(Found found) {
+        return ConsistencyJson.render(found.consistency(), found.controller(), found.file());
+    }
+
+    @Override
+    String text(Found found, Style style) {
+        return ConsistencyText.render(
+                found.asked().title(),
+                found.consistency(),
+                found.controller(),
+                found.file(),
+                style);
+    }
+
+    @Override
+    int status(Found found) {
+        return status(found.consistency().answer());
     }
 }

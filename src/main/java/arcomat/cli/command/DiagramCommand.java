@@ -1,14 +1,11 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
-import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
-import arcomat.pipeline.diagram.DiagramRequest;
-import arcomat.pipeline.diagram.DiagramResult;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.diagram.DrawDiagrams;
 import arcomat.pipeline.picture.PictureFormat;
-import arcomat.pipeline.step.WrongUse;
-import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
@@ -22,7 +19,6 @@ import java.util.Optional;
 @CommandLine.Command(
         name = "diagram",
         description = "Draws components with their parts, automata and class diagrams.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat diagram --out build/pictures models/coffee",
             "  arcomat diagram --component coffee.fetcher.Fetcher --out build/fetcher"
@@ -37,7 +33,7 @@ import java.util.Optional;
             "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
                     + " read."
         })
-public final class DiagramCommand extends LimitedCommand {
+final class DiagramCommand extends LimitedCommand {
     enum Highlight {
         analysis
     }
@@ -84,10 +80,6 @@ public final class DiagramCommand extends LimitedCommand {
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
-    public DiagramCommand(Console console) {
-        super(console);
-    }
-
     /** What is found until then is drawn. */
     @Override
     boolean isTimeOfAll() {
@@ -95,20 +87,13 @@ public final class DiagramCommand extends LimitedCommand {
     }
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    int run(Session session) throws WrongUse {
         if (depth < 0) {
             throw new WrongUse("--depth " + depth + " is no number of levels");
         }
-        DiagramResult result =
-                pipeline.diagram(
-                        new DiagramRequest(components, format, out, depth, sought()), paths);
-        tellAside(result.check());
-        if (result.check().hasErrors()) {
-            return reportErrors(result.check());
-        }
-        print(FindingsText.render(result.check().findings(), console.style()));
-        printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
-        return ExitStatus.FINE;
+        CheckedAnswer<List<String>> drawn =
+                session.run(new DrawDiagrams(components, format, out, depth, sought(), paths));
+        return tellWritten(drawn, List::size, out);
     }
 
     private Optional<AnalysisLimits> sought() throws WrongUse {

@@ -1,10 +1,12 @@
 package arcomat.cli.command;
 
 import arcomat.analysis.evolution.Evolution;
-import arcomat.cli.terminal.Console;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.analysis.EvolutionResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.FollowEvolution;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
 import arcomat.report.verdict.EvolutionJson;
 import arcomat.report.verdict.EvolutionText;
 
@@ -18,14 +20,13 @@ import java.util.List;
 @CommandLine.Command(
         name = "evolution",
         description = "Follows promises along versions: kept or not, and which edit broke them.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat evolution --versions p.v1.Robot,p.v2.Robot,p.v3.Robot models",
             "",
             "Exit status: 0 each version refines the one before; 1 one does not; 3 unknown;",
             "2 wrong use or models with errors."
         })
-public final class EvolutionCommand extends AnalysisCommand {
+final class EvolutionCommand extends AnalysisCommand<Evolution> {
     @Option(
             names = "--versions",
             paramLabel = "Q,Q,..",
@@ -38,25 +39,26 @@ public final class EvolutionCommand extends AnalysisCommand {
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
-    public EvolutionCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    Task<CheckedAnswer<Evolution>> task(Session session) throws WrongUse {
         if (versions.size() < 2) {
             throw new WrongUse("--versions names at least two components, the oldest first");
         }
-        EvolutionResult result = pipeline.evolution(versions, paths, limits());
-        tellAside(result.check());
-        if (result.evolution().isEmpty()) {
-            return refuse(result.check());
-        }
-        Evolution evolution = result.evolution().get();
-        print(
-                isJson()
-                        ? EvolutionJson.render(evolution)
-                        : EvolutionText.render(evolution, console.style()));
+        return new FollowEvolution(versions, paths, limits());
+    }
+
+    @Override
+    String json(Evolution evolution) {
+        return EvolutionJson.render(evolution);
+    }
+
+    @Override
+    String text(Evolution evolution, Style style) {
+        return EvolutionText.render(evolution, style);
+    }
+
+    @Override
+    int status(Evolution evolution) {
         return status(evolution.answer());
     }
 }

@@ -1,10 +1,9 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Explanations;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
@@ -15,26 +14,21 @@ import picocli.CommandLine.Parameters;
         name = "explain",
         description =
                 "Tells why a law exists, with a bad and a good model; without CODE lists all.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat explain ARC0104",
             "  arcomat explain                          lists every code with its title",
             "",
             "Exit status: 0 explained; 2 there is no such code."
         })
-public final class ExplainCommand extends Command {
+final class ExplainCommand extends Command {
     @Parameters(
             paramLabel = "CODE",
             arity = "0..1",
             description = "Code of a finding, such as ARC0104.")
     private String code;
 
-    public ExplainCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    int run(Session session) throws WrongUse {
         if (code == null) {
             Explanations.titles().forEach((name, title) -> printLine(name + "  " + title));
             return ExitStatus.FINE;
@@ -44,10 +38,10 @@ public final class ExplainCommand extends Command {
                         .orElseThrow(
                                 () ->
                                         new WrongUse(
-                                                "there is no finding with the code '"
-                                                        + code
-                                                        + "'; 'arcomat explain' lists all codes"));
-        print(FindingsText.explanation(page, console.style()));
+                                                "there is no finding with the code '%s'; 'arcomat"
+                                                        + " explain' lists all codes",
+                                                code));
+        print(FindingsText.explanation(page, console().style()));
         return ExitStatus.FINE;
     }
 }

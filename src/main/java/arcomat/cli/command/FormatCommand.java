@@ -1,9 +1,9 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.format.FormatResult;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.FormatFiles;
 import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
@@ -16,7 +16,6 @@ import java.util.List;
 @CommandLine.Command(
         name = "format",
         description = "Rewrites models in canonical form. Files with errors are left alone.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat format models/coffee             rewrites in place",
             "  arcomat format --check models/coffee     lists files that would change",
@@ -24,21 +23,17 @@ import java.util.List;
             "Exit status: 0 done; 1 models with errors, or with --check files that would change;",
             "2 wrong use, or input that cannot be read."
         })
-public final class FormatCommand extends Command {
+final class FormatCommand extends Command {
     @Option(names = "--check", description = "Change nothing; list the files that would change.")
     private boolean check;
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and folders.")
     private List<String> paths;
 
-    public FormatCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) {
-        FormatResult result = pipeline.format(paths, !check);
-        print(FindingsText.render(result.findings(), console.style()));
+    int run(Session session) throws WrongUse {
+        FormatFiles.Result result = session.run(new FormatFiles(paths, !check));
+        print(FindingsText.render(result.findings(), console().style()));
         for (String path : result.changed()) {
             printLine((check ? "would change " : "changed ") + path);
         }
@@ -50,7 +45,7 @@ public final class FormatCommand extends Command {
         return fails ? ExitStatus.FINDINGS : ExitStatus.FINE;
     }
 
-    private String summary(FormatResult result) {
+    private String summary(FormatFiles.Result result) {
         int changed = result.changed().size();
         String text = changed + " of " + FindingsText.count(result.files(), "file");
         return text + (check ? " would change" : " changed");

@@ -3,15 +3,13 @@ package arcomat.cli.command;
 import arcomat.analysis.evolution.Gate;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.MachineFormats;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.pipeline.gate.GateRequest;
-import arcomat.pipeline.gate.GateResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.gate.PassGate;
 import arcomat.report.finding.JunitXml;
 import arcomat.report.finding.Reported;
 import arcomat.report.finding.Reported.Standing;
@@ -38,7 +36,6 @@ import java.util.List;
             "One that does not is let through only if the model says why:",
             "<<breaks = \"reason\">> on it, <<replaces = \"p.Old: reason\">> for one that is gone."
         },
-        footerHeading = "%nExamples:%n",
         footer = {
             "  git worktree add ../main main",
             "  arcomat gate --base ../main/models models",
@@ -47,7 +44,7 @@ import java.util.List;
             "Exit status: 0 all keep their promises; 1 one does not; 3 one is unknown; 2 wrong use"
                     + " or models with errors."
         })
-public final class GateCommand extends LimitedCommand {
+final class GateCommand extends LimitedCommand {
     @Mixin private ReportOptions reports = new ReportOptions();
 
     @Option(
@@ -60,10 +57,6 @@ public final class GateCommand extends LimitedCommand {
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
-    public GateCommand(Console console) {
-        super(console);
-    }
-
     /** It holds for each comparison. */
     @Override
     boolean isTimeOfAll() {
@@ -71,29 +64,29 @@ public final class GateCommand extends LimitedCommand {
     }
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        GateResult result = pipeline.gate(new GateRequest(base, paths, limits()));
+    int run(Session session) throws WrongUse {
+        PassGate.Result result = session.run(new PassGate(base, paths, limits()));
         tellAside(result.aside());
         if (result.gate().isEmpty()) {
-            reports.write((format, style) -> refusal(result, format, style), pipeline, console);
+            reports.write((format, style) -> refusal(result, format, style), session, console());
             return ExitStatus.WRONG_USE;
         }
-        reports.write((format, style) -> text(result, format, style), pipeline, console);
+        reports.write((format, style) -> text(result, format, style), session, console());
         return result.aside().isEmpty()
                 ? status(result.gate().get().answer())
                 : ExitStatus.WRONG_USE;
     }
 
-    private String text(GateResult result, ReportFormat format, Style style) {
+    private String text(PassGate.Result result, ReportFormat format, Style style) {
         Gate gate = result.gate().orElseThrow();
         List<Diagnostic> findings = result.findings();
         Aside aside = result.aside();
         return switch (format) {
             case text -> GateText.render(gate, findings, style);
             case json -> GateJson.render(gate, findings, aside.findings(), aside.files());
-            case sarif -> MachineFormats.of(console).sarif(reported(result), false);
+            case sarif -> MachineFormats.of(console()).sarif(reported(result), false);
             case github ->
-                    MachineFormats.of(console)
+                    MachineFormats.of(console())
                             .github(reported(result), GateText.summary(gate, style));
             case junit ->
                     JunitXml.render(
@@ -102,7 +95,7 @@ public final class GateCommand extends LimitedCommand {
         };
     }
 
-    private static List<Reported> reported(GateResult result) {
+    private static List<Reported> reported(PassGate.Result result) {
         List<Reported> all = new ArrayList<>();
         for (Diagnostic finding : result.findings()) {
             all.add(new Reported(finding, Standing.NEW, "", List.of()));
@@ -114,19 +107,19 @@ public final class GateCommand extends LimitedCommand {
     }
 
     /** What keeps the sides from being compared: for people, which side it is. */
-    private String refusal(GateResult result, ReportFormat format, Style style) {
+    private String refusal(PassGate.Result result, ReportFormat format, Style style) {
         if (format == ReportFormat.text) {
             return refusal("the base", base, result.base(), style)
                     + refusal("the new models", paths, result.check(), style);
         }
         CheckResult both = result.base().and(result.check());
-        return CheckRendering.refused("gate", both, console).text(format, style);
+        return CheckRendering.refused("gate", both, console()).text(format, style);
     }
 
     private String refusal(String side, List<String> where, CheckResult check, Style style) {
         return check.hasErrors()
                 ? "%s (%s):\n".formatted(side, String.join(", ", where))
-                        + CheckRendering.refused("gate", check, console)
+                        + CheckRendering.refused("gate", check, console())
                                 .text(ReportFormat.text, style)
                 : "";
     }

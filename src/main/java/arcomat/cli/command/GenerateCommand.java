@@ -1,15 +1,13 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
-import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.generate.GenerationRequest;
-import arcomat.pipeline.generate.GenerationResult;
-import arcomat.pipeline.generate.Robot;
-import arcomat.pipeline.generate.RobotWatch;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.generate.GenerateCode;
+import arcomat.pipeline.generate.GenerateCode.Made;
+import arcomat.pipeline.generate.GenerateCode.RobotWatch;
+import arcomat.pipeline.generate.RobotBuilder.BrickProgram;
 import arcomat.report.brick.BrickReportText;
-import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
@@ -23,7 +21,6 @@ import java.util.Optional;
 @CommandLine.Command(
         name = "generate",
         description = "Writes code for models, if they are fit to run.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat generate --target jvm --out build/coffee models/coffee",
             "  arcomat generate --target jvm --out build/coffee --main coffee.fetcher.Fetcher"
@@ -41,7 +38,7 @@ import java.util.Optional;
             "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
                     + " read."
         })
-public final class GenerateCommand extends Command {
+final class GenerateCommand extends Command {
     enum Choose {
         first,
         random
@@ -88,45 +85,39 @@ public final class GenerateCommand extends Command {
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
-    public GenerateCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        GenerationRequest request =
-                new GenerationRequest(
-                        target, out, Optional.ofNullable(main), choose == Choose.random, monitors);
-        GenerationResult result = pipeline.generate(request, paths);
-        tellAside(result.check());
-        if (result.check().hasErrors()) {
-            return reportErrors(result.check());
-        }
-        print(FindingsText.render(result.check().findings(), console.style()));
-        result.robots().forEach(robot -> report(robot, result.watches()));
-        printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
-        return ExitStatus.FINE;
+    int run(Session session) throws WrongUse {
+        boolean random = choose == Choose.random;
+        CheckedAnswer<Made> generated =
+                session.run(
+                        new GenerateCode(
+                                target, out, Optional.ofNullable(main), random, monitors, paths));
+        return tellWritten(generated, this::report, out);
     }
 
-    private void report(Robot robot, List<RobotWatch> watches) {
+    /** Tells of each program, and returns how many files there are. */
+    private int report(Made made) {
+        made.robots().forEach(robot -> report(robot, made.watches()));
+        return made.files().size();
+    }
+
+    private void report(BrickProgram robot, List<RobotWatch> watches) {
         String jar = out + "/" + robot.jar();
         printLine(jar + ", a program for the brick");
         watches.stream()
                 .filter(watch -> watch.robot().equals(robot.component()))
                 .forEach(watch -> printLine(told(watch)));
-        print(BrickReportText.render(robot.report(), console.style()));
+        print(BrickReportText.render(robot.report(), console().style()));
         printLine("try it: arcomat run-brick --jar " + jar);
         printLine("link it: arcomat link --jar " + jar + ", with NXJ_HOME set");
         printLine("");
     }
 
     private static String told(RobotWatch watch) {
-        return "it watches "
-                + (watch.part().isEmpty() ? "itself" : watch.part())
-                + " for "
-                + watch.requirement()
-                + ", and "
-                + (watch.goesOn() ? "goes on" : "stops")
-                + " when that is violated";
+        return "it watches %s for %s, and %s when that is violated"
+                .formatted(
+                        watch.part().isEmpty() ? "itself" : watch.part(),
+                        watch.requirement(),
+                        watch.goesOn() ? "goes on" : "stops");
     }
 }

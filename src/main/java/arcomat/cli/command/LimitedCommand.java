@@ -1,13 +1,12 @@
 package arcomat.cli.command;
 
 import arcomat.analysis.refinement.Verdict.Answer;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.LastMoment;
+import arcomat.pipeline.LimitedProgress;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
-import arcomat.pipeline.step.LimitedProgress;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
 
 import picocli.CommandLine.Option;
 
@@ -30,16 +29,12 @@ abstract class LimitedCommand extends Command {
     /** A command is made to be run at once. */
     private final long begun = System.nanoTime();
 
-    LimitedCommand(Console console) {
-        super(console);
-    }
-
     /** What comes before the search is over by then, too. */
     @Override
     final Progress limited(Progress progress) throws WrongUse {
         Optional<Long> end = limits().end(begun);
         if (isTimeOfAll()) {
-            end.ifPresent(moment -> LastMoment.await(moment, console));
+            end.ifPresent(moment -> LastMoment.await(moment, console()));
         }
         return end.isPresent() ? new LimitedProgress(progress, end.get()) : progress;
     }

@@ -1,11 +1,9 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.brick.LinkRequest;
-import arcomat.pipeline.brick.LinkResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.LinkJar;
 import arcomat.report.brick.BrickReportText;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.text.Printable;
@@ -19,7 +17,6 @@ import java.util.Optional;
 @CommandLine.Command(
         name = "link",
         description = "Links a robot's jar for the brick, with the linker of leJOS NXJ 0.9.1.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat link --jar build/brick/Fetcher.jar",
             "  arcomat link --jar build/brick/Fetcher.jar --out Fetcher.nxj --nxj-home /opt/lejos",
@@ -29,7 +26,7 @@ import java.util.Optional;
             "",
             "Exit status: 0 linked; 1 it does not fit, or the linker failed; 2 wrong use."
         })
-public final class LinkCommand extends Command {
+final class LinkCommand extends Command {
     @Option(
             names = "--jar",
             paramLabel = "ROBOT.jar",
@@ -57,20 +54,16 @@ public final class LinkCommand extends Command {
             description = "How long the linker may take; default 60.")
     private int limit;
 
-    public LinkCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    int run(Session session) throws WrongUse {
         if (limit < 1) {
             throw new WrongUse("--limit " + limit + " is less than 1");
         }
         Optional<String> home = Optional.ofNullable(nxjHome).filter(text -> !text.isBlank());
-        LinkResult result =
-                pipeline.link(new LinkRequest(jar, Optional.ofNullable(out), home, limit));
-        print(FindingsText.render(result.report().findings(), console.style()));
-        print(BrickReportText.render(result.report(), console.style()));
+        LinkJar.Result result =
+                session.run(new LinkJar(jar, Optional.ofNullable(out), home, limit));
+        print(FindingsText.render(result.report().findings(), console().style()));
+        print(BrickReportText.render(result.report(), console().style()));
         if (result.linked().isPresent()) {
             printLine(success(result.linked().get()));
             return ExitStatus.FINE;
@@ -84,7 +77,7 @@ public final class LinkCommand extends Command {
         return ExitStatus.FINDINGS;
     }
 
-    private static String success(LinkResult.Linked linked) {
+    private static String success(LinkJar.Linked linked) {
         String classes =
                 linked.classes().isPresent()
                         ? ", " + linked.classes().getAsInt() + " of 256 classes"

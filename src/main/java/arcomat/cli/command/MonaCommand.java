@@ -1,23 +1,26 @@
 package arcomat.cli.command;
 
-import arcomat.analysis.refinement.Answered;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.analysis.MonaResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.WriteMonaQuestion;
+import arcomat.pipeline.analysis.WriteMonaQuestion.Outcome;
+import arcomat.pipeline.analysis.WriteMonaQuestion.Settled;
+import arcomat.pipeline.analysis.WriteMonaQuestion.Written;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
 import arcomat.report.verdict.MonaReport;
+import arcomat.report.verdict.VerdictJson;
+import arcomat.report.verdict.VerdictText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Option;
-
-import java.util.Optional;
 
 /** {@code arcomat mona}: the question whether a component refines another, for the program MONA. */
 @CommandLine.Command(
         name = "mona",
         description = "Writes the question whether A refines B for the program MONA.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat mona coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash --out figures.mona"
                     + " models/coffee",
@@ -27,7 +30,7 @@ import java.util.Optional;
             "Exit status: 0 written; 1 the interfaces do not fit; 3 not for MONA; 2 wrong use or",
             "models with errors. The file is written in the first case only."
         })
-public final class MonaCommand extends ComparisonCommand {
+final class MonaCommand extends ComparisonCommand<WriteMonaQuestion.Outcome> {
     @Option(
             names = "--out",
             paramLabel = "FILE",
@@ -35,26 +38,33 @@ public final class MonaCommand extends ComparisonCommand {
             description = "The file to write, which is replaced.")
     private String out;
 
-    public MonaCommand(Console console) {
-        super(console);
+    @Override
+    Task<CheckedAnswer<Outcome>> task(Session session) throws WrongUse {
+        return new WriteMonaQuestion(sides(), out, paths(), limits());
     }
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        MonaResult result = pipeline.mona(request(Optional.empty()), out, paths());
-        tellAside(result.check());
-        if (result.settled().isPresent()) {
-            Answered answered = result.settled().get();
-            print(answered);
-            return status(answered.verdict().answer());
-        }
-        if (result.written().isEmpty()) {
-            return refuse(result.check());
-        }
-        MonaResult.Written written = result.written().get();
-        MonaReport report =
-                new MonaReport(written.file(), written.leftStates(), written.rightStates());
-        print(isJson() ? report.json() : report.text());
-        return ExitStatus.FINE;
+    String json(Outcome outcome) {
+        return outcome instanceof Written written
+                ? report(written).json()
+                : VerdictJson.render(((Settled) outcome).answered().verdict());
+    }
+
+    @Override
+    String text(Outcome outcome, Style style) {
+        return outcome instanceof Written written
+                ? report(written).text()
+                : VerdictText.render(((Settled) outcome).answered(), style);
+    }
+
+    @Override
+    int status(Outcome outcome) {
+        return outcome instanceof Settled settled
+                ? status(settled.answered().verdict().answer())
+                : ExitStatus.FINE;
+    }
+
+    private static MonaReport report(Written written) {
+        return new MonaReport(written.file(), written.leftStates(), written.rightStates());
     }
 }

@@ -1,25 +1,21 @@
 package arcomat.cli.command;
 
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.monitor.MonitorRequest;
-import arcomat.pipeline.monitor.MonitorResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.generate.GenerateMonitor;
+import arcomat.pipeline.generate.GenerateMonitor.Made;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.run.MonitorJson;
+import arcomat.report.text.Style;
 
 import picocli.CommandLine;
-import picocli.CommandLine.Option;
-import picocli.CommandLine.Parameters;
-
-import java.util.List;
 
 /** {@code arcomat monitor}: classes that watch a component while it runs. */
 @CommandLine.Command(
         name = "monitor",
         description = "Writes Java that watches a component while it runs, for its requirements.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat monitor coffee.fig3.AvoidCrash --out build/monitor models/coffee",
             "  arcomat monitor 'p.Robot#waits' --out build/monitor models",
@@ -30,43 +26,29 @@ import java.util.List;
             "",
             "Exit status: 0 written; 2 wrong use or models with errors."
         })
-public final class MonitorCommand extends AnalysisCommand {
-    @Option(
-            names = "--out",
-            paramLabel = "DIR",
-            required = true,
-            description = "The folder to write, which is replaced as a whole.")
-    private String out;
-
-    @Parameters(index = "0", paramLabel = "A", description = "A component, or component#automaton.")
-    private String component;
-
-    @Parameters(
-            index = "1..*",
-            arity = "1..*",
-            paramLabel = "PATH",
-            description = "Model files and model roots.")
-    private List<String> paths;
-
-    public MonitorCommand(Console console) {
-        super(console);
+final class MonitorCommand extends OutputCommand<GenerateMonitor.Made> {
+    @Override
+    Task<CheckedAnswer<Made>> task(Session session) {
+        return new GenerateMonitor(component(), out(), paths());
     }
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        limits();
-        MonitorResult result = pipeline.monitor(new MonitorRequest(component, out), paths);
-        tellAside(result.check());
-        if (result.files().isEmpty()) {
-            return refuse(result.check());
-        }
-        if (isJson()) {
-            print(MonitorJson.render(result.className(), result.requirements(), result.files()));
-            return ExitStatus.FINE;
-        }
-        printLine("wrote " + FindingsText.count(result.files().size(), "file") + " to " + out);
-        printLine(result.className() + " watches for");
-        result.requirements().forEach(requirement -> printLine("  " + requirement));
+    String json(Made made) {
+        return MonitorJson.render(made.className(), made.requirements(), made.files());
+    }
+
+    @Override
+    String text(Made made, Style style) {
+        StringBuilder text = new StringBuilder();
+        String files = FindingsText.count(made.files().size(), "file");
+        text.append("wrote ").append(files).append(" to ").append(out()).append('\n');
+        text.append(made.className()).append(" watches for\n");
+        made.requirements().forEach(each -> text.append("  ").append(each).append('\n'));
+        return text.toString();
+    }
+
+    @Override
+    int status(Made made) {
         return ExitStatus.FINE;
     }
 }

@@ -2,11 +2,16 @@ package arcomat.cli.command;
 
 import arcomat.analysis.refinement.Answered;
 import arcomat.cli.option.PageOption;
-import arcomat.cli.terminal.Console;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.analysis.AnalysisResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.ProveRefinement;
+import arcomat.pipeline.analysis.Prover;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
+import arcomat.report.verdict.VerdictJson;
 import arcomat.report.verdict.VerdictPage;
+import arcomat.report.verdict.VerdictText;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -18,7 +23,6 @@ import java.util.Optional;
 @CommandLine.Command(
         name = "refines",
         description = "Proves that one component keeps what another promises, or how not.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat refines coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash models/coffee",
             "  arcomat refines --completion ignore,ignore p.New p.Old models",
@@ -29,7 +33,7 @@ import java.util.Optional;
             "",
             "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
         })
-public final class RefinesCommand extends ComparisonCommand {
+final class RefinesCommand extends ComparisonCommand<Answered> {
     enum Engine {
         arcomat,
         mona
@@ -68,53 +72,53 @@ public final class RefinesCommand extends ComparisonCommand {
 
     @Mixin private PageOption report = new PageOption();
 
-    public RefinesCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    Task<CheckedAnswer<Answered>> task(Session session) throws WrongUse {
         if (certificate != null && doubted != null) {
             throw new WrongUse(
                     "--verify-certificate searches nothing, so there is nothing to write for"
                             + " --certificate; leave one of them out");
         }
-        report.prepare(pipeline);
-        AnalysisResult result = pipeline.refines(request(asked()), paths());
-        tellAside(result.check());
-        if (result.check().hasErrors()) {
-            return refuse(result.check());
-        }
-        Answered answered = result.answers().get(0);
-        report.write(() -> VerdictPage.of("refines", answered), pipeline);
-        print(answered);
-        if (diagram != null && !isJson() && !answered.verdict().trace().isEmpty()) {
-            printLine("drawn in " + diagram);
-        }
-        return status(result.answer());
+        report.prepare(session);
+        Prover prover = prover();
+        return new ProveRefinement(
+                sides(), prover, Optional.ofNullable(diagram), paths(), limits());
     }
 
-    private Optional<String> asked() throws WrongUse {
+    private Prover prover() throws WrongUse {
         if (mona != null && engine != Engine.mona) {
             throw new WrongUse("--mona names a program, and only '--engine mona' asks it");
         }
-        return engine == Engine.mona
-                ? Optional.of(Optional.ofNullable(mona).orElse("mona"))
-                : Optional.empty();
+        if (engine == Engine.mona) {
+            if (certificate != null || doubted != null) {
+                throw new WrongUse("MONA knows no certificates; leave '--engine mona' out");
+            }
+            return new Prover.Mona(mona == null ? "mona" : mona);
+        }
+        if (doubted != null) {
+            return new Prover.Verifier(doubted);
+        }
+        return certificate == null ? new Prover.Engine() : new Prover.CertifyingEngine(certificate);
     }
 
     @Override
-    Optional<String> certificate() {
-        return Optional.ofNullable(certificate);
+    void report(Answered answered, Session session) throws WrongUse {
+        report.write(() -> VerdictPage.of("refines", answered), session);
     }
 
     @Override
-    Optional<String> diagram() {
-        return Optional.ofNullable(diagram);
+    String json(Answered answered) {
+        return VerdictJson.render(answered.verdict());
     }
 
     @Override
-    Optional<String> doubted() {
-        return Optional.ofNullable(doubted);
+    String text(Answered answered, Style style) {
+        boolean drawn = diagram != null && !answered.verdict().trace().isEmpty();
+        return VerdictText.render(answered, style) + (drawn ? "drawn in " + diagram + "\n" : "");
+    }
+
+    @Override
+    int status(Answered answered) {
+        return status(answered.verdict().answer());
     }
 }

@@ -1,14 +1,11 @@
 package arcomat.cli.command;
 
-import arcomat.cli.option.LimitsOption;
+import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.PageOption;
-import arcomat.cli.option.PatienceOption;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.brick.BrickRunRequest;
-import arcomat.pipeline.brick.BrickRunResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.brick.RunJar;
 import arcomat.report.brick.BrickPage;
 import arcomat.report.brick.BrickTraceJson;
 import arcomat.report.brick.BrickTraceText;
@@ -33,7 +30,6 @@ import java.util.OptionalInt;
 @CommandLine.Command(
         name = "run-brick",
         description = "Runs a robot's jar on a simulated brick, faster than real time.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat run-brick --jar build/brick/Fetcher.jar --script meets-another.script",
             "  arcomat run-brick --jar build/brick/Fetcher.jar --seconds 60 --trace csv > run.csv",
@@ -49,7 +45,7 @@ import java.util.OptionalInt;
             "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 3 it was",
             "given up; 2 wrong use."
         })
-public final class RunBrickCommand extends Command {
+final class RunBrickCommand extends Command {
     enum TraceFormat {
         table,
         csv,
@@ -96,50 +92,44 @@ public final class RunBrickCommand extends Command {
                             + " leaves out cycles that change nothing.")
     private TraceFormat trace;
 
-    @Mixin private PatienceOption timeout = new PatienceOption();
-
-    @Mixin private LimitsOption limits = new LimitsOption();
+    @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Mixin private PageOption report = new PageOption();
 
-    public RunBrickCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    int run(Session session) throws WrongUse {
         if (seconds != null && seconds < 1) {
             throw new WrongUse("--seconds " + seconds + " is less than 1");
         }
         if (seconds != null && seconds > LONGEST) {
             throw new WrongUse(
-                    "--seconds %d is more than %d, where the brick's clock of milliseconds ends"
-                            .formatted(seconds, LONGEST));
+                    "--seconds %d is more than %d, where the brick's clock of milliseconds ends",
+                    seconds, LONGEST);
         }
-        report.prepare(pipeline);
+        report.prepare(session);
         OptionalInt limit = seconds == null ? OptionalInt.empty() : OptionalInt.of(seconds);
-        BrickRunRequest request =
-                new BrickRunRequest(
+        RunJar task =
+                new RunJar(
                         jar,
                         Optional.ofNullable(script),
                         devices,
                         limit,
-                        timeout.patience(),
-                        limits.limits());
+                        bricks.patience(),
+                        bricks.limits());
         try {
-            return report(pipeline.runBrick(request), pipeline);
+            return report(session.run(task), session);
         } catch (OutOfPatience e) {
-            return PatienceOption.gaveUp(e, console);
+            return BrickRunOptions.gaveUp(e, console());
         }
     }
 
-    private int report(BrickRunResult result, Pipeline pipeline) throws WrongUse {
+    private int report(RunJar.Result result, Session session) throws WrongUse {
         if (result.run().isEmpty()) {
-            print(FindingsText.render(result.findings(), console.style()));
-            printLine(FindingsText.summary(result.findings(), 1, console.style()));
+            print(FindingsText.render(result.findings(), console().style()));
+            printLine(FindingsText.summary(result.findings(), 1, console().style()));
             return ExitStatus.FINDINGS;
         }
-        BrickRunResult.Run run = result.run().get();
+        RunJar.Run run = result.run().get();
         report.write(
                 () ->
                         BrickPage.of(
@@ -149,14 +139,14 @@ public final class RunBrickCommand extends Command {
                                 run.failure(),
                                 run.lateness(),
                                 run.screen()),
-                pipeline);
+                session);
         return report(run);
     }
 
-    private int report(BrickRunResult.Run run) {
+    private int report(RunJar.Run run) {
         switch (trace) {
             case table -> {
-                print(BrickTraceText.render(run.trace(), console.style()));
+                print(BrickTraceText.render(run.trace(), console().style()));
                 run.screen().forEach(row -> printLine("| " + Printable.escape(row)));
                 printLine(summary(run));
                 if (run.lateness().slices() > 0) {
@@ -167,13 +157,13 @@ public final class RunBrickCommand extends Command {
             case json -> print(BrickTraceJson.render(run.trace()));
         }
         for (Misfit misfit : run.misfits()) {
-            console.err().println(told(misfit));
+            console().err().println(told(misfit));
         }
         if (run.lateness().slices() > 0 && trace != TraceFormat.table) {
-            console.err().println(BrickTraceText.of(run.lateness()));
+            console().err().println(BrickTraceText.of(run.lateness()));
         }
         if (run.failure().isPresent()) {
-            console.err().println("stopped: " + Printable.escape(run.failure().get()));
+            console().err().println("stopped: " + Printable.escape(run.failure().get()));
             return ExitStatus.FINDINGS;
         }
         return run.misfits().isEmpty() ? ExitStatus.FINE : ExitStatus.FINDINGS;
@@ -192,7 +182,7 @@ public final class RunBrickCommand extends Command {
                 .formatted(misfit.socket(), misfit.sensor(), misfit.time() / 1000, exposed);
     }
 
-    private static String summary(BrickRunResult.Run run) {
+    private static String summary(RunJar.Run run) {
         return String.format(
                 Locale.ROOT, "%s after %.1f s", run.ending(), run.milliseconds() / 1000.0);
     }

@@ -1,16 +1,15 @@
 package arcomat.cli.command;
 
 import arcomat.cli.option.PageOption;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.cli.terminal.SilentDialogue;
 import arcomat.cli.terminal.TerminalDialogue;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.simulate.Audience;
-import arcomat.pipeline.simulate.Dialogue;
-import arcomat.pipeline.simulate.SimulationRequest;
-import arcomat.pipeline.simulate.SimulationResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.simulate.Decider;
+import arcomat.pipeline.simulate.SimulateComponent;
+import arcomat.pipeline.simulate.SimulateComponent.Audience;
+import arcomat.pipeline.simulate.SimulateComponent.Run;
 import arcomat.report.run.RunText;
 import arcomat.report.run.TraceCsv;
 import arcomat.report.run.TraceJson;
@@ -26,7 +25,6 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalInt;
 
@@ -34,7 +32,6 @@ import java.util.OptionalInt;
 @CommandLine.Command(
         name = "simulate",
         description = "Runs a component and tells what happened, slice by slice.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat simulate --main coffee.fetcher.Fetcher --slices 10 --seed 7 models/coffee",
             "  arcomat simulate --main 'coffee.parts.Timer(2)' --choose random models/coffee",
@@ -57,7 +54,7 @@ import java.util.OptionalInt;
             "requirement is violated, or models have errors; 3 it is unknown whether one is kept;",
             "2 wrong use, or input that cannot be read."
         })
-public final class SimulateCommand extends Command {
+final class SimulateCommand extends Command {
     enum Choose {
         first,
         random,
@@ -147,54 +144,50 @@ public final class SimulateCommand extends Command {
             description = "Model files and model roots; may be left out with --input.")
     private List<String> paths = List.of();
 
-    public SimulateCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    int run(Session session) throws WrongUse {
         if (paths.isEmpty() && input == null) {
             throw new WrongUse("which models? name a PATH, or a test with --input");
         }
         if (slices != null && slices < 0) {
             throw new WrongUse("--slices " + slices + " is negative");
         }
-        report.prepare(pipeline);
-        Audience audience = new Audience(text(), () -> !console.out().checkError());
-        SimulationResult result = pipeline.simulate(request(), paths, dialogue(), audience);
-        tellAside(result.check());
-        if (result.trace().isEmpty()) {
-            return reportErrors(result.check());
+        report.prepare(session);
+        CheckedAnswer<Run> reply = session.run(task());
+        tellAside(reply.check());
+        if (reply.value().isEmpty()) {
+            return reportErrors(reply.check());
         }
-        report.write(() -> TracePage.of(result.trace().get(), result.watched()), pipeline);
-        return report(result);
+        Run run = reply.value().get();
+        report.write(() -> TracePage.of(run.trace(), run.watched()), session);
+        return report(run);
     }
 
     private RunText text() {
         return switch (trace) {
-            case table -> new TraceTable(this::print, console.style());
+            case table -> new TraceTable(this::print, console().style());
             case csv -> new TraceCsv(this::print);
             case json -> new TraceJson(this::print);
         };
     }
 
     /** What fails the command: a model that goes wrong, a requirement that is violated. */
-    private int report(SimulationResult result) {
+    private int report(Run run) {
         if (trace == TraceFormat.table) {
-            print(WatchedText.render(result.trace().get(), result.watched(), console.style()));
+            print(WatchedText.render(run.trace(), run.watched(), console().style()));
         }
         boolean violated = false;
         boolean unknown = false;
-        for (Watched watched : result.watched()) {
+        for (Watched watched : run.watched()) {
             violated |= watched.violation().isPresent();
             unknown |= watched.unknown().isPresent();
             if (trace != TraceFormat.table) {
                 complain(watched);
             }
         }
-        Optional<String> failure = result.trace().orElseThrow().failure();
+        Optional<String> failure = run.trace().failure();
         if (failure.isPresent() && trace == TraceFormat.csv) {
-            console.err().println("stopped: " + failure.get());
+            console().err().println("stopped: " + failure.get());
         }
         if (failure.isPresent() || violated) {
             return ExitStatus.FINDINGS;
@@ -205,32 +198,40 @@ public final class SimulateCommand extends Command {
     private void complain(Watched watched) {
         watched.violation()
                 .ifPresent(
-                        v -> console.err().println("violated: " + Printable.escape(v.message())));
+                        v -> console().err().println("violated: " + Printable.escape(v.message())));
         watched.unknown()
                 .ifPresent(
                         why ->
-                                console.err()
+                                console()
+                                        .err()
                                         .println(
-                                                "unknown: "
-                                                        + Printable.escape(watched.requirement())
-                                                        + ": "
-                                                        + why));
+                                                "unknown: %s: %s"
+                                                        .formatted(
+                                                                Printable.escape(
+                                                                        watched.requirement()),
+                                                                why)));
     }
 
-    private SimulationRequest request() {
-        return new SimulationRequest(
+    private SimulateComponent task() {
+        return new SimulateComponent(
                 Optional.ofNullable(main),
                 slices == null ? OptionalInt.empty() : OptionalInt.of(slices),
                 seed,
-                SimulationRequest.Choosing.valueOf(choose.name().toUpperCase(Locale.ROOT)),
-                SimulationRequest.Engine.valueOf(engine.name().toUpperCase(Locale.ROOT)),
+                decider(),
+                engine == Engine.compiled,
                 Optional.ofNullable(input),
                 Optional.ofNullable(record),
                 monitors,
-                report.isWanted());
+                report.isWanted(),
+                new Audience(text(), () -> !console().out().checkError()),
+                paths);
     }
 
-    private Dialogue dialogue() {
-        return choose == Choose.ask ? new TerminalDialogue(console) : new SilentDialogue();
+    private Decider decider() {
+        return switch (choose) {
+            case first -> Decider.Rule.FIRST;
+            case random -> Decider.Rule.RANDOM;
+            case ask -> new TerminalDialogue(console());
+        };
     }
 }

@@ -2,15 +2,15 @@ package arcomat.cli.command;
 
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
-import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.MachineFormats;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.pipeline.simulate.TestResult;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.simulate.RunStreamTests;
 import arcomat.report.finding.JunitXml;
-import arcomat.report.finding.JunitXml.Case;
 import arcomat.report.finding.Reported;
 import arcomat.report.run.StreamTestCases;
 import arcomat.report.run.StreamTestFindings;
@@ -18,18 +18,21 @@ import arcomat.report.run.StreamTestJson;
 import arcomat.report.run.StreamTestPage;
 import arcomat.report.run.StreamTestText;
 import arcomat.report.text.Style;
+import arcomat.simulate.test.StreamTestResult;
+import arcomat.simulate.test.StreamTestResult.Verdict;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** {@code arcomat test}: runs stream tests against their models. */
 @CommandLine.Command(
         name = "test",
         description = "Runs the stream tests (.mt) of models.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat test models/coffee",
             "  arcomat test models/coffee/coffee/fig6/AvoidCrashTest.mt",
@@ -42,61 +45,51 @@ import java.util.List;
             "Exit status: 0 all pass; 1 one fails, or models have errors; 3 one is unknown; 2 wrong"
                     + " use."
         })
-public final class TestCommand extends Command {
+final class TestCommand extends Command {
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Suites (.mt) and model roots.")
     private List<String> paths;
 
-    public TestCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        reports.prepare(pipeline);
-        TestResult result = pipeline.test(paths);
-        tellAside(result.check());
-        CheckResult check = result.check();
-        if (check.hasErrors()) {
-            reports.write(CheckRendering.refused("test", check, console), pipeline, console);
+    int run(Session session) throws WrongUse {
+        reports.prepare(session);
+        CheckedAnswer<List<StreamTestResult>> reply = session.run(new RunStreamTests(paths));
+        CheckResult check = reply.check();
+        tellAside(check);
+        if (reply.value().isEmpty()) {
+            reports.write(CheckRendering.refused("test", check, console()), session, console());
             return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
         }
-        reports.writePage(
-                () -> StreamTestPage.of(String.join(", ", paths), result.tests()), pipeline);
-        reports.write((format, style) -> text(result, format, style), pipeline, console);
-        return check.aside().isEmpty() ? status(result) : ExitStatus.FINDINGS;
+        List<StreamTestResult> tests = reply.value().get();
+        Aside aside = check.aside();
+        reports.writePage(() -> StreamTestPage.of(String.join(", ", paths), tests), session);
+        reports.write((format, style) -> text(tests, aside, format, style), session, console());
+        return aside.isEmpty() ? status(tests) : ExitStatus.FINDINGS;
     }
 
-    private static int status(TestResult result) {
-        if (result.hasFailures()) {
+    private static int status(List<StreamTestResult> tests) {
+        Set<Verdict> verdicts =
+                tests.stream().map(StreamTestResult::verdict).collect(Collectors.toSet());
+        if (verdicts.contains(Verdict.FAILED)) {
             return ExitStatus.FINDINGS;
         }
-        return result.hasUnknown() ? ExitStatus.UNKNOWN : ExitStatus.FINE;
+        return verdicts.contains(Verdict.UNKNOWN) ? ExitStatus.UNKNOWN : ExitStatus.FINE;
     }
 
-    private String text(TestResult result, ReportFormat format, Style style) {
+    private String text(
+            List<StreamTestResult> tests, Aside aside, ReportFormat format, Style style) {
+        List<Reported> findings = CheckRendering.withAside(StreamTestFindings.of(tests), aside);
+        String summary = StreamTestText.summary(tests, style) + "\n";
         return switch (format) {
-            case text -> StreamTestText.render(result.tests(), style) + summary(result, style);
-            case json -> StreamTestJson.render(result.tests());
-            case sarif -> MachineFormats.of(console).sarif(findings(result), false);
-            case github ->
-                    MachineFormats.of(console).github(findings(result), summary(result, style));
-            case junit -> JunitXml.render("arcomat test", cases(result));
+            case text -> StreamTestText.render(tests, style) + summary;
+            case json -> StreamTestJson.render(tests);
+            case sarif -> MachineFormats.of(console()).sarif(findings, false);
+            case github -> MachineFormats.of(console()).github(findings, summary);
+            case junit ->
+                    JunitXml.render(
+                            "arcomat test",
+                            CheckRendering.withCasesAside(StreamTestCases.of(tests), aside));
         };
-    }
-
-    private static List<Reported> findings(TestResult result) {
-        return CheckRendering.withAside(
-                StreamTestFindings.of(result.tests()), result.check().aside());
-    }
-
-    private static List<Case> cases(TestResult result) {
-        return CheckRendering.withCasesAside(
-                StreamTestCases.of(result.tests()), result.check().aside());
-    }
-
-    private static String summary(TestResult result, Style style) {
-        return StreamTestText.summary(result.tests(), style) + "\n";
     }
 }

@@ -4,15 +4,15 @@ import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.option.PageReportOptions;
-import arcomat.cli.option.Rendering;
 import arcomat.cli.option.ReportFormat;
-import arcomat.cli.terminal.Console;
+import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.MachineFormats;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.analysis.AnalysisResult;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.VerifyPromises;
 import arcomat.pipeline.check.Aside;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.check.CheckedAnswer;
 import arcomat.report.finding.JunitXml;
 import arcomat.report.finding.Reported;
 import arcomat.report.text.Style;
@@ -33,7 +33,6 @@ import java.util.List;
 @CommandLine.Command(
         name = "verify",
         description = "Proves all that models say they keep: refines, requirements, invariants.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat verify models/coffee",
             "  arcomat verify --timeout 60 --format json models > verdicts.json",
@@ -43,32 +42,35 @@ import java.util.List;
             "Exit status: 0 all hold; 1 one fails; 3 one is unknown; 2 wrong use or models with"
                     + " errors."
         })
-public final class VerifyCommand extends LimitedCommand {
+final class VerifyCommand extends LimitedCommand {
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
-    public VerifyCommand(Console console) {
-        super(console);
-    }
-
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
-        reports.prepare(pipeline);
-        AnalysisResult result = pipeline.verify(paths, limits());
-        tellAside(result.check());
-        if (result.check().hasErrors()) {
-            Rendering findings = CheckRendering.refused("verify", result.check(), console);
-            reports.write(findings, pipeline, console);
+    int run(Session session) throws WrongUse {
+        reports.prepare(session);
+        CheckedAnswer<List<Answered>> reply = session.run(new VerifyPromises(paths, limits()));
+        tellAside(reply.check());
+        if (reply.value().isEmpty()) {
+            Rendering findings = CheckRendering.refused("verify", reply.check(), console());
+            reports.write(findings, session, console());
             return ExitStatus.WRONG_USE;
         }
-        List<Answered> answers = result.answers();
+        List<Answered> answers = reply.value().get();
         reports.writePage(
-                () -> VerdictPage.of("verify", String.join(", ", paths), answers), pipeline);
-        Aside aside = result.check().aside();
-        reports.write((format, style) -> text(answers, aside, format, style), pipeline, console);
-        return aside.isEmpty() ? status(result.answer()) : ExitStatus.WRONG_USE;
+                () -> VerdictPage.of("verify", String.join(", ", paths), answers), session);
+        Aside aside = reply.check().aside();
+        reports.write((format, style) -> text(answers, aside, format, style), session, console());
+        return aside.isEmpty() ? status(worst(answers)) : ExitStatus.WRONG_USE;
+    }
+
+    /** Fails if one does, is unknown if one is, else holds. */
+    private static Answer worst(List<Answered> answers) {
+        return answers.stream()
+                .map(each -> each.verdict().answer())
+                .reduce(Answer.HOLDS, Answer::and);
     }
 
     private String text(List<Answered> answers, Aside aside, ReportFormat format, Style style) {
@@ -76,8 +78,8 @@ public final class VerifyCommand extends LimitedCommand {
         return switch (format) {
             case text -> text(answers, style) + summary(answers, style);
             case json -> VerdictJson.render(answers);
-            case sarif -> MachineFormats.of(console).sarif(findings, false);
-            case github -> MachineFormats.of(console).github(findings, summary(answers, style));
+            case sarif -> MachineFormats.of(console()).sarif(findings, false);
+            case github -> MachineFormats.of(console()).github(findings, summary(answers, style));
             case junit ->
                     JunitXml.render(
                             "arcomat verify",

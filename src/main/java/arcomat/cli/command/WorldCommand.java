@@ -1,12 +1,13 @@
 package arcomat.cli.command;
 
-import arcomat.cli.option.LimitsOption;
-import arcomat.cli.option.PatienceOption;
-import arcomat.cli.terminal.Console;
+import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.terminal.ExitStatus;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.ReportPage;
+import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
+import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.finding.FindingsText;
 import arcomat.report.world.WorldText;
 import arcomat.sim.time.OutOfPatience;
@@ -22,7 +23,6 @@ import picocli.CommandLine.Parameters;
         name = "world",
         description =
                 "Runs the robots of a world: their programs on simulated bricks, on one floor.",
-        footerHeading = "%nExamples:%n",
         footer = {
             "  arcomat world models/coffee/world/meeting.world",
             "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
@@ -32,7 +32,7 @@ import picocli.CommandLine.Parameters;
                     + " was not reached, or there are errors in the world or its models; 3 a run"
                     + " was given up; 2 wrong use."
         })
-public final class WorldCommand extends Command {
+final class WorldCommand extends Command {
     @Parameters(
             paramLabel = "FILE.world",
             description = "The world; docs/world.md tells how to write one.")
@@ -68,16 +68,10 @@ public final class WorldCommand extends Command {
                             + " your rights: look at them first.")
     private boolean runDevices;
 
-    @Mixin private PatienceOption timeout = new PatienceOption();
-
-    @Mixin private LimitsOption limits = new LimitsOption();
-
-    public WorldCommand(Console console) {
-        super(console);
-    }
+    @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
-    int run(Pipeline pipeline) throws WrongUse {
+    int run(Session session) throws WrongUse {
         if (runs < 1) {
             throw new WrongUse("--runs " + runs + " is less than 1");
         }
@@ -85,30 +79,31 @@ public final class WorldCommand extends Command {
             throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
         }
         if (report != null) {
-            pipeline.requireReportFolder(report);
+            new ReportPage(report, session.names()).requireWritable();
         }
-        PreparedWorld prepared = pipeline.prepareWorld(world, runDevices);
+        PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices));
         tellAside(prepared.aside());
-        print(FindingsText.render(prepared.findings(), console.style()));
+        print(FindingsText.render(prepared.findings(), console().style()));
         if (!prepared.canRun()) {
-            printLine(FindingsText.summary(prepared.findings(), prepared.files(), console.style()));
+            printLine(
+                    FindingsText.summary(prepared.findings(), prepared.files(), console().style()));
             return ExitStatus.FINDINGS;
         }
         try {
-            return runs == 1 ? runOnce(prepared, pipeline) : runOften(prepared);
+            return runs == 1 ? runOnce(prepared, session) : runOften(prepared);
         } catch (OutOfPatience e) {
-            return PatienceOption.gaveUp(e, console);
+            return BrickRunOptions.gaveUp(e, console());
         }
     }
 
-    private int runOnce(PreparedWorld prepared, Pipeline pipeline) throws WrongUse {
-        Recording recording = prepared.run(seed, timeout.patience(), limits.limits());
-        print(WorldText.events(recording, console.style()));
+    private int runOnce(PreparedWorld prepared, Session session) throws WrongUse {
+        Recording recording = prepared.run(seed, bricks.patience(), bricks.limits());
+        print(WorldText.events(recording, console().style()));
         printLine("");
         printLine(WorldText.summary(recording));
         if (report != null) {
-            pipeline.writeReplay(recording, world + ", seed " + seed, report);
-            printLine("wrote " + report + "/index.html");
+            String title = world + ", seed " + seed;
+            printLine("wrote " + session.run(new WriteReplay(recording, title, report)));
         }
         return status(recording.succeeded());
     }
@@ -116,7 +111,7 @@ public final class WorldCommand extends Command {
     private int runOften(PreparedWorld prepared) throws WrongUse {
         int good = 0;
         for (long each = seed; each < seed + runs; each++) {
-            Recording recording = prepared.run(each, timeout.patience(), limits.limits());
+            Recording recording = prepared.run(each, bricks.patience(), bricks.limits());
             good += recording.succeeded() ? 1 : 0;
             printLine("seed " + each + ": " + WorldText.summary(recording));
         }

@@ -1,8 +1,9 @@
 package arcomat.cli.option;
 
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.BaselineFile;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.report.finding.Baseline.Comparison;
 import arcomat.report.finding.CheckReport;
 import arcomat.source.Diagnostic;
@@ -27,20 +28,20 @@ public final class BaselineOptions {
     private String fresh;
 
     /** What was found, with the known findings set apart. */
-    public CheckReport apply(CheckResult check, Pipeline pipeline) throws WrongUse {
+    public CheckReport apply(CheckResult check, Session session) throws WrongUse {
         if (baseline != null && fresh != null) {
             throw new WrongUse(
                     "--baseline reads a file and --write-baseline writes one; give one of them");
         }
         boolean writes = fresh != null && !check.hasUnreadableInput();
         if (writes) {
-            pipeline.writeBaseline(check.findings(), fresh);
+            new BaselineFile(fresh, session.names()).write(check.findings());
         }
         String file = writes ? fresh : baseline;
         if (file == null) {
             return report(check, check.findings(), Optional.empty());
         }
-        Comparison comparison = pipeline.compareWithBaseline(check, file);
+        Comparison comparison = new BaselineFile(file, session.names()).compare(check);
         return report(check, comparison.fresh(), Optional.of(comparison));
     }
 

@@ -1,7 +1,8 @@
 package arcomat.cli.option;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.ReportPage;
 import arcomat.report.page.Page;
 
 import picocli.CommandLine.Option;
@@ -21,16 +22,16 @@ public final class PageOption {
     }
 
     /** Complains before any work is done in vain. */
-    public void prepare(Pipeline pipeline) throws WrongUse {
+    public void prepare(Session session) throws WrongUse {
         if (folder != null) {
-            pipeline.requireReportFolder(folder);
+            new ReportPage(folder, session.names()).requireWritable();
         }
     }
 
     /** Writes the page, if one is wanted. */
-    public void write(Supplier<Page> page, Pipeline pipeline) throws WrongUse {
+    public void write(Supplier<Page> page, Session session) throws WrongUse {
         if (folder != null) {
-            pipeline.writeReport(folder, page.get());
+            ReportPage.write(page.get(), folder, session);
         }
     }
 }

@@ -1,7 +1,8 @@
 package arcomat.cli.option;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.ReportPage;
 import arcomat.report.page.Page;
 
 import picocli.CommandLine.Option;
@@ -27,19 +28,19 @@ public final class PageReportOptions extends ResultOptions {
     }
 
     /** Complains before any work is done in vain. */
-    public void prepare(Pipeline pipeline) throws WrongUse {
+    public void prepare(Session session) throws WrongUse {
         for (ReportFile each : files) {
             if (each.format().isEmpty()) {
-                pipeline.requireReportFolder(each.file());
+                new ReportPage(each.file(), session.names()).requireWritable();
             }
         }
     }
 
     /** Writes the page, if one is wanted. */
-    public void writePage(Supplier<Page> page, Pipeline pipeline) throws WrongUse {
+    public void writePage(Supplier<Page> page, Session session) throws WrongUse {
         for (ReportFile each : files) {
             if (each.format().isEmpty()) {
-                pipeline.writeReport(each.file(), page.get());
+                ReportPage.write(page.get(), each.file(), session);
             }
         }
     }

@@ -30,10 +30,8 @@ record ReportFile(Optional<ReportFormat> format, String file) {
                             .orElseThrow(
                                     () ->
                                             new TypeConversionException(
-                                                    "there is no format '"
-                                                            + name
-                                                            + "', only "
-                                                            + all()));
+                                                    "there is no format '%s', only %s"
+                                                            .formatted(name, all())));
             return new ReportFile(Optional.of(format), written.substring(equals + 1));
         }
     }

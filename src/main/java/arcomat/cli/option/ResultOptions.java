@@ -1,8 +1,9 @@
 package arcomat.cli.option;
 
 import arcomat.cli.terminal.Console;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.AtomicFile;
 import arcomat.report.text.Style;
 
 import picocli.CommandLine.Option;
@@ -24,11 +25,13 @@ abstract class ResultOptions {
     abstract List<ReportFile> files();
 
     /** Writes the files first: they are complete when the console says what happened. */
-    public final void write(Rendering result, Pipeline pipeline, Console console) throws WrongUse {
+    public final void write(ReportFormat.Rendering result, Session session, Console console)
+            throws WrongUse {
         refuseFileOfTwo();
         for (ReportFile each : files()) {
             if (each.format().isPresent()) {
-                pipeline.writeFile(each.file(), result.text(each.format().get(), Style.PLAIN));
+                String text = result.text(each.format().get(), Style.PLAIN);
+                AtomicFile.write(each.file(), text, session.names());
             }
         }
         console.out().print(result.text(format, console.style()));
@@ -39,8 +42,7 @@ abstract class ResultOptions {
         for (ReportFile each : files()) {
             if (!names.add(each.file())) {
                 throw new WrongUse(
-                        "two reports go to '%s'; give each a file of its own"
-                                .formatted(each.file()));
+                        "two reports go to '%s'; give each a file of its own", each.file());
             }
         }
     }

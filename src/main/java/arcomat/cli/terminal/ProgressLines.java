@@ -1,6 +1,6 @@
 package arcomat.cli.terminal;
 
-import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.Progress;
 
 import java.io.PrintWriter;
 

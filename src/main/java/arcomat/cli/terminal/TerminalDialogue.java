@@ -1,7 +1,7 @@
 package arcomat.cli.terminal;
 
 import arcomat.model.Letter;
-import arcomat.pipeline.simulate.Dialogue;
+import arcomat.pipeline.simulate.Decider;
 import arcomat.report.text.Printable;
 import arcomat.simulate.run.Question;
 
@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /** Asks somebody at a terminal; numbers count from 1, an empty answer takes the first. */
-public final class TerminalDialogue implements Dialogue {
+public final class TerminalDialogue implements Decider.Dialogue {
     /** The input ended where an answer was needed. */
     public static final class NoAnswer extends RuntimeException {
         private static final long serialVersionUID = 1L;
@@ -35,9 +35,12 @@ public final class TerminalDialogue implements Dialogue {
                         .collect(Collectors.joining(", "));
         console.err()
                 .println(
-                        number
-                                + ": "
-                                + (messages.isEmpty() ? "no input" : Printable.escape(messages)));
+                        "%s: %s"
+                                .formatted(
+                                        number,
+                                        messages.isEmpty()
+                                                ? "no input"
+                                                : Printable.escape(messages)));
     }
 
     private static String text(List<?> values) {
@@ -48,9 +51,9 @@ public final class TerminalDialogue implements Dialogue {
     public int ask(Question question) {
         PrintWriter err = console.err();
         err.println(
-                "  "
-                        + (question.instance().isEmpty() ? "" : question.instance() + ": ")
-                        + "what happens?");
+                "  %swhat happens?"
+                        .formatted(
+                                question.instance().isEmpty() ? "" : question.instance() + ": "));
         int number = 1;
         for (String alternative : question.alternatives()) {
             err.println("    " + number++ + "  " + Printable.escape(alternative));

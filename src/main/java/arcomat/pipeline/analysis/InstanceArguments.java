@@ -33,6 +33,13 @@ public final class InstanceArguments {
         return instances.getOrDefault(component.qualifiedName(), Set.of());
     }
 
+    /** Its defaults, where it has them, else those. */
+    Set<List<Value>> orDefaultsOf(Component component) {
+        return component.hasDefaults()
+                ? Set.of(Arguments.complete(component, List.of()))
+                : of(component);
+    }
+
     private void collect(Component whole) {
         try {
             Network network = Network.of(whole, Arguments.complete(whole, List.of()));

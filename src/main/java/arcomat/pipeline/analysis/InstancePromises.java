@@ -5,16 +5,13 @@ import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Value;
-import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
-import arcomat.semantics.expression.Arguments;
-import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * What all components of a model promise that have automata. A component with parameters is taken
@@ -24,24 +21,19 @@ public final class InstancePromises {
     private static final String TYPES_MISSING =
             "is generic, and no part says its type arguments; name a model root with one that does";
 
-    private final Model model;
-    private final CheckedModels checked;
+    private final LoweredModels models;
     private final InstanceArguments instances;
 
-    /**
-     * @param checked the models that were lowered to the model
-     */
-    public InstancePromises(Model model, CheckedModels checked) {
-        this.model = model;
-        this.checked = checked;
-        this.instances = InstanceArguments.in(model);
+    public InstancePromises(LoweredModels models) {
+        this.models = models;
+        this.instances = InstanceArguments.in(models.model());
     }
 
     /** Of the components in files that the user named. */
     public List<Promise> all() {
         List<Promise> promises = new ArrayList<>();
         for (Component component : withAutomata()) {
-            for (List<Value> arguments : arguments(component)) {
+            for (List<Value> arguments : instances.orDefaultsOf(component)) {
                 promises.add(new Promise(component, arguments, component.automata()));
             }
         }
@@ -52,11 +44,11 @@ public final class InstancePromises {
     List<Unexamined> withoutArguments() {
         List<Unexamined> open = new ArrayList<>();
         for (Component component : withAutomata()) {
-            if (arguments(component).isEmpty()) {
+            if (instances.orDefaultsOf(component).isEmpty()) {
                 open.add(new Unexamined(component.qualifiedName(), valuesMissing(component)));
             }
         }
-        for (ComponentSymbol symbol : checked.workspace().components()) {
+        for (ComponentSymbol symbol : models.checked().workspace().components()) {
             if (isGenericWithoutPart(symbol)) {
                 open.add(new Unexamined(symbol.qualifiedName(), TYPES_MISSING));
             }
@@ -78,8 +70,8 @@ public final class InstancePromises {
         return symbol.signature().isGeneric()
                 && behaves
                 && !symbol.isPlatform()
-                && isNamed(symbol.nameSpan())
-                && !isSpecialised(symbol, model);
+                && models.isNamed(symbol.nameSpan())
+                && !isSpecialised(symbol, models.model());
     }
 
     /** Why nothing can be said of a generic component, where that is so. */
@@ -101,19 +93,8 @@ public final class InstancePromises {
     }
 
     private List<Component> withAutomata() {
-        return model.components().stream()
-                .filter(component -> isNamed(component.span()) && !component.platform())
-                .filter(component -> !component.automata().isEmpty())
+        return models.named().stream()
+                .filter(each -> !each.platform() && !each.automata().isEmpty())
                 .toList();
-    }
-
-    private boolean isNamed(Span span) {
-        return checked.loaded().isNamedByUser(span.file().path());
-    }
-
-    private Set<List<Value>> arguments(Component component) {
-        return component.hasDefaults()
-                ? Set.of(Arguments.complete(component, List.of()))
-                : instances.of(component);
     }
 }

@@ -7,12 +7,10 @@ import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Invariant;
-import arcomat.model.Model;
 import arcomat.model.Value;
-import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
-import arcomat.pipeline.step.Progress;
-import arcomat.semantics.expression.Arguments;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.InvariantSymbol;
 
@@ -22,49 +20,30 @@ import java.util.Set;
 
 /** Proves the invariants of components, or says of each why not. */
 final class InvariantAnswers {
-    private final Model model;
-    private final CheckedModels checked;
-    private final List<Component> components;
+    private final LoweredModels models;
     private final Budget budget;
     private final Progress progress;
     private final List<Answered> answers = new ArrayList<>();
 
-    /**
-     * @param checked the models that were lowered to the model
-     */
-    InvariantAnswers(
-            Model model,
-            CheckedModels checked,
-            List<Component> components,
-            Budget budget,
-            Progress progress) {
-        this.model = model;
-        this.checked = checked;
-        this.components = components;
+    InvariantAnswers(LoweredModels models, Budget budget, Progress progress) {
+        this.models = models;
         this.budget = budget;
         this.progress = progress;
     }
 
     List<Answered> all() {
-        InstanceArguments instances = InstanceArguments.in(model);
-        for (Component component : components) {
+        InstanceArguments instances = InstanceArguments.in(models.model());
+        for (Component component : models.named()) {
             if (!component.invariants().isEmpty()) {
-                prove(component, arguments(component, instances));
+                prove(component, instances.orDefaultsOf(component));
             }
         }
-        for (ComponentSymbol symbol : checked.workspace().components()) {
-            if (checked.loaded().isNamedByUser(symbol.nameSpan().file().path())) {
+        for (ComponentSymbol symbol : models.checked().workspace().components()) {
+            if (models.isNamed(symbol.nameSpan())) {
                 symbol.ownInvariants().forEach(each -> addObstacle(symbol, each));
             }
         }
         return answers;
-    }
-
-    /** Its defaults, else those of each of its instances. */
-    private static Set<List<Value>> arguments(Component component, InstanceArguments instances) {
-        return component.hasDefaults()
-                ? Set.of(Arguments.complete(component, List.of()))
-                : instances.of(component);
     }
 
     private void prove(Component component, Set<List<Value>> arguments) {
@@ -93,14 +72,14 @@ final class InvariantAnswers {
     /** What {@code check} has told, and nobody has said to be meant. */
     private void addObstacle(ComponentSymbol component, InvariantSymbol invariant) {
         boolean isMeant =
-                checked.suppressed().stream()
+                models.checked().suppressed().stream()
                         .anyMatch(each -> each.finding().span().equals(invariant.nameSpan()));
         if (isMeant) {
             return;
         }
         invariant
                 .obstacle()
-                .or(() -> InstancePromises.genericWithoutPart(component, model))
+                .or(() -> InstancePromises.genericWithoutPart(component, models.model()))
                 .ifPresent(
                         reason ->
                                 answers.add(

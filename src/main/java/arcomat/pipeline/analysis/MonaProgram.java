@@ -1,9 +1,9 @@
 package arcomat.pipeline.analysis;
 
+import arcomat.pipeline.LimitedProcess;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.Failures;
-import arcomat.pipeline.step.LimitedProcess;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
 
 import java.io.File;
 import java.io.IOException;
@@ -54,10 +54,9 @@ final class MonaProgram {
             }
         }
         throw new WrongUse(
-                "there is no program '"
-                        + name
-                        + "': install MONA (Debian's package 'mona'), name it with --mona, or leave"
-                        + " '--engine mona' out");
+                "there is no program '%s': install MONA (Debian's package 'mona'), name it with"
+                        + " --mona, or leave '--engine mona' out",
+                name);
     }
 
     /**
@@ -78,7 +77,7 @@ final class MonaProgram {
                 Files.delete(work);
             }
         } catch (IOException e) {
-            throw new WrongUse("cannot run '" + program + "': " + Failures.reason(e));
+            throw Failures.cannot("run", program.toString(), e);
         }
     }
 
@@ -128,9 +127,8 @@ final class MonaProgram {
         }
         if (status == ABORTED && characters > MANY_CHARACTERS) {
             return new MonaAnswer.None(
-                    "MONA aborted on a formula of "
-                            + characters
-                            + " characters; MONA 1.4-18 does so on long ones");
+                    "MONA aborted on a formula of %s characters; MONA 1.4-18 does so on long ones"
+                            .formatted(characters));
         }
         if (status != 0) {
             String said = firstWords(output);

@@ -6,13 +6,14 @@ import arcomat.brick.api.BrickTable;
 import arcomat.brick.jar.RobotJar;
 import arcomat.brick.jar.RobotJar.Origin;
 import arcomat.brick.jar.RobotJar.RobotClass;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.Failures;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.sim.load.Program;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -20,6 +21,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipInputStream;
 
@@ -32,6 +35,12 @@ import java.util.zip.ZipInputStream;
 public record JarReader(String shown, byte[] bytes, String main, List<RobotClass> classes) {
     private static final String CLASS = ".class";
     private static final String MANIFEST = "META-INF/MANIFEST.MF";
+
+    /** A line of a manifest that begins with a blank goes on where the one before ended. */
+    private static final Pattern FOLD = Pattern.compile("\\r?\\n ");
+
+    private static final Pattern MAIN = Pattern.compile("(?im)^Main-Class: *(\\S+) *$");
+    private static final Pattern SECTION_END = Pattern.compile("\\r?\\n\\r?\\n");
 
     /**
      * Far more than any brick holds, and little for a PC: a small archive may unpack to gigabytes.
@@ -74,7 +83,7 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
                     throw tooLarge(shown);
                 }
                 if (entry.getName().equals(MANIFEST)) {
-                    main = ManifestText.mainClass(content);
+                    main = mainClass(content);
                 } else if (entry.getName().endsWith(CLASS)) {
                     classes.add(classOf(entry.getName(), content));
                 }
@@ -84,18 +93,28 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
         return new JarReader(shown, bytes, program, List.copyOf(classes));
     }
 
+    /**
+     * The class that the program begins in, as the first section of the manifest names it. The
+     * JDK's reader would tell on standard error what it dislikes.
+     */
+    static Optional<String> mainClass(byte[] manifest) {
+        String text = new String(manifest, StandardCharsets.UTF_8);
+        String first = SECTION_END.split(text, 2)[0];
+        Matcher main = MAIN.matcher(FOLD.matcher(first).replaceAll(""));
+        return main.find() ? Optional.of(main.group(1)) : Optional.empty();
+    }
+
     private static WrongUse tooLarge(String shown) {
         return new WrongUse(
-                "'%s' is no robot's jar: it holds more than %d MB when it is unpacked"
-                        .formatted(shown, MOST_BYTES >> 20));
+                "'%s' is no robot's jar: it holds more than %d MB when it is unpacked",
+                shown, MOST_BYTES >> 20);
     }
 
     private static WrongUse notAProgram(String shown) {
         return new WrongUse(
-                "'"
-                        + shown
-                        + "' is no robot's jar: its manifest names no Main-Class; 'arcomat generate"
-                        + " --target lejos' makes such jars");
+                "'%s' is no robot's jar: its manifest names no Main-Class; 'arcomat generate"
+                        + " --target lejos' makes such jars",
+                shown);
     }
 
     /** Where a class of somebody's jar comes from is not known, unless its package tells. */

@@ -1,8 +1,8 @@
 package arcomat.pipeline.brick;
 
-import arcomat.pipeline.step.LimitedProcess;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.LimitedProcess;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 
 import java.io.IOException;
 import java.nio.charset.Charset;
@@ -39,9 +39,8 @@ final class NxjLinker {
         if (home.isEmpty()) {
             throw new WrongUse(
                     "linking needs leJOS NXJ 0.9.1: install it, set NXJ_HOME to its folder, and run"
-                            + " 'arcomat link --jar "
-                            + jar
-                            + "' again");
+                            + " 'arcomat link --jar %s' again",
+                    jar);
         }
         Path folder = names.resolve(home.get());
         for (String name : List.of("nxjlink", "nxjlink.bat")) {
@@ -52,10 +51,9 @@ final class NxjLinker {
             }
         }
         throw new WrongUse(
-                "'"
-                        + home.get()
-                        + "' is not a folder of leJOS NXJ: it has no program bin/nxjlink; set"
-                        + " NXJ_HOME to one that has");
+                "'%s' is not a folder of leJOS NXJ: it has no program bin/nxjlink; set NXJ_HOME to"
+                        + " one that has",
+                home.get());
     }
 
     private static boolean isWindows() {

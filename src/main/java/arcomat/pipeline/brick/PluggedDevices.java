@@ -1,10 +1,12 @@
 package arcomat.pipeline.brick;
 
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.compile.ClassFiles;
+import arcomat.pipeline.compile.ClassesInMemory;
 import arcomat.pipeline.compile.Compilation;
 import arcomat.pipeline.compile.MemoryCompiler;
 import arcomat.pipeline.file.FileReader;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.bus.Compass;
 import arcomat.sim.bus.I2CDevice;
@@ -13,16 +15,18 @@ import arcomat.sim.bus.Thermometer;
 import arcomat.sim.device.SensorName;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.source.Span;
 
 import java.lang.reflect.Constructor;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 
 /**
  * The devices in the sockets of a simulated brick, as a user names them: a kind that is known, or a
@@ -80,8 +84,8 @@ public record PluggedDevices(
             case "thermometer" -> Thermometer::new;
             default ->
                     throw new WrongUse(
-                            "device '%s' in %s is neither a Java file nor one of %s"
-                                    .formatted(name, socket, KINDS));
+                            "device '%s' in %s is neither a Java file nor one of %s",
+                            name, socket, KINDS);
         };
     }
 
@@ -89,7 +93,7 @@ public record PluggedDevices(
             String path, PathNames names, List<Diagnostic> findings) throws WrongUse {
         SourceFile file = FileReader.required("device", path, names);
         Compilation compilation =
-                MemoryCompiler.compileForThisJava(Map.of(path, file.text()), new DeviceClasses());
+                MemoryCompiler.compileForThisJava(Map.of(path, file.text()), available());
         if (!compilation.problems().isEmpty()) {
             compilation.problems().forEach(problem -> findings.add(finding(problem, file)));
             return Optional.empty();
@@ -110,9 +114,25 @@ public record PluggedDevices(
         }
     }
 
+    /** What a description may refer to: Java itself, and what a device has to be. */
+    private static ClassFiles available() {
+        String bus = I2CDevice.class.getPackageName();
+        Set<String> packages = new HashSet<>();
+        Stream.concat(Object.class.getModule().getPackages().stream(), Stream.of(bus))
+                .map(name -> name.replace('.', '/'))
+                .forEach(name -> addWithOuter(name, packages));
+        return ClassFiles.ofThisProgram(List.of("java/", bus.replace('.', '/') + "/"), packages);
+    }
+
+    private static void addWithOuter(String name, Set<String> packages) {
+        for (int end = name.length(); end > 0; end = name.lastIndexOf('/', end - 1)) {
+            packages.add(name.substring(0, end));
+        }
+    }
+
     private static Constructor<?> constructor(String name, Compilation compilation)
             throws ReflectiveOperationException {
-        return new Loader(compilation.classes()).loadClass(name).getConstructor();
+        return new ClassesInMemory(compilation.classes()).loadClass(name).getConstructor();
     }
 
     private static I2CDevice made(Constructor<?> constructor) {
@@ -135,29 +155,9 @@ public record PluggedDevices(
     }
 
     private static Diagnostic finding(Compilation.Problem problem, SourceFile file) {
-        int length = file.text().length();
-        int start = Math.min(Math.max(0, problem.start()), length);
-        Span span = file.span(start, Math.min(Math.max(start, problem.end()), length));
         return Diagnostic.error(
-                NO_DEVICE, span, "this does not compile as a device: " + problem.message());
-    }
-
-    /** The classes of one device; they know the simulation, and it knows what they implement. */
-    private static final class Loader extends ClassLoader {
-        private final Map<String, byte[]> classes;
-
-        Loader(Map<String, byte[]> classes) {
-            super(I2CDevice.class.getClassLoader());
-            this.classes = classes;
-        }
-
-        @Override
-        protected Class<?> findClass(String name) throws ClassNotFoundException {
-            byte[] file = classes.get(name.replace('.', '/'));
-            if (file == null) {
-                throw new ClassNotFoundException(name);
-            }
-            return defineClass(name, file, 0, file.length);
-        }
+                NO_DEVICE,
+                problem.in(file),
+                "this does not compile as a device: " + problem.message());
     }
 }

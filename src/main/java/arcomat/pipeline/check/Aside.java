@@ -29,7 +29,7 @@ public record Aside(List<Diagnostic> findings, List<String> files, Set<String> w
         for (SourceFile file : sources) {
             files.add(file.path());
             words.add(WholeFiles.simpleName(file.path()));
-            words.addAll(Mentions.in(file.text()));
+            words.addAll(WrittenNames.in(file.text()));
         }
         return new Aside(findings, List.copyOf(files), words);
     }

@@ -2,9 +2,10 @@ package arcomat.pipeline.check;
 
 import static java.util.stream.Collectors.toSet;
 
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.AtomicFile;
 import arcomat.pipeline.file.Failures;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.report.finding.Baseline;
 import arcomat.report.finding.Baseline.Entry;
 import arcomat.report.finding.BaselineText;
@@ -47,17 +48,20 @@ public record BaselineFile(String file, PathNames names) {
         return names.shown(folder().resolve(path), Path.of(path).isAbsolute());
     }
 
-    /** What is to be written into the file, so that it knows these findings. */
-    public String text(List<Diagnostic> findings) {
-        return BaselineText.render(Baseline.of(findings, this::path));
+    /**
+     * Lets the file know all of these findings.
+     *
+     * @throws WrongUse where it cannot be written
+     */
+    public void write(List<Diagnostic> findings) throws WrongUse {
+        AtomicFile.write(file, BaselineText.render(Baseline.of(findings, this::path)), names);
     }
 
     private Baseline read() throws WrongUse {
         Path place = names.resolve(file);
         if (!Files.exists(place)) {
             throw new WrongUse(
-                    "there is no baseline '%s'; --write-baseline %s makes one"
-                            .formatted(file, file));
+                    "there is no baseline '%s'; --write-baseline %s makes one", file, file);
         }
         try {
             return BaselineText.parse(Files.readString(place));
@@ -66,14 +70,14 @@ public record BaselineFile(String file, PathNames names) {
         } catch (CharacterCodingException e) {
             throw damaged("it is not UTF-8");
         } catch (IOException e) {
-            throw new WrongUse("cannot read '" + file + "': " + Failures.reason(e));
+            throw Failures.cannot("read", file, e);
         }
     }
 
     private WrongUse damaged(String reason) {
         return new WrongUse(
-                "'%s' is no baseline: %s; restore it, or write it anew with --write-baseline %s"
-                        .formatted(file, reason, file));
+                "'%s' is no baseline: %s; restore it, or write it anew with --write-baseline %s",
+                file, reason, file);
     }
 
     private Path folder() {

@@ -4,10 +4,9 @@ import arcomat.check.Checks;
 import arcomat.check.Review;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
-import arcomat.model.Model;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
 import arcomat.pipeline.file.FileFindings;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Suppressed;
@@ -39,11 +38,10 @@ public record CheckedModels(
         Aside aside) {
 
     /** Checks models for their own sake. */
-    public static CheckedModels check(
-            List<String> paths, Profile profile, PathNames names, Progress progress) {
-        LoadedModels loaded = ModelLoader.load(paths, names, progress);
-        Workspace workspace = workspace(loaded, progress);
-        Review review = review(loaded, workspace, profile, progress);
+    public static CheckedModels check(List<String> paths, Profile profile, Session session) {
+        LoadedModels loaded = ModelLoader.load(paths, session);
+        Workspace workspace = workspace(loaded, session.progress());
+        Review review = review(loaded, workspace, profile, session.progress());
         return of(loaded, workspace, review.findings(), review.suppressed());
     }
 
@@ -59,17 +57,15 @@ public record CheckedModels(
             List<String> paths,
             Asked asked,
             Function<Workspace, Collection<ComponentSymbol>> executable,
-            PathNames names,
-            Progress progress) {
-        LoadedModels loaded = ModelLoader.load(paths, names, progress);
-        CheckedModels all = checkToRun(loaded, executable, progress);
+            Session session) {
+        LoadedModels loaded = ModelLoader.load(paths, session);
+        CheckedModels all = checkToRun(loaded, executable, session.progress());
         return all.withoutBroken().filter(rest -> asked.isIn(rest.workspace())).orElse(all);
     }
 
     /** As above, for questions about models: no code is made of them. */
-    public static CheckedModels checkToExamine(
-            List<String> paths, Asked asked, PathNames names, Progress progress) {
-        return checkToRun(paths, asked, models -> List.of(), names, progress);
+    public static CheckedModels checkToExamine(List<String> paths, Asked asked, Session session) {
+        return checkToRun(paths, asked, models -> List.of(), session);
     }
 
     /**
@@ -96,10 +92,9 @@ public record CheckedModels(
     }
 
     /** As {@link #checkToExamine} of all that is whole, but stream tests are not looked at. */
-    public static CheckedModels checkWithoutTests(
-            List<String> paths, PathNames names, Progress progress) {
-        LoadedModels loaded = ModelLoader.load(paths, names, progress).withoutTests();
-        CheckedModels all = checkToRun(loaded, models -> List.of(), progress);
+    public static CheckedModels checkWithoutTests(List<String> paths, Session session) {
+        LoadedModels loaded = ModelLoader.load(paths, session).withoutTests();
+        CheckedModels all = checkToRun(loaded, models -> List.of(), session.progress());
         return all.withoutBroken().orElse(all);
     }
 
@@ -170,9 +165,9 @@ public record CheckedModels(
     }
 
     /** The meaning of the models; only without errors. */
-    public Model lower(Progress progress) {
-        progress.step("lowering");
-        return Lowering.lower(workspace, progress::goOn);
+    public LoweredModels lower(Session session) {
+        session.progress().step("lowering");
+        return new LoweredModels(this, Lowering.lower(workspace, session.progress()::goOn));
     }
 
     public CheckResult result() {

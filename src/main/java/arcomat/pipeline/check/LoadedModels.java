@@ -1,6 +1,6 @@
 package arcomat.pipeline.check;
 
-import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.PathNames;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.tree.Recovered;

@@ -4,7 +4,7 @@ import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.WrongUse;
 import arcomat.semantics.expression.Arguments;
 import arcomat.source.Nearest;
 import arcomat.symbols.Workspace;
@@ -37,13 +37,12 @@ public record MainComponent(Component component, List<Value> arguments) {
      * @param written such as {@code p.Robot(3, "left")}
      * @throws WrongUse where there is no such component, or the arguments do not fit it
      */
-    public static MainComponent find(String written, CheckedModels checked, Model model)
-            throws WrongUse {
+    public static MainComponent find(String written, LoweredModels models) throws WrongUse {
         Matcher matcher = WRITTEN.matcher(written);
         if (!matcher.matches()) {
             throw new WrongUse("'" + written + "' is not a name such as p.Robot");
         }
-        Component component = component(matcher.group(1), checked, model);
+        Component component = component(matcher.group(1), models);
         return new MainComponent(component, arguments(component, split(matcher.group(2))));
     }
 
@@ -64,27 +63,23 @@ public record MainComponent(Component component, List<Value> arguments) {
     }
 
     /** By its name alone. */
-    public static Component component(String name, CheckedModels checked, Model model)
-            throws WrongUse {
+    public static Component component(String name, LoweredModels models) throws WrongUse {
+        Model model = models.model();
         Optional<Component> found = model.component(name);
         if (found.isPresent()) {
             return found.get();
         }
-        if (!checked.workspace().components(name).isEmpty()) {
+        if (!models.checked().workspace().components(name).isEmpty()) {
             throw new WrongUse(
-                    "component '"
-                            + name
-                            + "' is generic and cannot run by itself; name a component with a part"
-                            + " that says its type arguments");
+                    "component '%s' is generic and cannot run by itself; name a component with a"
+                            + " part that says its type arguments",
+                    name);
         }
         int hash = name.indexOf('#');
         if (hash > 0 && model.component(name.substring(0, hash)).isPresent()) {
             throw new WrongUse(
-                    "'"
-                            + name
-                            + "' names one automaton, and here a whole component is meant; write '"
-                            + name.substring(0, hash)
-                            + "'");
+                    "'%s' names one automaton, and here a whole component is meant; write '%s'",
+                    name, name.substring(0, hash));
         }
         throw new WrongUse("there is no component '" + name + "'" + hint(name, model));
     }
@@ -129,14 +124,11 @@ public record MainComponent(Component component, List<Value> arguments) {
         long required = parameters.stream().filter(p -> p.initial().isEmpty()).count();
         if (written.size() < required || written.size() > parameters.size()) {
             throw new WrongUse(
-                    "component '"
-                            + component.qualifiedName()
-                            + "' takes "
-                            + signature(parameters)
-                            + "; write '"
-                            + component.qualifiedName()
-                            + example(parameters)
-                            + "'");
+                    "component '%s' takes %s; write '%s%s'",
+                    component.qualifiedName(),
+                    signature(parameters),
+                    component.qualifiedName(),
+                    example(parameters));
         }
         List<Value> values = new ArrayList<>();
         for (int i = 0; i < written.size(); i++) {
@@ -147,15 +139,12 @@ public record MainComponent(Component component, List<Value> arguments) {
                             .orElseThrow(
                                     () ->
                                             new WrongUse(
-                                                    "argument '"
-                                                            + text
-                                                            + "' of '"
-                                                            + component.qualifiedName()
-                                                            + "' is not a value of "
-                                                            + parameter.type().name()
-                                                            + ", the type of '"
-                                                            + parameter.name()
-                                                            + "'")));
+                                                    "argument '%s' of '%s' is not a value of %s,"
+                                                            + " the type of '%s'",
+                                                    text,
+                                                    component.qualifiedName(),
+                                                    parameter.type().name(),
+                                                    parameter.name())));
         }
         return Arguments.complete(component, values);
     }

@@ -1,9 +1,10 @@
 package arcomat.pipeline.check;
 
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.Parsed;
@@ -44,8 +45,8 @@ public final class ModelLoader {
         this.progress = progress;
     }
 
-    static LoadedModels load(List<String> paths, PathNames names, Progress progress) {
-        return new ModelLoader(names, progress).load(paths);
+    static LoadedModels load(List<String> paths, Session session) {
+        return new ModelLoader(session.names(), session.progress()).load(paths);
     }
 
     private LoadedModels load(List<String> paths) {

@@ -1,9 +1,9 @@
 package arcomat.pipeline.check;
 
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.Progress;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 

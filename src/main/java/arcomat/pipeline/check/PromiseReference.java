@@ -2,8 +2,7 @@ package arcomat.pipeline.check;
 
 import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
-import arcomat.model.Model;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.WrongUse;
 
 import java.util.List;
 import java.util.Optional;
@@ -31,8 +30,8 @@ public record PromiseReference(String component, Optional<String> automaton) {
      *
      * @throws WrongUse where there is no such component or automaton
      */
-    public Promise in(CheckedModels checked, Model model) throws WrongUse {
-        MainComponent main = MainComponent.find(component, checked, model);
+    public Promise in(LoweredModels models) throws WrongUse {
+        MainComponent main = MainComponent.find(component, models);
         Promise promise = Promise.of(main.component(), main.arguments());
         if (automaton.isEmpty()) {
             return promise;
@@ -40,21 +39,27 @@ public record PromiseReference(String component, Optional<String> automaton) {
         String name = automaton.get();
         if (name.isEmpty()) {
             throw new WrongUse(
-                    "the name of an automaton is missing behind '#' in '"
-                            + component
-                            + "#'; "
-                            + named(main.component()));
+                    "the name of an automaton is missing behind '#' in '%s#'; %s",
+                    component, named(main.component()));
         }
         return promise.only(name)
                 .orElseThrow(
                         () ->
                                 new WrongUse(
-                                        "component '"
-                                                + main.component().qualifiedName()
-                                                + "' has no automaton '"
-                                                + name
-                                                + "'; "
-                                                + named(main.component())));
+                                        "component '%s' has no automaton '%s'; %s",
+                                        main.component().qualifiedName(),
+                                        name,
+                                        named(main.component())));
+    }
+
+    /**
+     * The same, but of a decomposed component what the automata on it ask, not what its parts do.
+     */
+    public Promise automataIn(LoweredModels models) throws WrongUse {
+        Promise promise = in(models);
+        return promise.automata().isEmpty()
+                ? Promise.required(promise.component(), promise.arguments())
+                : promise;
     }
 
     private static String named(Component component) {

@@ -25,7 +25,7 @@ final class WholeFiles {
     /** The paths of the files that are whole, with all that they need. */
     static Set<String> in(LoadedModels loaded) {
         Map<Unit, Set<String>> open = new HashMap<>();
-        loaded.units().forEach(unit -> open.put(unit, Mentions.in(unit.file().text())));
+        loaded.units().forEach(unit -> open.put(unit, WrittenNames.in(unit.file().text())));
         Deque<String> missing = new ArrayDeque<>();
         loaded.broken().forEach(path -> missing.add(simpleName(path)));
         loaded.recovered().forEach(each -> name(each.unit()).ifPresent(missing::add));

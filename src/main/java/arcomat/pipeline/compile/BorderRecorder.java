@@ -12,10 +12,10 @@ import java.util.Map;
 final class BorderRecorder extends Border {
     private record Stream(Port port, List<Value> values) {}
 
-    private final Messages messages;
+    private final JavaValues messages;
     private final Map<String, Stream> streams = new HashMap<>();
 
-    BorderRecorder(Messages messages) {
+    BorderRecorder(JavaValues messages) {
         this.messages = messages;
     }
 

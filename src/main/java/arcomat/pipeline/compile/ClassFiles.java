@@ -1,12 +1,48 @@
 package arcomat.pipeline.compile;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Predicate;
 
-/** Classes that compiled code may refer to. Names have slashes: {@code java/util/List}. */
-public interface ClassFiles {
-    /** The class file of a name. */
-    Optional<byte[]> find(String name);
+/**
+ * Classes that compiled code may refer to. Names have slashes: {@code java/util/List}.
+ *
+ * @param find the class file of a name
+ * @param isPackage whether there are classes in a package or below it
+ */
+public record ClassFiles(Function<String, Optional<byte[]>> find, Predicate<String> isPackage) {
+    /** What this program itself runs on, as far as generated code may use it. */
+    static final ClassFiles RUNTIME =
+            ofThisProgram(
+                    List.of("java/", "arcomat/rt/"),
+                    Set.of("java", "java/lang", "arcomat", "arcomat/rt"));
 
-    /** Whether there are classes in a package or below it. */
-    boolean isPackage(String name);
+    /**
+     * Classes that this program has, too.
+     *
+     * @param prefixes of their names
+     * @param packages of those that are looked for
+     */
+    public static ClassFiles ofThisProgram(List<String> prefixes, Set<String> packages) {
+        return new ClassFiles(
+                name ->
+                        prefixes.stream().anyMatch(name::startsWith)
+                                ? read(name)
+                                : Optional.empty(),
+                packages::contains);
+    }
+
+    private static Optional<byte[]> read(String name) {
+        ClassLoader loader = ClassFiles.class.getClassLoader();
+        try (InputStream in = loader.getResourceAsStream(name + ".class")) {
+            return in == null ? Optional.empty() : Optional.of(in.readAllBytes());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+    }
 }

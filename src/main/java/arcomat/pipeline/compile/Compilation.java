@@ -1,5 +1,8 @@
 package arcomat.pipeline.compile;
 
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -28,6 +31,13 @@ public record Compilation(
      */
     public record Problem(
             String path, int line, int start, int end, String message, Optional<JavaLimit> limit) {
+        /** The place in the source file. */
+        public Span in(SourceFile file) {
+            int length = file.text().length();
+            int from = Math.min(Math.max(0, start), length);
+            return file.span(from, Math.min(Math.max(from, end), length));
+        }
+
         @Override
         public String toString() {
             return path + ":" + line + ": " + message;

@@ -23,7 +23,7 @@ final class CompiledActor {
     private final Slot state;
     private final Slot taken;
     private final Map<Variable, Slot> variables = new LinkedHashMap<>();
-    private final Messages messages;
+    private final JavaValues messages;
     private int before;
 
     CompiledActor(
@@ -31,7 +31,7 @@ final class CompiledActor {
             Automaton automaton,
             Object object,
             CodeLayout.Place place,
-            Messages messages) {
+            JavaValues messages) {
         this.path = instance.path();
         this.automaton = automaton;
         this.messages = messages;
@@ -47,7 +47,7 @@ final class CompiledActor {
             CompiledModel model,
             Network network,
             Map<String, CompiledModel.Part> parts,
-            Messages messages) {
+            JavaValues messages) {
         List<CompiledActor> actors = new ArrayList<>();
         for (Network.Instance instance : network.instances()) {
             if (instance.component().platform()) {

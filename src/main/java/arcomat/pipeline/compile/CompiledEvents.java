@@ -8,7 +8,6 @@ import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.network.Network;
-import arcomat.simulate.run.Surroundings;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -20,43 +19,31 @@ import java.util.Optional;
  * Drives event-driven compiled code: one event and all that follows from it. It visits the
  * instances itself, in the order in which the generated network does, to see every reaction.
  */
-final class CompiledEvents implements CompiledExecution.Engine {
-    private final CompiledModel model;
+final class CompiledEvents extends CompiledExecution.Engine {
     private final Network network;
-    private final Messages messages;
-    private final Surroundings surroundings;
-    private final Map<String, CompiledModel.Part> parts;
     private final List<Waiter> waiters = new ArrayList<>();
     private final Map<String, Call> senders = new LinkedHashMap<>();
     private final Map<String, List<Value>> shown = new LinkedHashMap<>();
     private boolean started;
     private Optional<Letter> opening = Optional.empty();
 
-    /** Of the step that is under way. */
-    private Optional<Trace.End> end = Optional.empty();
-
     /** An instance with its queue. */
     private record Waiter(CompiledActor actor, Slot queued, int capacity, Call start, Call react) {}
 
     CompiledEvents(CompiledModel model, Network network, List<Value> arguments, int seed) {
-        this.model = model;
+        super(model, network, arguments, seed);
         this.network = network;
-        this.messages = new Messages(model);
-        this.surroundings = new Surroundings(network);
-        String className = model.place(model.component()).className();
-        Object whole = model.instantiate(className, messages.constructorArguments(arguments, seed));
-        parts = model.parts(whole);
         List<CompiledActor> actors = CompiledActor.all(model, network, parts, messages);
         for (int i = 0; i < actors.size(); i++) {
             Component component = network.instances().get(i).component();
-            Object object = parts.get(actors.get(i).path()).object();
+            Object instance = parts.get(actors.get(i).path()).object();
             waiters.add(
                     new Waiter(
                             actors.get(i),
-                            new Slot(object, model.place(component).queued()),
+                            new Slot(instance, model.place(component).queued()),
                             component.queueCapacity(),
-                            new Call(object, "start", 0),
-                            new Call(object, "react", 0)));
+                            new Call(instance, "start", 0),
+                            new Call(instance, "react", 0)));
         }
         network.inputs().forEach(this::connectInput);
         network.outputs().forEach(this::watchOutput);
@@ -83,13 +70,8 @@ final class CompiledEvents implements CompiledExecution.Engine {
         return model.place(part(external).component());
     }
 
-    private CompiledModel.Part part(Network.External external) {
-        int dot = external.name().lastIndexOf('.');
-        return parts.get(external.name().substring(0, Math.max(0, dot)));
-    }
-
     @Override
-    public Trace.Step step(Letter input, int number) {
+    Trace.Step step(Letter input, int number) {
         shown.values().forEach(List::clear);
         List<Trace.Activity> activities = new ArrayList<>();
         if (!started) {
@@ -114,13 +96,8 @@ final class CompiledEvents implements CompiledExecution.Engine {
     }
 
     @Override
-    public Optional<Letter> opening() {
+    Optional<Letter> opening() {
         return opening;
-    }
-
-    @Override
-    public Optional<Trace.End> end() {
-        return end;
     }
 
     private void runToCompletion(List<Trace.Activity> activities) {

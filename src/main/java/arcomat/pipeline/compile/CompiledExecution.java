@@ -7,19 +7,51 @@ import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.network.Network;
+import arcomat.simulate.run.Surroundings;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** One run of compiled code, with the same traces as the interpreter's. */
 public final class CompiledExecution implements Execution {
-    /** Time-synchronous or event-driven. */
-    interface Engine {
-        Trace.Step step(Letter input, int number);
+    /** Time-synchronous or event-driven code, and what it has shown of itself. */
+    abstract static class Engine {
+        final CompiledModel model;
+        final Surroundings surroundings;
+        final JavaValues messages;
 
-        Optional<Letter> opening();
+        /** The whole. */
+        final Object object;
 
-        Optional<Trace.End> end();
+        final Map<String, CompiledModel.Part> parts;
+
+        /** Of the step that is under way, or went wrong. */
+        Optional<Trace.End> end = Optional.empty();
+
+        Engine(CompiledModel model, Network network, List<Value> arguments, int seed) {
+            this.model = model;
+            this.surroundings = new Surroundings(network);
+            this.messages = new JavaValues(model);
+            this.object =
+                    model.instantiate(
+                            model.place(model.component()).className(),
+                            messages.constructorArguments(arguments, seed));
+            this.parts = model.parts(object);
+        }
+
+        abstract Trace.Step step(Letter input, int number);
+
+        /** Slices have no beginning of their own. */
+        Optional<Letter> opening() {
+            return Optional.empty();
+        }
+
+        /** The part that has a port of the network, whose name begins with the part's path. */
+        final CompiledModel.Part part(Network.External external) {
+            int dot = external.name().lastIndexOf('.');
+            return parts.get(external.name().substring(0, Math.max(0, dot)));
+        }
     }
 
     private final CompiledModel model;
@@ -73,7 +105,7 @@ public final class CompiledExecution implements Execution {
 
     @Override
     public Optional<Trace.End> end() {
-        return engine == null ? beginning : engine.end();
+        return engine == null ? beginning : engine.end;
     }
 
     private boolean isTimed() {

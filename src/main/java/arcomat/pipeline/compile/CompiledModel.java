@@ -40,7 +40,7 @@ public record CompiledModel(
         for (GeneratedFile file : generation.files()) {
             sources.put(file.path(), file.text());
         }
-        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), ClassFiles.RUNTIME);
         for (Compilation.Problem problem : compilation.problems()) {
             Optional<Diagnostic> tooLarge = OversizedCode.finding(problem, generation.layout());
             if (tooLarge.isPresent()) {
@@ -51,29 +51,18 @@ public record CompiledModel(
             throw new IllegalStateException(compilation.problems().toString());
         }
         return new CompiledModel(
-                component, choosing, generation.layout(), new Loader(compilation.classes()));
+                component,
+                choosing,
+                generation.layout(),
+                new ClassesInMemory(compilation.classes()));
     }
 
-    /** Finds classes in memory; what generated code needs besides is the tool's own runtime. */
-    private static final class Loader extends ClassLoader {
-        private final Map<String, byte[]> classes;
+    /** A model that only the interpreter can run: no Java virtual machine holds its code. */
+    public static final class TooLargeToCompile extends RuntimeException {
+        private static final long serialVersionUID = 1L;
 
-        Loader(Map<String, byte[]> classes) {
-            super(CompiledModel.class.getClassLoader());
-            this.classes = classes;
-        }
-
-        @Override
-        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
-            // A model may use package names of the tool; its own classes come first.
-            synchronized (getClassLoadingLock(name)) {
-                byte[] file = classes.get(name.replace('.', '/'));
-                if (file == null) {
-                    return super.loadClass(name, resolve);
-                }
-                Class<?> known = findLoadedClass(name);
-                return known != null ? known : defineClass(name, file, 0, file.length);
-            }
+        TooLargeToCompile(String message) {
+            super(message);
         }
     }
 

@@ -9,7 +9,6 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.network.Composition;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.network.Source;
-import arcomat.simulate.run.Surroundings;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
@@ -26,11 +25,7 @@ import java.util.Set;
  * Drives time-synchronous compiled code slice by slice. What a delayed output shows in a slice
  * stands in its field before the step; what is sent without delay, after it.
  */
-final class CompiledSlices implements CompiledExecution.Engine {
-    private final CompiledModel model;
-    private final Surroundings surroundings;
-    private final Messages messages;
-    private final Object whole;
+final class CompiledSlices extends CompiledExecution.Engine {
     private final MethodHandle sense;
 
     /** A platform component that is the whole has none: what it would do is not in the model. */
@@ -40,27 +35,20 @@ final class CompiledSlices implements CompiledExecution.Engine {
     private final List<PortSlot> outputs = new ArrayList<>();
     private final Set<String> delayed;
     private final List<CompiledActor> actors = new ArrayList<>();
-    private Optional<Trace.End> end = Optional.empty();
 
     CompiledSlices(CompiledModel model, Network network, List<Value> arguments, int seed) {
-        this.model = model;
-        this.surroundings = new Surroundings(network);
-        this.messages = new Messages(model);
+        super(model, network, arguments, seed);
         Component component = model.component();
         CodeLayout.Place place = model.place(component);
-        whole =
-                model.instantiate(
-                        place.className(), messages.constructorArguments(arguments, seed));
         step = component.platform() ? Optional.empty() : Optional.of(method("step"));
         sense = place.senses() && !component.platform() ? method("sense") : null;
         delayed = delayed(component);
-        Map<String, CompiledModel.Part> parts = model.parts(whole);
         for (Network.External external : network.inputs()) {
-            inputs.add(slot(external, parts));
+            inputs.add(slot(external));
         }
         for (Network.External external : network.outputs()) {
             if (external.signal() != Network.UNCONNECTED) {
-                outputs.add(slot(external, parts));
+                outputs.add(slot(external));
             }
         }
         actors.addAll(CompiledActor.all(model, network, parts, messages));
@@ -69,8 +57,8 @@ final class CompiledSlices implements CompiledExecution.Engine {
     private MethodHandle method(String name) {
         try {
             return MethodHandles.publicLookup()
-                    .findVirtual(whole.getClass(), name, MethodType.methodType(void.class))
-                    .bindTo(whole);
+                    .findVirtual(object.getClass(), name, MethodType.methodType(void.class))
+                    .bindTo(object);
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(e);
         }
@@ -93,10 +81,9 @@ final class CompiledSlices implements CompiledExecution.Engine {
         return names;
     }
 
-    /** A port of the whole, or of a platform component, whose name begins with its path. */
-    private PortSlot slot(Network.External external, Map<String, CompiledModel.Part> parts) {
-        int dot = external.name().lastIndexOf('.');
-        CompiledModel.Part part = parts.get(external.name().substring(0, Math.max(0, dot)));
+    /** A port of the whole, or of a platform component. */
+    private PortSlot slot(Network.External external) {
+        CompiledModel.Part part = part(external);
         return new PortSlot(
                 external.name(),
                 external.port(),
@@ -106,7 +93,7 @@ final class CompiledSlices implements CompiledExecution.Engine {
     }
 
     @Override
-    public Trace.Step step(Letter input, int number) {
+    Trace.Step step(Letter input, int number) {
         surroundings.requireSlice(input);
         inputs.forEach(slot -> slot.write(input));
         actors.forEach(CompiledActor::begin);
@@ -124,17 +111,6 @@ final class CompiledSlices implements CompiledExecution.Engine {
         show(false, shown);
         List<Trace.Activity> activities = actors.stream().map(CompiledActor::activity).toList();
         return new Trace.Step(number, input, Letter.of(inOrder(shown)), activities);
-    }
-
-    /** Slices have no beginning of their own. */
-    @Override
-    public Optional<Letter> opening() {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Trace.End> end() {
-        return end;
     }
 
     private void show(boolean before, Map<String, Value> shown) {

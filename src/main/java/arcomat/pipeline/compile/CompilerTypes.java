@@ -64,7 +64,7 @@ final class CompilerTypes implements INameEnvironment, AutoCloseable {
             CompilationUnit unit = new CompilationUnit(source.toCharArray(), path, "UTF-8");
             return Optional.of(new NameEnvironmentAnswer(unit, null));
         }
-        return classes.find(name).map(file -> answer(file, name));
+        return classes.find().apply(name).map(file -> answer(file, name));
     }
 
     private static NameEnvironmentAnswer answer(byte[] file, String name) {
@@ -79,7 +79,7 @@ final class CompilerTypes implements INameEnvironment, AutoCloseable {
     public boolean isPackage(char[][] parentPackageName, char[] packageName) {
         String parent = parentPackageName == null ? "" : join(parentPackageName);
         String name = (parent.isEmpty() ? "" : parent + "/") + new String(packageName);
-        return packages.contains(name) || classes.isPackage(name);
+        return packages.contains(name) || classes.isPackage().test(name);
     }
 
     private static String join(char[][] names) {

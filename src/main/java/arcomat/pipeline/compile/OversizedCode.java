@@ -48,11 +48,11 @@ public final class OversizedCode {
         if (large.isEmpty()) {
             return List.of();
         }
-        Compilation compilation = MemoryCompiler.compile(large, others, new RuntimeClasses());
+        Compilation compilation = MemoryCompiler.compile(large, others, ClassFiles.RUNTIME);
         OversizedCode code = new OversizedCode(generation.layout());
         Stream<Compilation.Problem> texts =
                 large.keySet().stream()
-                        .filter(path -> Literals.longest(large.get(path)) > LONGEST_TEXT)
+                        .filter(path -> StringConstants.longest(large.get(path)) > LONGEST_TEXT)
                         .map(OversizedCode::longText);
         return Stream.concat(compilation.problems().stream(), texts)
                 .flatMap(each -> code.finding(each).stream())

@@ -14,12 +14,12 @@ final class PortSlot {
     private final Port port;
     private final Slot message;
     private final Optional<Slot> presence;
-    private final Messages messages;
+    private final JavaValues messages;
 
     /**
      * @param name as letters have it
      */
-    PortSlot(String name, Port port, Object owner, CodeLayout.Place place, Messages messages) {
+    PortSlot(String name, Port port, Object owner, CodeLayout.Place place, JavaValues messages) {
         this.name = name;
         this.port = port;
         this.message = new Slot(owner, place.messages().get(port.name()));

@@ -1,7 +1,7 @@
 package arcomat.pipeline.file;
 
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -24,13 +24,18 @@ public final class AtomicFile {
      * @param written the file as the user wrote it
      * @throws WrongUse where it cannot be written
      */
+    public static void write(String written, String text, PathNames names) throws WrongUse {
+        write(written, text.getBytes(StandardCharsets.UTF_8), names);
+    }
+
+    /** Writes any bytes to such a file. */
     public static void write(String written, byte[] content, PathNames names) throws WrongUse {
         Path file = names.resolve(written);
         try {
             Files.createDirectories(file.toAbsolutePath().getParent());
             write(file, content);
         } catch (IOException e) {
-            throw new WrongUse("cannot write to '" + written + "': " + Failures.reason(e));
+            throw Failures.cannot("write to", written, e);
         }
     }
 

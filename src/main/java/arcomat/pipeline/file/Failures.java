@@ -1,5 +1,7 @@
 package arcomat.pipeline.file;
 
+import arcomat.pipeline.WrongUse;
+
 import java.io.IOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.AccessDeniedException;
@@ -12,6 +14,16 @@ import java.nio.file.ReadOnlyFileSystemException;
 /** Why the file system refused, in words. */
 public final class Failures {
     private Failures() {}
+
+    /**
+     * What a user is told.
+     *
+     * @param work that cannot be done, such as {@code write to}
+     * @param written the file or folder as the user wrote it
+     */
+    public static WrongUse cannot(String work, String written, Exception e) {
+        return new WrongUse("cannot " + work + " '" + written + "': " + reason(e));
+    }
 
     /** The reason alone, to follow a colon. */
     public static String reason(Exception e) {

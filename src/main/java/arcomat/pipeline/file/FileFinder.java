@@ -1,6 +1,6 @@
 package arcomat.pipeline.file;
 
-import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.PathNames;
 import arcomat.source.Diagnostic;
 
 import java.io.IOException;
@@ -30,6 +30,11 @@ public final class FileFinder {
      */
     public record Found(Path path, String shown) {}
 
+    /** By which files of models are known. */
+    private static final List<String> ENDINGS = List.of(".arc", ".cd", ".ioautomaton", ".mt");
+
+    private static final String LISTING = String.join(", ", ENDINGS);
+
     private final PathNames names;
     private final List<Found> files = new ArrayList<>();
     private final List<Diagnostic> findings = new ArrayList<>();
@@ -44,6 +49,12 @@ public final class FileFinder {
      */
     public FileFinder(PathNames names) {
         this.names = names;
+    }
+
+    /** By the ending of its name. */
+    public static boolean isModelFile(Path file) {
+        String name = file.getFileName().toString();
+        return ENDINGS.stream().anyMatch(name::endsWith);
     }
 
     /** What was found so far, in the order of finding. */
@@ -71,16 +82,14 @@ public final class FileFinder {
                 int before = met + findings.size();
                 searchFolder(path, shown, absolute);
                 if (met + findings.size() == before) {
-                    unreadable(shown, "holds no model files (" + ModelLanguages.listing() + ")");
+                    unreadable(shown, "holds no model files (" + LISTING + ")");
                 }
             }
         } else if (Files.exists(path)) {
-            if (ModelLanguages.isModelFile(path)) {
+            if (isModelFile(path)) {
                 addFile(path, shown);
             } else {
-                unreadable(
-                        shown,
-                        "is not a model file; their names end in " + ModelLanguages.listing());
+                unreadable(shown, "is not a model file; their names end in " + LISTING);
             }
         } else {
             missing(path, shown);
@@ -122,7 +131,7 @@ public final class FileFinder {
         }
         if (Files.isDirectory(entry)) {
             searchFolder(entry, shown, absolute);
-        } else if (ModelLanguages.isModelFile(entry)) {
+        } else if (isModelFile(entry)) {
             if (Files.exists(entry)) {
                 addFile(entry, shown);
             } else {

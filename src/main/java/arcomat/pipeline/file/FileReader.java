@@ -1,7 +1,7 @@
 package arcomat.pipeline.file;
 
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
@@ -51,9 +51,19 @@ public final class FileReader {
         if (!Files.isRegularFile(path)) {
             throw new WrongUse("there is no " + kind + " '" + written + "'");
         }
-        Read read = read(path, written);
+        return text(path, written);
+    }
+
+    /**
+     * Reads a file that is there, and that a command cannot do without.
+     *
+     * @param shown how the user knows the file
+     * @throws WrongUse where it cannot be read
+     */
+    public static SourceFile text(Path path, String shown) throws WrongUse {
+        Read read = read(path, shown);
         return read.file()
-                .orElseThrow(() -> new WrongUse(written + ": " + read.finding().get().message()));
+                .orElseThrow(() -> new WrongUse(shown + ": " + read.finding().get().message()));
     }
 
     /**
@@ -71,11 +81,8 @@ public final class FileReader {
             if (size > LARGEST_BYTES) {
                 return unreadable(
                         shown,
-                        "has "
-                                + (size >> 20)
-                                + " MiB; files above "
-                                + (LARGEST_BYTES >> 20)
-                                + " MiB are not read as models");
+                        "has %s MiB; files above %s MiB are not read as models"
+                                .formatted(size >> 20, LARGEST_BYTES >> 20));
             }
             return decode(Files.readAllBytes(path), shown);
         } catch (AccessDeniedException e) {
@@ -106,9 +113,8 @@ public final class FileReader {
                     FileFindings.error(
                             FileFindings.BINARY,
                             shown,
-                            "this file is binary: byte "
-                                    + zero
-                                    + " is zero; a model is plain text in UTF-8"));
+                            "this file is binary: byte %s is zero; a model is plain text in UTF-8"
+                                    .formatted(zero)));
         }
         try {
             CharBuffer text =

@@ -1,7 +1,7 @@
 package arcomat.pipeline.file;
 
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -11,6 +11,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -52,8 +53,16 @@ public final class OutputFolder {
         try {
             new OutputFolder(place.normalize(), shown).replace(files);
         } catch (IOException e) {
-            throw new WrongUse("cannot write to '" + shown + "': " + Failures.reason(e));
+            throw Failures.cannot("write to", shown, e);
         }
+    }
+
+    /** The same for texts in UTF-8; the folder is as the user wrote it. */
+    public static void replaceTexts(String shown, Map<String, String> files, PathNames names)
+            throws WrongUse {
+        Map<String, byte[]> contents = new LinkedHashMap<>();
+        files.forEach((path, text) -> contents.put(path, text.getBytes(StandardCharsets.UTF_8)));
+        replace(names.resolve(shown), shown, contents);
     }
 
     private static void requireInside(Path folder, String path) {
@@ -128,12 +137,9 @@ public final class OutputFolder {
         List<String> named = foreign.stream().limit(NAMED_FOREIGN_FILES).toList();
         int more = foreign.size() - named.size();
         throw new WrongUse(
-                "'"
-                        + shown
-                        + "' holds files that arcomat did not generate: "
-                        + String.join(", ", named)
-                        + (more > 0 ? " and " + more + " more" : "")
-                        + "; name another folder with --out, or move them away");
+                "'%s' holds files that arcomat did not generate: %s%s; name another folder with"
+                        + " --out, or move them away",
+                shown, String.join(", ", named), more > 0 ? " and " + more + " more" : "");
     }
 
     private Set<String> listed() throws IOException {
@@ -187,7 +193,8 @@ public final class OutputFolder {
         return ProcessHandle.of(process).map(p -> !p.isAlive()).orElse(true);
     }
 
-    private static void delete(Path folder) throws IOException {
+    /** Deletes a folder with all that is in it, if it is there. */
+    public static void delete(Path folder) throws IOException {
         if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
             return;
         }

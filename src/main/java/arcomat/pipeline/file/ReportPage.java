@@ -1,7 +1,10 @@
 package arcomat.pipeline.file;
 
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.report.page.Page;
+import arcomat.report.page.PageText;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -32,6 +35,17 @@ public final class ReportPage {
     }
 
     /**
+     * Writes a page into a folder, and tells that it does so.
+     *
+     * @param folder as the user wrote it; it is made if need be
+     * @throws WrongUse where it cannot be written
+     */
+    public static void write(Page page, String folder, Session session) throws WrongUse {
+        session.progress().step("writing " + folder + "/" + NAME);
+        new ReportPage(folder, session.names()).write(PageText.render(page));
+    }
+
+    /**
      * Finds out before any work is done whether a page can be written; makes nothing.
      *
      * @throws WrongUse where it cannot
@@ -50,9 +64,8 @@ public final class ReportPage {
             throw new WrongUse(
                     itself
                             ? "'" + written + "' is a file; --report names a folder"
-                            : "cannot write to '"
-                                    + written
-                                    + "': a file is in the way of a folder");
+                            : "cannot write to '%s': a file is in the way of a folder"
+                                    .formatted(written));
         }
         if (!Files.isWritable(existing)) {
             throw new WrongUse("cannot write to '" + written + "': permission denied");
@@ -68,12 +81,9 @@ public final class ReportPage {
         try {
             if (Files.exists(page) && !isOwn(page)) {
                 throw new WrongUse(
-                        "'"
-                                + written
-                                + "' holds a page that arcomat did not write; name another folder"
-                                + " with --report, or move "
-                                + NAME
-                                + " away");
+                        "'%s' holds a page that arcomat did not write; name another folder with"
+                                + " --report, or move %s away",
+                        written, NAME);
             }
         } catch (IOException e) {
             throw failed(e);
@@ -104,6 +114,6 @@ public final class ReportPage {
     }
 
     private WrongUse failed(IOException e) {
-        return new WrongUse("cannot write to '" + written + "': " + Failures.reason(e));
+        return Failures.cannot("write to", written, e);
     }
 }

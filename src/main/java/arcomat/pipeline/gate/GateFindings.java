@@ -19,18 +19,18 @@ final class GateFindings {
     private static final String UNKNOWN = "ARC1104";
 
     private final GateSide fresh;
-    private final Excuses excuses;
+    private final BreakReasons reasons;
     private final List<Diagnostic> findings = new ArrayList<>();
     private final List<Suppressed> meant = new ArrayList<>();
 
-    private GateFindings(GateSide fresh, Excuses excuses) {
+    private GateFindings(GateSide fresh, BreakReasons reasons) {
         this.fresh = fresh;
-        this.excuses = excuses;
+        this.reasons = reasons;
     }
 
     /** What files that are left out make of it is not told: they have findings of their own. */
-    static GateFindings of(Gate gate, GateSide base, GateSide fresh, Excuses excuses) {
-        GateFindings all = new GateFindings(fresh, excuses);
+    static GateFindings of(Gate gate, GateSide base, GateSide fresh, BreakReasons reasons) {
+        GateFindings all = new GateFindings(fresh, reasons);
         gate.entries().stream()
                 .filter(entry -> entry.change().relation().isDoubtful())
                 .filter(entry -> entry.change().relation() != Change.Relation.UNREAD)
@@ -102,10 +102,8 @@ final class GateFindings {
         return Diagnostic.warning(
                 UNKNOWN,
                 entry.fresh().orElseThrow(),
-                "whether '"
-                        + entry.name()
-                        + "' keeps what it promised is unknown: "
-                        + entry.change().reason());
+                "whether '%s' keeps what it promised is unknown: %s"
+                        .formatted(entry.name(), entry.change().reason()));
     }
 
     private String message(Gate.Entry entry) {
@@ -124,7 +122,7 @@ final class GateFindings {
 
     private String afterSpent(Gate.Entry entry) {
         String name = entry.name().replaceFirst("<.*", "");
-        return excuses.hasSpent(name, fresh.components().get(name))
+        return reasons.hasSpent(name, fresh.components().get(name))
                 ? "; the reason that it has is in the base, too: it was given for an earlier"
                         + " change"
                 : "";
@@ -134,7 +132,8 @@ final class GateFindings {
     private void unneeded(Map.Entry<String, GateSide.Declared> component) {
         boolean fails =
                 findings.stream().anyMatch(each -> each.span().equals(component.getValue().name()));
-        for (Excuses.Unneeded each : excuses.unneeded(component.getKey(), component.getValue())) {
+        for (BreakReasons.Unneeded each :
+                reasons.unneeded(component.getKey(), component.getValue())) {
             if (fails && each.spent()) {
                 continue;
             }

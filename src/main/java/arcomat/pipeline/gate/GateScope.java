@@ -1,8 +1,8 @@
 package arcomat.pipeline.gate;
 
+import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.ModelRoot;
-import arcomat.pipeline.step.PathNames;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 

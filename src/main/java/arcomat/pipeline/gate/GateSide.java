@@ -3,7 +3,7 @@ package arcomat.pipeline.gate;
 import arcomat.model.Component;
 import arcomat.model.Model;
 import arcomat.pipeline.check.CheckedModels;
-import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.check.LoweredModels;
 import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -36,9 +36,9 @@ record GateSide(CheckedModels checked, Model model, SortedMap<String, Declared> 
             List<Stereotype> stereotypes,
             SortedMap<String, Component> instantiations) {}
 
-    static GateSide of(CheckedModels checked, Progress progress) {
-        GateSide side = new GateSide(checked, checked.lower(progress), new TreeMap<>());
-        for (ComponentSymbol symbol : checked.workspace().components()) {
+    static GateSide of(LoweredModels models) {
+        GateSide side = new GateSide(models.checked(), models.model(), new TreeMap<>());
+        for (ComponentSymbol symbol : side.checked.workspace().components()) {
             List<Stereotype> stereotypes = new ArrayList<>(symbol.stereotypes());
             symbol.ownAutomata().forEach(each -> stereotypes.addAll(each.node().stereotypes()));
             side.declare(
@@ -88,7 +88,7 @@ record GateSide(CheckedModels checked, Model model, SortedMap<String, Declared> 
 
     /** Whether a file that is left out may say why something is gone. */
     boolean mayGiveReasons() {
-        return checked.aside().words().contains(Excuses.REPLACES);
+        return checked.aside().words().contains(BreakReasons.REPLACES);
     }
 
     boolean isNamedByUser(Declared component) {

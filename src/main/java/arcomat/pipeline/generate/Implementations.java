@@ -1,11 +1,10 @@
 package arcomat.pipeline.generate;
 
 import arcomat.generate.Target;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.file.FileReader;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
-import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 
 import java.nio.file.Files;
@@ -54,13 +53,8 @@ public record Implementations(Map<String, SourceFile> own, Map<String, SourceFil
         boolean absolute = !folder.startsWith(names.directory());
         for (Path file : Targets.files(folder, names.shown(folder, absolute))) {
             String shown = names.shown(file, absolute);
-            FileReader.Read read = FileReader.read(file, shown);
-            if (read.finding().isPresent()) {
-                Diagnostic finding = read.finding().get();
-                throw new WrongUse(shown + ": " + finding.message());
-            }
             String path = folder.relativize(file).toString().replace('\\', '/');
-            read.file().ifPresent(text -> own.putIfAbsent(path, text));
+            own.putIfAbsent(path, FileReader.text(file, shown));
         }
     }
 

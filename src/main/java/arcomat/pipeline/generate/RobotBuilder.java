@@ -4,17 +4,18 @@ import arcomat.brick.BrickCheck;
 import arcomat.brick.BrickReport;
 import arcomat.brick.ReachableClasses;
 import arcomat.brick.api.BrickTable;
+import arcomat.brick.api.StubWriter;
 import arcomat.brick.jar.RobotJar;
 import arcomat.brick.jar.RobotJar.Origin;
 import arcomat.brick.jar.RobotJar.RobotClass;
 import arcomat.generate.GeneratedFile;
 import arcomat.generate.Generation;
+import arcomat.pipeline.compile.ClassFiles;
 import arcomat.pipeline.compile.Compilation;
 import arcomat.pipeline.compile.MemoryCompiler;
 import arcomat.pipeline.compile.OversizedCode;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.source.Span;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -49,12 +50,22 @@ public final class RobotBuilder {
     }
 
     /**
+     * A program for the brick.
+     *
+     * @param component qualified name of the component that it runs
+     * @param jar path of the jar below the output folder
+     * @param report what is known about the jar before it is linked
+     */
+    public record BrickProgram(String component, String jar, BrickReport report) {}
+
+    /**
      * What came of it.
      *
      * @param jars by path
      * @param findings about code that does not compile, and about jars that do not fit
      */
-    public record Result(List<Robot> robots, Map<String, byte[]> jars, List<Diagnostic> findings) {}
+    public record Result(
+            List<BrickProgram> robots, Map<String, byte[]> jars, List<Diagnostic> findings) {}
 
     /**
      * Compiles what was generated along with its implementations, and packs a jar for each robot.
@@ -67,7 +78,7 @@ public final class RobotBuilder {
         Map<String, String> sources = new LinkedHashMap<>();
         generation.files().forEach(file -> sources.put(file.path(), file.text()));
         Compilation compilation =
-                MemoryCompiler.compile(sources, implementations.texts(), new BrickClasses(table));
+                MemoryCompiler.compile(sources, implementations.texts(), classesOf(table));
         if (!compilation.problems().isEmpty()) {
             List<Diagnostic> findings = new ArrayList<>();
             compilation.problems().stream().map(this::finding).distinct().forEach(findings::add);
@@ -76,8 +87,14 @@ public final class RobotBuilder {
         return pack(compilation);
     }
 
+    /** What a brick has, as far as a compiler has to know it. */
+    public static ClassFiles classesOf(BrickTable table) {
+        StubWriter stubs = new StubWriter(table);
+        return new ClassFiles(name -> table.type(name).map(stubs::write), table::isPackage);
+    }
+
     private Result pack(Compilation compilation) {
-        List<Robot> robots = new ArrayList<>();
+        List<BrickProgram> robots = new ArrayList<>();
         Map<String, byte[]> jars = new TreeMap<>();
         List<Diagnostic> findings = new ArrayList<>();
         Map<String, String> programs = new TreeMap<>(generation.layout().programs());
@@ -86,7 +103,7 @@ public final class RobotBuilder {
                     List<RobotClass> classes = classes(main.replace('.', '/'), compilation);
                     String path = path(component);
                     BrickReport report = BrickCheck.check(new RobotJar(path, classes), table);
-                    robots.add(new Robot(component, path, report));
+                    robots.add(new BrickProgram(component, path, report));
                     jars.put(path, JarWriter.write(main, classes));
                     findings.addAll(report.findings());
                 });
@@ -143,12 +160,9 @@ public final class RobotBuilder {
     private Diagnostic wrong(Compilation.Problem problem) {
         SourceFile file =
                 source(problem.path()).orElseGet(() -> new SourceFile(problem.path(), ""));
-        int length = file.text().length();
-        int start = Math.min(Math.max(0, problem.start()), length);
-        Span span = file.span(start, Math.min(Math.max(start, problem.end()), length));
         return Diagnostic.error(
                 DOES_NOT_COMPILE,
-                span,
+                problem.in(file),
                 "this does not compile for the brick, which has Java 6 and the classes of leJOS NXJ"
                         + " 0.9.1: "
                         + problem.message());

@@ -1,12 +1,10 @@
 package arcomat.pipeline.generate;
 
 import arcomat.generate.Target;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.Failures;
 import arcomat.pipeline.file.FileReader;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
-import arcomat.source.Diagnostic;
-import arcomat.source.SourceFile;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -33,9 +31,9 @@ public final class Targets {
         Path folder = names.resolve(written);
         if (!Files.isDirectory(folder)) {
             throw new WrongUse(
-                    "there is no target '"
-                            + written
-                            + "': neither shipped (jvm, lejos) nor a folder of templates");
+                    "there is no target '%s': neither shipped (jvm, lejos) nor a folder of"
+                            + " templates",
+                    written);
         }
         if (!Files.exists(folder.resolve(Target.DESCRIPTION))) {
             throw new WrongUse(
@@ -51,10 +49,8 @@ public final class Targets {
             return target.baseName();
         } catch (IllegalArgumentException noProperties) { // the one thing that these can have wrong
             throw new WrongUse(
-                    written
-                            + "/"
-                            + Target.DESCRIPTION
-                            + ": a backslash and a u without four hexadecimal digits behind them");
+                    "%s/%s: a backslash and a u without four hexadecimal digits behind them",
+                    written, Target.DESCRIPTION);
         }
     }
 
@@ -63,23 +59,16 @@ public final class Targets {
                 .orElseThrow(
                         () ->
                                 new WrongUse(
-                                        "target '"
-                                                + written
-                                                + "' stands on base '"
-                                                + name
-                                                + "', which is not a shipped target (jvm, lejos)"));
+                                        "target '%s' stands on base '%s', which is not a shipped"
+                                                + " target (jvm, lejos)",
+                                        written, name));
     }
 
     private static Map<String, String> texts(Path folder, String written) throws WrongUse {
         Map<String, String> texts = new TreeMap<>();
         for (Path file : files(folder, written)) {
             String name = folder.relativize(file).toString().replace('\\', '/');
-            FileReader.Read read = FileReader.read(file, written + "/" + name);
-            Optional<Diagnostic> finding = read.finding();
-            if (finding.isPresent()) {
-                throw new WrongUse(written + "/" + name + ": " + finding.get().message());
-            }
-            read.file().map(SourceFile::text).ifPresent(text -> texts.put(name, text));
+            texts.put(name, FileReader.text(file, written + "/" + name).text());
         }
         return texts;
     }
@@ -91,7 +80,7 @@ public final class Targets {
                     .sorted()
                     .toList();
         } catch (IOException e) {
-            throw new WrongUse("cannot read '" + written + "': " + Failures.reason(e));
+            throw Failures.cannot("read", written, e);
         }
     }
 }

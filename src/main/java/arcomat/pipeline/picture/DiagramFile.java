@@ -1,9 +1,9 @@
 package arcomat.pipeline.picture;
 
 import arcomat.diagram.Graph;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.file.AtomicFile;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
 
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -39,9 +39,7 @@ public final class DiagramFile {
                 .orElseThrow(
                         () ->
                                 new WrongUse(
-                                        "'"
-                                                + file
-                                                + "' says no format; pictures end in .svg, .png or"
-                                                + " .dot"));
+                                        "'%s' says no format; pictures end in .svg, .png or .dot",
+                                        file));
     }
 }

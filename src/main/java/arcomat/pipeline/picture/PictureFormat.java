@@ -5,7 +5,7 @@ import arcomat.diagram.Graph;
 import arcomat.diagram.LayeredLayout;
 import arcomat.diagram.SvgText;
 import arcomat.diagram.Theme;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.WrongUse;
 import arcomat.source.Span;
 
 import java.nio.charset.StandardCharsets;

@@ -1,6 +1,6 @@
 package arcomat.pipeline.picture;
 
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.WrongUse;
 
 import com.github.weisj.jsvg.SVGDocument;
 import com.github.weisj.jsvg.parser.LoaderContext;
@@ -32,10 +32,9 @@ final class PngImage {
             return paint(readable(svg));
         } catch (LinkageError | AWTError | InternalError | IOException e) {
             throw new WrongUse(
-                    "this Java cannot paint letters ("
-                            + e.getMessage()
-                            + "): install fonts, on Debian the package fonts-liberation, and a Java"
-                            + " with them; --format svg needs neither");
+                    "this Java cannot paint letters (%s): install fonts, on Debian the package"
+                            + " fonts-liberation, and a Java with them; --format svg needs neither",
+                    e.getMessage());
         }
     }
 
@@ -50,9 +49,8 @@ final class PngImage {
             return svg.replace("\"Liberation Sans\", Arimo", "SansSerif");
         }
         throw new WrongUse(
-                "this machine has no font with the letter '"
-                        + Character.toString(letters.codePointAt(missing))
-                        + "'; install one, or take --format svg");
+                "this machine has no font with the letter '%s'; install one, or take --format svg",
+                Character.toString(letters.codePointAt(missing)));
     }
 
     private static byte[] paint(String svg) throws IOException {

@@ -1,6 +1,6 @@
 package arcomat.pipeline.picture;
 
-import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.PathNames;
 import arcomat.source.Span;
 
 import java.net.URI;

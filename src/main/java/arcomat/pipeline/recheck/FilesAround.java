@@ -1,8 +1,8 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.pipeline.PathNames;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.ModelRoot;
-import arcomat.pipeline.step.PathNames;
 import arcomat.report.text.Sha256;
 import arcomat.tree.Unit;
 

@@ -2,6 +2,9 @@ package arcomat.pipeline.recheck;
 
 import arcomat.check.Checks;
 import arcomat.check.law.Profile;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.Library;
@@ -9,8 +12,6 @@ import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.CheckState.File;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.Progress;
 import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -81,7 +82,7 @@ public record IncrementalCheck(
     }
 
     private Outcome full(String key, Set<Path> searched) {
-        CheckedModels models = CheckedModels.check(paths, profile, names, progress);
+        CheckedModels models = CheckedModels.check(paths, profile, new Session(names, progress));
         FilesAround around = new FilesAround(names, searched, models.loaded().named());
         List<File> files = new StateOfFiles(around).of(models);
         CheckState state = new CheckState(key, around.folders(), files);

@@ -1,6 +1,6 @@
 package arcomat.pipeline.recheck;
 
-import arcomat.pipeline.step.PathNames;
+import arcomat.pipeline.PathNames;
 import arcomat.report.text.Json;
 import arcomat.report.text.Sha256;
 import arcomat.source.SourceFile;

@@ -2,7 +2,7 @@ package arcomat.pipeline.recheck;
 
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoadedModels;
-import arcomat.pipeline.check.Mentions;
+import arcomat.pipeline.check.WrittenNames;
 import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.report.text.Sha256;
 import arcomat.source.Diagnostic;
@@ -78,7 +78,7 @@ record StateOfFiles(FilesAround around) {
     }
 
     private static Set<String> mentions(Unit unit) {
-        Set<String> mentions = Mentions.in(unit.file().text());
+        Set<String> mentions = WrittenNames.in(unit.file().text());
         unit.imports().stream()
                 .filter(Import::wildcard)
                 .forEach(each -> mentions.add(FileReferences.allOf(each.name().text())));

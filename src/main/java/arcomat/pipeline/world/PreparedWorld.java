@@ -17,14 +17,14 @@ public final class PreparedWorld {
     private final Aside aside;
     private final int files;
     private final World world;
-    private final Map<String, Equipment> equipment;
+    private final Map<String, WorldPrograms.Equipment> equipment;
 
     PreparedWorld(
             List<Diagnostic> findings,
             Aside aside,
             int files,
             World world,
-            Map<String, Equipment> equipment) {
+            Map<String, WorldPrograms.Equipment> equipment) {
         this.findings = List.copyOf(findings);
         this.aside = aside;
         this.files = files;

@@ -5,19 +5,19 @@ import arcomat.generate.Generator;
 import arcomat.generate.Request;
 import arcomat.generate.Target;
 import arcomat.generate.plan.Choosing;
-import arcomat.model.Model;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.brick.JarReader;
 import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.generate.Implementations;
 import arcomat.pipeline.generate.RobotBuilder;
 import arcomat.pipeline.generate.Targets;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.load.Program;
@@ -47,21 +47,21 @@ final class WorldPrograms {
     private final World world;
     private final Path folder;
     private final boolean runDevices;
-    private final PathNames names;
-    private final Progress progress;
+    private final Session session;
     private final Map<String, CheckedModels> checked = new LinkedHashMap<>();
-    private final Map<String, Model> lowered = new HashMap<>();
+    private final Map<String, LoweredModels> lowered = new HashMap<>();
     private final Map<Kind.Program, Program> programs = new HashMap<>();
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
 
-    private WorldPrograms(
-            World world, Path folder, boolean runDevices, PathNames names, Progress progress) {
+    private WorldPrograms(World world, Path folder, boolean runDevices, Session session) {
         this.world = world;
         this.folder = folder;
         this.runDevices = runDevices;
-        this.names = names;
-        this.progress = progress;
+        this.session = session;
     }
+
+    /** What the brick of a robot is given: its program, and devices that a team has described. */
+    record Equipment(Program program, PluggedDevices devices) {}
 
     /**
      * What came of it.
@@ -78,12 +78,11 @@ final class WorldPrograms {
      * @param file of the world, as the user wrote it; its paths start there
      * @param runDevices whether Java files that the world names may be compiled and run
      */
-    static Result of(
-            World world, String file, boolean runDevices, PathNames names, Progress progress)
+    static Result of(World world, String file, boolean runDevices, Session session)
             throws WrongUse {
         Path parent = Path.of(file).getParent();
         Path folder = parent == null ? Path.of("") : parent;
-        return new WorldPrograms(world, folder, runDevices, names, progress).load();
+        return new WorldPrograms(world, folder, runDevices, session).load();
     }
 
     private Result load() throws WrongUse {
@@ -117,7 +116,7 @@ final class WorldPrograms {
         try {
             JarReader jar =
                     wanted.form() == Kind.Program.Form.JAR
-                            ? JarReader.read(path, names)
+                            ? JarReader.read(path, session.names())
                             : made(wanted.name(), path);
             if (jar == null) {
                 return null;
@@ -130,8 +129,9 @@ final class WorldPrograms {
             Program program = jar.program();
             if (!program.classes().containsKey(program.mainClass())) {
                 throw new WrongUse(
-                        "'%s' is no robot's jar: it names the main class %s and does not contain it"
-                                .formatted(path, program.mainClass()));
+                        "'%s' is no robot's jar: it names the main class %s and does not contain"
+                                + " it",
+                        path, program.mainClass());
             }
             return program;
         } catch (WrongUse e) {
@@ -151,7 +151,7 @@ final class WorldPrograms {
             String device = isFile ? beside(each.device()) : each.device();
             SensorName socket = SensorName.values()[each.socket() - 1];
             try {
-                PluggedDevices plugged = PluggedDevices.of(Map.of(socket, device), names);
+                PluggedDevices plugged = PluggedDevices.of(Map.of(socket, device), session.names());
                 devices.putAll(plugged.devices());
                 findings.addAll(plugged.findings());
             } catch (WrongUse e) {
@@ -172,17 +172,17 @@ final class WorldPrograms {
         if (models == null) {
             models =
                     CheckedModels.checkToExamine(
-                            List.of(root), Asked.components(madeOf(root)), names, progress);
+                            List.of(root), Asked.components(madeOf(root)), session);
             checked.put(root, models);
             findings.addAll(models.findings());
             if (!models.hasErrors()) {
-                lowered.put(root, models.lower(progress));
+                lowered.put(root, models.lower(session));
             }
         }
         if (models.hasErrors()) {
             return null;
         }
-        return generated(MainComponent.find(component, models, lowered.get(root)), models);
+        return generated(MainComponent.find(component, lowered.get(root)), models);
     }
 
     /** The components of a model root that programs are made of. */
@@ -202,7 +202,8 @@ final class WorldPrograms {
             throw new WrongUse(
                     "'" + name + "' takes arguments, and a program has nobody to give it");
         }
-        progress.step("making the program of " + name);
+        session.progress().step("making the program of " + name);
+        PathNames names = session.names();
         Target target = Targets.find(TARGET, names);
         Implementations own = Implementations.find(target, models.loaded().roots(names), names);
         Request request = Request.program(main.component(), Choosing.FIRST).with(own.texts());

@@ -58,11 +58,6 @@ final class WorldRun {
         }
     }
 
-    /** Runs a world as long as usual, on bricks as they are. */
-    static Recording run(World world, long seed, Map<String, Equipment> equipment) {
-        return run(world, seed, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
-    }
-
     /**
      * Runs a world to its goal, or to its end.
      *
@@ -74,7 +69,7 @@ final class WorldRun {
     static Recording run(
             World world,
             long seed,
-            Map<String, Equipment> equipment,
+            Map<String, WorldPrograms.Equipment> equipment,
             Duration patience,
             Limits limits) {
         try (Laboratory laboratory = new Laboratory(limits)) {
@@ -83,7 +78,7 @@ final class WorldRun {
         }
     }
 
-    private Recording run(Map<String, Equipment> equipment) {
+    private Recording run(Map<String, WorldPrograms.Equipment> equipment) {
         scene = physics.start();
         laboratory.surround(Physics.STEP, this::step);
         for (int i = 0; i < bricks.length; i++) {

@@ -2,8 +2,8 @@ package arcomat.pipeline.analysis;
 
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 
 import java.nio.file.Path;
 import java.util.Optional;
@@ -39,20 +39,7 @@ public final class InstalledMona {
 
     private static Verdict answer(Promise left, Promise right) {
         try {
-            return MonaStep.verdict(
-                    left,
-                    right,
-                    new RefinesRequest(
-                            "",
-                            "",
-                            Optional.empty(),
-                            Optional.empty(),
-                            Optional.of("mona"),
-                            Optional.empty(),
-                            Optional.empty(),
-                            Optional.empty(),
-                            LIMITS),
-                    NAMES);
+            return new Prover.Mona("mona").decide(left, right, LIMITS, NAMES);
         } catch (WrongUse e) {
             throw new AssertionError(e);
         }

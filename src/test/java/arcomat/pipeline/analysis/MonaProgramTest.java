@@ -3,8 +3,8 @@ package arcomat.pipeline.analysis;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;

@@ -2,9 +2,9 @@ package arcomat.pipeline.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.generate.Robot;
-import arcomat.pipeline.step.Progress;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.generate.RobotBuilder.BrickProgram;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.text.Style;
 import arcomat.sim.Laboratory;
@@ -51,13 +51,12 @@ class CoffeeRobotTest {
     void doesWhatItsScriptAsksFor(String name) throws Exception {
         String simple = name.substring(name.lastIndexOf('.') + 1).toLowerCase();
         Path jar = Files.write(folder.resolve("robot.jar"), CoffeeRobot.of(name).jar());
-        BrickRunRequest request =
-                new BrickRunRequest(
+        RunJar task =
+                new RunJar(
                         jar.toString(),
                         Optional.of("models/coffee/scripts/" + simple + ".script"),
                         OptionalInt.empty());
-        BrickRunResult.Run run =
-                new Pipeline(Path.of(""), Progress.NONE).runBrick(request).run().orElseThrow();
+        RunJar.Run run = Session.in(Path.of(""), Progress.NONE).run(task).run().orElseThrow();
         assertThat(run.failure()).isEmpty();
         String actual = BrickTraceText.render(run.trace(), Style.PLAIN) + run.ending() + "\n";
         Path expected = Path.of("src/test/resources/robots", simple + ".txt");
@@ -69,7 +68,7 @@ class CoffeeRobotTest {
 
     @Test
     void theFetcherIsSmall() {
-        Robot fetcher = CoffeeRobot.of(FETCHER).built().robots().get(0);
+        BrickProgram fetcher = CoffeeRobot.of(FETCHER).built().robots().get(0);
         assertThat(fetcher.report().classes()).isLessThanOrEqualTo(60);
         assertThat(fetcher.report().bytes()).isLessThanOrEqualTo(40_000);
     }

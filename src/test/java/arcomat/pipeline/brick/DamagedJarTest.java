@@ -3,9 +3,9 @@ package arcomat.pipeline.brick;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,10 +63,9 @@ class DamagedJarTest {
     }
 
     private static boolean isRefused(Path jar) {
-        BrickRunRequest request =
-                new BrickRunRequest(jar.toString(), Optional.empty(), OptionalInt.of(1));
+        RunJar task = new RunJar(jar.toString(), Optional.empty(), OptionalInt.of(1));
         try {
-            BrickRunResult result = new Pipeline(Path.of(""), Progress.NONE).runBrick(request);
+            RunJar.Result result = Session.in(Path.of(""), Progress.NONE).run(task);
             assertThat(result.run().isEmpty()).isEqualTo(!result.findings().isEmpty());
             return result.run().isEmpty();
         } catch (WrongUse e) {

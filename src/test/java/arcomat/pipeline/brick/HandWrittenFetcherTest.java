@@ -4,10 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.brick.ReachableClasses;
 import arcomat.brick.api.BrickTable;
-import arcomat.brick.api.StubWriter;
-import arcomat.pipeline.compile.ClassFiles;
 import arcomat.pipeline.compile.Compilation;
 import arcomat.pipeline.compile.MemoryCompiler;
+import arcomat.pipeline.generate.RobotBuilder;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.text.Style;
 import arcomat.sim.device.SensorName;
@@ -27,7 +26,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Random;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
@@ -152,7 +150,9 @@ class HandWrittenFetcherTest {
         } catch (IOException e) {
             throw new AssertionError(e);
         }
-        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), new Brick());
+        Compilation compilation =
+                MemoryCompiler.compile(
+                        sources, Map.of(), RobotBuilder.classesOf(BrickTable.leJos()));
         assertThat(compilation.problems()).isEmpty();
         Map<String, byte[]> packed =
                 ReachableClasses.from(version + "/Fetcher", compilation.classes()).stream()
@@ -186,21 +186,5 @@ class HandWrittenFetcherTest {
         }
         steps.add(new Step((long) SLICES * CYCLE, new Action.End()));
         return new Script(steps);
-    }
-
-    /** The classes of leJOS, as the compiler of robots sees them. */
-    private static final class Brick implements ClassFiles {
-        private final BrickTable table = BrickTable.leJos();
-        private final StubWriter stubs = new StubWriter(table);
-
-        @Override
-        public Optional<byte[]> find(String name) {
-            return table.type(name).map(stubs::write);
-        }
-
-        @Override
-        public boolean isPackage(String name) {
-            return table.isPackage(name);
-        }
     }
 }

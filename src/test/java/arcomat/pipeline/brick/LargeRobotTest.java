@@ -2,11 +2,10 @@ package arcomat.pipeline.brick;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.generate.GenerationRequest;
-import arcomat.pipeline.generate.GenerationResult;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.generate.GenerateCode;
 import arcomat.source.Diagnostic;
 
 import org.junit.jupiter.api.Test;
@@ -80,17 +79,15 @@ class LargeRobotTest {
         Files.writeString(models.resolve("p/Row.arc"), chain("Row", "Part", ROW, ""));
         Files.writeString(
                 models.resolve("p/Large.arc"), chain("Large", "Row", parts / ROW, "<<deploy>> "));
-        GenerationRequest request =
-                new GenerationRequest(
+        GenerateCode task =
+                new GenerateCode(
                         "lejos",
                         folder.resolve("out").toString(),
                         Optional.of("p.Large"),
                         false,
-                        List.of());
-        GenerationResult result =
-                new Pipeline(Path.of(""), Progress.NONE)
-                        .generate(request, List.of(models.toString()));
-        return result.check().findings();
+                        List.of(),
+                        List.of(models.toString()));
+        return Session.in(Path.of(""), Progress.NONE).run(task).check().findings();
     }
 
     /** Parts in a row, each of which hears what the one before it tells. */

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -41,12 +41,12 @@ class LinkTest {
         assumeTrue(file.toFile().setExecutable(true));
     }
 
-    private LinkResult link(Optional<String> home, int seconds) throws WrongUse {
-        LinkRequest request = new LinkRequest("Fetcher.jar", Optional.empty(), home, seconds);
-        return new Pipeline(folder, Progress.NONE).link(request);
+    private LinkJar.Result link(Optional<String> home, int seconds) throws WrongUse {
+        LinkJar task = new LinkJar("Fetcher.jar", Optional.empty(), home, seconds);
+        return Session.in(folder, Progress.NONE).run(task);
     }
 
-    private LinkResult link() throws WrongUse {
+    private LinkJar.Result link() throws WrongUse {
         return link(Optional.of("lejos"), 20);
     }
 
@@ -66,7 +66,7 @@ class LinkTest {
                         + notes
                         + "'\necho 'Class records    : 128 (1536 bytes).'\n"
                         + WRITE_PROGRAM);
-        LinkResult result = link();
+        LinkJar.Result result = link();
         assertThat(result.failure()).isEmpty();
         assertThat(result.linked().orElseThrow().path()).isEqualTo("Fetcher.nxj");
         assertThat(result.linked().orElseThrow().bytes()).isEqualTo(6);
@@ -82,7 +82,7 @@ class LinkTest {
     @Test
     void aLinkerThatFailsIsHeard() throws Exception {
         linker("echo 'Exception: class java.util.Objects not found' >&2\nexit 3\n");
-        LinkResult result = link();
+        LinkJar.Result result = link();
         assertThat(result.linked()).isEmpty();
         assertThat(result.failure()).contains("nxjlink failed with exit status 3");
         assertThat(result.output()).containsExactly("Exception: class java.util.Objects not found");
@@ -101,7 +101,7 @@ class LinkTest {
                 echo '\tat js.tinyvm.ClassRecord.dump(ClassRecord.java:1)' >&2
                 exit 1
                 """);
-        LinkResult result = link();
+        LinkJar.Result result = link();
         assertThat(result.failure().orElseThrow())
                 .startsWith("the linked program has 277 classes, and the brick has room for 256");
         assertThat(result.output())
@@ -116,7 +116,7 @@ class LinkTest {
     void aLinkerThatHangsIsStoppedWithItsChildren() throws Exception {
         linker("echo $$ > '" + folder.resolve("lejos/process") + "'\nsleep 300 & wait\n");
         long start = System.nanoTime();
-        LinkResult result = link(Optional.of("lejos"), 2);
+        LinkJar.Result result = link(Optional.of("lejos"), 2);
         assertThat(Duration.ofNanos(System.nanoTime() - start)).isLessThan(Duration.ofMinutes(2));
         assertThat(result.failure())
                 .contains(
@@ -162,7 +162,7 @@ class LinkTest {
     void theRealLinkerAgrees() throws Exception {
         String home = System.getenv("NXJ_HOME");
         assumeTrue(home != null);
-        LinkResult result = link(Optional.of(home), 120);
+        LinkJar.Result result = link(Optional.of(home), 120);
         assertThat(result.failure()).isEmpty();
         assertThat(result.linked().orElseThrow().classes().orElseThrow())
                 .isEqualTo(result.report().needs().classes());

@@ -8,11 +8,11 @@ import arcomat.model.Letter;
 import arcomat.model.Model;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.generate.GenerationRequest;
-import arcomat.pipeline.generate.GenerationResult;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.generate.GenerateCode;
 import arcomat.report.brick.BrickTraceText;
 import arcomat.report.text.Style;
 import arcomat.sim.Laboratory;
@@ -60,19 +60,18 @@ class WatchedRobotTest {
 
     private Path built(String main, List<String> monitors, String models) throws WrongUse {
         String out = folder.resolve("brick").toString();
-        GenerationRequest request =
-                new GenerationRequest("lejos", out, Optional.of(main), false, monitors);
-        GenerationResult result =
-                new Pipeline(Path.of(""), Progress.NONE).generate(request, List.of(models));
-        assertThat(result.check().findings()).isEmpty();
+        GenerateCode task =
+                new GenerateCode("lejos", out, Optional.of(main), false, monitors, List.of(models));
+        CheckedAnswer<GenerateCode.Made> answer = Session.in(Path.of(""), Progress.NONE).run(task);
+        assertThat(answer.check().findings()).isEmpty();
+        GenerateCode.Made result = answer.value().orElseThrow();
         assertThat(result.watches()).hasSizeGreaterThanOrEqualTo(monitors.size());
         return folder.resolve("brick").resolve(result.robots().get(0).jar());
     }
 
-    private static BrickRunResult.Run run(Path jar, String script) throws WrongUse {
-        BrickRunRequest request =
-                new BrickRunRequest(jar.toString(), Optional.of(script), OptionalInt.empty());
-        return new Pipeline(Path.of(""), Progress.NONE).runBrick(request).run().orElseThrow();
+    private static RunJar.Run run(Path jar, String script) throws WrongUse {
+        RunJar task = new RunJar(jar.toString(), Optional.of(script), OptionalInt.empty());
+        return Session.in(Path.of(""), Progress.NONE).run(task).run().orElseThrow();
     }
 
     @ParameterizedTest
@@ -85,7 +84,7 @@ class WatchedRobotTest {
     })
     void showsWhatIsViolated(String expected, String monitors) throws Exception {
         Path jar = built("p.Rover", List.of(monitors.split(" ")), ROVER);
-        BrickRunResult.Run run = run(jar, ROVER + "/rover.script");
+        RunJar.Run run = run(jar, ROVER + "/rover.script");
         assertThat(run.failure()).isEmpty();
         String actual =
                 BrickTraceText.render(run.trace(), Style.PLAIN)
@@ -134,7 +133,7 @@ class WatchedRobotTest {
     @Test
     void theFetcherKeepsWhatItsPartsAre() throws Exception {
         Path jar = built("coffee.fetcher.Fetcher", FETCHER_KEEPS, "models/coffee");
-        BrickRunResult.Run run = run(jar, "models/coffee/scripts/fetcher.script");
+        RunJar.Run run = run(jar, "models/coffee/scripts/fetcher.script");
         assertThat(run.screen()).isEmpty();
         String trace = BrickTraceText.render(run.trace(), Style.PLAIN);
         assertThat(Files.readString(Path.of("src/test/resources/robots/fetcher.txt")))

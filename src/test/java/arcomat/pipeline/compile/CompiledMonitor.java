@@ -41,7 +41,7 @@ public final class CompiledMonitor {
         for (GeneratedFile file : generation.files()) {
             sources.put(file.path(), file.text());
         }
-        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+        Compilation compilation = MemoryCompiler.compile(sources, Map.of(), ClassFiles.RUNTIME);
         assertThat(compilation.problems()).isEmpty();
         ClassLoader loader =
                 new ClassLoader(CompiledMonitor.class.getClassLoader()) {
@@ -79,7 +79,7 @@ public final class CompiledMonitor {
     }
 
     private GeneratedMonitor shown(List<Value> arguments, Trace run) {
-        Messages messages = new Messages(compiled);
+        JavaValues messages = new JavaValues(compiled);
         List<Object> constructor = new ArrayList<>();
         for (int i = 0; i < arguments.size(); i++) {
             constructor.add(messages.toJava(arguments.get(i), watched.parameters().get(i).type()));
@@ -95,7 +95,7 @@ public final class CompiledMonitor {
         return monitor;
     }
 
-    private List<PortSlot> slots(List<Port> ports, Object monitor, Messages messages) {
+    private List<PortSlot> slots(List<Port> ports, Object monitor, JavaValues messages) {
         return ports.stream()
                 .map(port -> new PortSlot(port.name(), port, monitor, place, messages))
                 .toList();

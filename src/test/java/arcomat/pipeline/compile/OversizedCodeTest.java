@@ -92,7 +92,7 @@ class OversizedCodeTest {
         assertThat(findings(senders(8_000))).containsExactly(said(JavaLimit.METHOD.words()));
         Component component = senders(8_000).components().get(0);
         assertThatThrownBy(() -> CompiledModel.of(component, Choosing.FIRST))
-                .isInstanceOf(TooLargeToCompile.class)
+                .isInstanceOf(CompiledModel.TooLargeToCompile.class)
                 .hasMessageContaining(JavaLimit.METHOD.words());
     }
 
@@ -124,10 +124,11 @@ class OversizedCodeTest {
 
     @Test
     void literals() {
-        assertThat(Literals.longest("x = 'a' + '\"' + \"ab\\\"c\" + y + \"\\u20ac\\000\";"))
+        assertThat(StringConstants.longest("x = 'a' + '\"' + \"ab\\\"c\" + y + \"\\u20ac\\000\";"))
                 .isEqualTo(5);
-        assertThat(Literals.longest("\"ab\" + \"cde\" + x + \"f\"")).isEqualTo(5);
-        assertThat(Literals.longest("\"\"")).isZero();
-        assertThat(Literals.longest("int a; // don't \"s\n/* \"some */ x = \"a\"")).isEqualTo(1);
+        assertThat(StringConstants.longest("\"ab\" + \"cde\" + x + \"f\"")).isEqualTo(5);
+        assertThat(StringConstants.longest("\"\"")).isZero();
+        assertThat(StringConstants.longest("int a; // don't \"s\n/* \"some */ x = \"a\""))
+                .isEqualTo(1);
     }
 }

@@ -49,8 +49,7 @@ class ProgramTest {
             for (GeneratedFile file : generation.files()) {
                 sources.put(file.path(), file.text());
             }
-            Compilation compilation =
-                    MemoryCompiler.compile(sources, Map.of(), new RuntimeClasses());
+            Compilation compilation = MemoryCompiler.compile(sources, Map.of(), ClassFiles.RUNTIME);
             assertThat(compilation.problems()).isEmpty();
         }
     }

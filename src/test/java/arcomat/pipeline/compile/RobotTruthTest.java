@@ -196,7 +196,7 @@ class RobotTruthTest {
                 port,
                 part.object(),
                 model.place(part.component()),
-                new Messages(model));
+                new JavaValues(model));
     }
 
     private static Letter sensed(CoffeeRobot robot, Map<String, Value> slice) {

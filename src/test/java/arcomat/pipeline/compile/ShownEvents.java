@@ -17,11 +17,14 @@ final class ShownEvents {
     private final Component watched;
     private final GeneratedMonitor monitor;
     private final List<PortSlot> inputs;
-    private final Messages messages;
+    private final JavaValues messages;
     private final Map<String, List<Value>> held = new HashMap<>();
 
     ShownEvents(
-            Component watched, GeneratedMonitor monitor, List<PortSlot> inputs, Messages messages) {
+            Component watched,
+            GeneratedMonitor monitor,
+            List<PortSlot> inputs,
+            JavaValues messages) {
         this.watched = watched;
         this.monitor = monitor;
         this.inputs = inputs;

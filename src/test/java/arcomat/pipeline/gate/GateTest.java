@@ -4,9 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.evolution.Change.Relation;
 import arcomat.analysis.evolution.Gate;
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.check.CheckFiles;
 
 import com.sun.management.ThreadMXBean;
 
@@ -33,11 +34,11 @@ class GateTest {
 
     @TempDir Path folder;
     private final List<String> steps = new ArrayList<>();
-    private Pipeline pipeline;
+    private Session session;
 
     @BeforeEach
     void open() {
-        pipeline = new Pipeline(folder, steps::add);
+        session = Session.in(folder, steps::add);
     }
 
     @Test
@@ -104,8 +105,8 @@ class GateTest {
             write("new/p/C" + i + ".arc", component(i));
         }
 
-        pipeline.check(List.of("old"), false);
-        long check = allocated(() -> pipeline.check(List.of("new"), false));
+        session.run(new CheckFiles(List.of("old"), false));
+        long check = allocated(() -> session.run(new CheckFiles(List.of("new"), false)));
         List<String> twoChecks = List.copyOf(steps);
         steps.clear();
         long gate = allocated(() -> assertThat(gate().entries()).hasSize(300));
@@ -150,8 +151,8 @@ class GateTest {
     }
 
     private Gate gate() throws WrongUse {
-        GateRequest request = new GateRequest(List.of("old"), List.of("new"), LIMITS);
-        return pipeline.gate(request).gate().orElseThrow();
+        PassGate task = new PassGate(List.of("old"), List.of("new"), LIMITS);
+        return session.run(task).gate().orElseThrow();
     }
 
     private List<Relation> relations() throws WrongUse {

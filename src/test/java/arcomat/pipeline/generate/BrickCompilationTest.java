@@ -15,7 +15,7 @@ import java.util.Optional;
 
 /** Java for the brick, compiled in memory against what the brick has. */
 class BrickCompilationTest {
-    private static final ClassFiles BRICK = new BrickClasses(BrickTable.leJos());
+    private static final ClassFiles BRICK = RobotBuilder.classesOf(BrickTable.leJos());
 
     @Test
     void classesKnowTheFileThatTheyComeFrom() {

@@ -3,7 +3,7 @@ package arcomat.pipeline.picture;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.WrongUse;
 
 import org.junit.jupiter.api.Test;
 

@@ -2,11 +2,12 @@ package arcomat.pipeline.recheck;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.pipeline.file.ModelLanguages;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.file.FileFinder;
 import arcomat.report.finding.CheckReport;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.finding.FindingsText;
@@ -41,7 +42,7 @@ class IncrementalCheckTest {
             while (models.size() < FILES) {
                 models.add();
             }
-            Session session = new Session(folder, random.nextBoolean(), random.nextBoolean());
+            Edited session = new Edited(folder, random.nextBoolean(), random.nextBoolean());
             session.check("at first");
             for (int round = 0; round < ROUNDS; round++) {
                 StringBuilder what = new StringBuilder();
@@ -55,14 +56,15 @@ class IncrementalCheckTest {
         }
     }
 
-    private record Session(Path folder, boolean executable, boolean byFile) {
+    private record Edited(Path folder, boolean executable, boolean byFile) {
         void check(String after) throws IOException {
-            Pipeline pipeline = new Pipeline(folder, Progress.NONE);
+            Session session = Session.in(folder, Progress.NONE);
             List<String> paths = byFile ? files() : List.of(".");
-            CheckResult full = pipeline.check(paths, executable);
+            CheckResult full;
             Recheck again;
             try {
-                again = pipeline.checkAgain(paths, executable, "state.json", "this tool");
+                full = session.run(new CheckFiles(paths, executable));
+                again = session.run(new CheckAgain(paths, executable, "state.json", "this tool"));
             } catch (WrongUse e) {
                 throw new AssertionError(e);
             }
@@ -72,7 +74,7 @@ class IncrementalCheckTest {
 
         private List<String> files() throws IOException {
             try (Stream<Path> files = Files.walk(folder)) {
-                return files.filter(ModelLanguages::isModelFile)
+                return files.filter(FileFinder::isModelFile)
                         .map(file -> folder.relativize(file).toString())
                         .filter(IncrementalCheckTest::isNamed)
                         .sorted()

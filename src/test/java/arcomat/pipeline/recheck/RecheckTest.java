@@ -2,10 +2,11 @@ package arcomat.pipeline.recheck;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.pipeline.Pipeline;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.CheckResult;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
 import arcomat.source.Diagnostic;
 
 import org.junit.jupiter.api.DynamicTest;
@@ -91,9 +92,9 @@ class RecheckTest {
 
         void finish() throws IOException, WrongUse {
             write();
-            Pipeline pipeline = new Pipeline(folder, Progress.NONE);
-            CheckResult full = pipeline.check(paths, false);
-            Recheck again = pipeline.checkAgain(paths, false, "state.json", "this tool");
+            Session session = Session.in(folder, Progress.NONE);
+            CheckResult full = session.run(new CheckFiles(paths, false));
+            Recheck again = session.run(new CheckAgain(paths, false, "state.json", "this tool"));
             assertThat(IncrementalCheckTest.text(again.result()))
                     .isEqualTo(IncrementalCheckTest.text(full));
             assertThat(again.checked()).containsExactlyElementsOf(lookedAt);

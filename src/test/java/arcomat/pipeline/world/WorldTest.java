@@ -2,11 +2,13 @@ package arcomat.pipeline.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.generate.GenerationRequest;
-import arcomat.pipeline.step.PathNames;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.generate.GenerateCode;
+import arcomat.sim.Laboratory;
+import arcomat.sim.device.Limits;
 import arcomat.source.SourceFile;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
@@ -45,9 +47,9 @@ class WorldTest {
     private static final double REAL_TIME = 200;
 
     private static World meeting;
-    private static Map<String, Equipment> fetchers;
+    private static Map<String, WorldPrograms.Equipment> fetchers;
     private static World service;
-    private static Map<String, Equipment> servants;
+    private static Map<String, WorldPrograms.Equipment> servants;
 
     @BeforeAll
     static void bringPrograms() throws IOException, WrongUse {
@@ -62,10 +64,17 @@ class WorldTest {
         return WorldParser.parse(new SourceFile(FOLDER + name, text)).world().orElseThrow();
     }
 
-    private static Map<String, Equipment> programs(World world, String name) throws WrongUse {
+    /** As long as usual, on bricks as they are. */
+    private static Recording run(
+            World world, long seed, Map<String, WorldPrograms.Equipment> equipment) {
+        return WorldRun.run(world, seed, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+    }
+
+    private static Map<String, WorldPrograms.Equipment> programs(World world, String name)
+            throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
         WorldPrograms.Result result =
-                WorldPrograms.of(world, FOLDER + name, false, names, Progress.NONE);
+                WorldPrograms.of(world, FOLDER + name, false, new Session(names, Progress.NONE));
         assertThat(result.findings()).isEmpty();
         return result.equipment();
     }
@@ -83,7 +92,7 @@ class WorldTest {
 
     /** Fig. 1: who is empty makes room and comes back; who has coffee waits and passes. */
     private static void meet(long seed) {
-        Recording run = WorldRun.run(meeting, seed, fetchers);
+        Recording run = run(meeting, seed, fetchers);
         assertThat(run.succeeded()).as("seed %d: %s", seed, run.failures()).isTrue();
         assertThat(run.count(What.COLLISION)).as("collisions with seed %d", seed).isZero();
         assertThat(shown(run, "empty"))
@@ -150,7 +159,7 @@ class WorldTest {
         SourceFile file = meeting.robots().get(0).place().file();
         String before = file.text().replace("coffee.floor.Courier", "coffee.fetcher.Fetcher");
         World world = WorldParser.parse(new SourceFile(file.path(), before)).world().orElseThrow();
-        Recording run = WorldRun.run(world, 1, programs(world, "meeting.world"));
+        Recording run = run(world, 1, programs(world, "meeting.world"));
         List<RobotFrame> last = run.frames().get(run.frames().size() - 1).robots();
         assertThat(last).allMatch(robot -> Math.abs(robot.left()) < 1);
         assertThat(last.get(0).pose().x()).as("not passed").isLessThan(last.get(1).pose().x());
@@ -171,7 +180,7 @@ class WorldTest {
     }
 
     private static void serve(long seed) {
-        Recording run = WorldRun.run(service, seed, servants);
+        Recording run = run(service, seed, servants);
         assertThat(run.succeeded()).as("%s", run.failures()).isTrue();
         assertThat(run.delivered()).isEqualTo(10);
         assertThat(run.count(What.CUP_GIVEN)).isEqualTo(10);
@@ -187,18 +196,22 @@ class WorldTest {
     /** What 'generate' has written runs as well as what is made on the spot. */
     @Test
     void jarsOfTheOutputFolderRun(@TempDir Path folder) throws IOException, WrongUse {
-        Pipeline pipeline = new Pipeline(folder, Progress.NONE);
+        Session session = Session.in(folder, Progress.NONE);
         Path models = Path.of("models/coffee").toAbsolutePath();
-        pipeline.generate(
-                new GenerationRequest(
-                        "lejos", "brick", Optional.of("coffee.floor.Courier"), false, List.of()),
-                List.of(models.toString()));
+        session.run(
+                new GenerateCode(
+                        "lejos",
+                        "brick",
+                        Optional.of("coffee.floor.Courier"),
+                        false,
+                        List.of(),
+                        List.of(models.toString())));
         String text = meeting.robots().get(0).place().file().text();
         String jars = text.replace("component coffee.floor.Courier in ..", "jar brick/Courier.jar");
         Files.writeString(folder.resolve("jars.world"), jars);
-        PreparedWorld prepared = pipeline.prepareWorld("jars.world", false);
+        PreparedWorld prepared = session.run(new PrepareWorld("jars.world", false));
         assertThat(prepared.findings()).isEmpty();
-        assertThat(prepared.run(7).events()).isEqualTo(WorldRun.run(meeting, 7, fetchers).events());
+        assertThat(prepared.run(7).events()).isEqualTo(run(meeting, 7, fetchers).events());
 
         Path hollow = folder.resolve("brick/Hollow.jar");
         Manifest manifest = new Manifest();
@@ -206,7 +219,7 @@ class WorldTest {
         manifest.getMainAttributes().put(Attributes.Name.MAIN_CLASS, "p.Main");
         new JarOutputStream(Files.newOutputStream(hollow), manifest).close();
         Files.writeString(folder.resolve("jars.world"), jars.replace("Courier.jar", "Hollow.jar"));
-        assertThat(pipeline.prepareWorld("jars.world", false).findings())
+        assertThat(session.run(new PrepareWorld("jars.world", false)).findings())
                 .singleElement()
                 .satisfies(
                         finding ->
@@ -217,10 +230,10 @@ class WorldTest {
 
     @Test
     void theSameSeedGivesTheSameRun() {
-        Recording one = WorldRun.run(meeting, 7, fetchers);
-        Recording again = WorldRun.run(meeting, 7, fetchers);
+        Recording one = run(meeting, 7, fetchers);
+        Recording again = run(meeting, 7, fetchers);
         assertThat(again).isEqualTo(one);
-        assertThat(WorldRun.run(meeting, 8, fetchers).frames()).isNotEqualTo(one.frames());
+        assertThat(run(meeting, 8, fetchers).frames()).isNotEqualTo(one.frames());
     }
 
     /** The bound is lenient: the machine may be busy. The README says what was measured. */
@@ -230,7 +243,7 @@ class WorldTest {
         long best = Long.MAX_VALUE;
         for (int i = 0; i < 20; i++) {
             long start = System.nanoTime();
-            WorldRun.run(meeting, i, fetchers);
+            run(meeting, i, fetchers);
             best = Math.min(best, System.nanoTime() - start);
         }
         assertThat(meeting.seconds() * 1e9 / best).isGreaterThan(REAL_TIME);

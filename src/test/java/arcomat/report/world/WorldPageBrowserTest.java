@@ -2,10 +2,13 @@ package arcomat.report.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.world.PrepareWorld;
+import arcomat.pipeline.world.WriteReplay;
 import arcomat.report.page.BrowserTest;
+import arcomat.world.Recording;
 
 import org.junit.jupiter.api.function.Executable;
 import org.openqa.selenium.Keys;
@@ -25,9 +28,9 @@ class WorldPageBrowserTest extends BrowserTest {
     }
 
     private void play() throws WrongUse {
-        Pipeline pipeline = new Pipeline(Path.of(""), Progress.NONE);
-        pipeline.writeReplay(
-                pipeline.prepareWorld(WORLD, false).run(1), "the meeting", folder.toString());
+        Session session = Session.in(Path.of(""), Progress.NONE);
+        Recording recording = session.run(new PrepareWorld(WORLD, false)).run(1);
+        session.run(new WriteReplay(recording, "the meeting", folder.toString()));
         String page = folder.resolve("index.html").toUri().toString();
         browser.open(page, ".floor .robot");
         stepsAndJumps();

@@ -3,9 +3,10 @@ package arcomat.benchmarks.world;
 import arcomat.benchmarks.measure.Goal;
 import arcomat.benchmarks.measure.Group;
 import arcomat.benchmarks.measure.Measurement;
-import arcomat.pipeline.Pipeline;
-import arcomat.pipeline.step.Progress;
-import arcomat.pipeline.step.WrongUse;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.world.Recording;
 
@@ -38,7 +39,7 @@ public final class WorldGroup implements Group {
     @Override
     public List<String> prepare() {
         try {
-            world = new Pipeline(Path.of(""), Progress.NONE).prepareWorld(WORLD, false);
+            world = Session.in(Path.of(""), Progress.NONE).run(new PrepareWorld(WORLD, false));
         } catch (WrongUse e) {
             throw new IllegalStateException(e);
         }

@@ -1,0 +1,49 @@
+package arcomat.cli.option;
+
+import arcomat.cli.terminal.Console;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.pipeline.WrongUse;
+import arcomat.sim.device.Limits;
+import arcomat.sim.time.OutOfPatience;
+
+import picocli.CommandLine.Option;
+
+import java.time.Duration;
+
+/** Of commands that run simulated bricks. */
+public final class BrickRunOptions {
+    @Option(
+            names = "--no-limits",
+            description =
+                    "Run on an ideal brick, which computes in no time and has room for everything:"
+                            + " without the real one's heap, calls, speed, keys and packets.")
+    private boolean ideal;
+
+    @Option(
+            names = "--timeout",
+            paramLabel = "SECONDS",
+            defaultValue = "300",
+            description =
+                    "Give up a run that takes longer, by the PC's clock; default 300. It is then"
+                            + " unknown how it ends.")
+    private int seconds;
+
+    /** Those of the bricks that programs meet. */
+    public Limits limits() {
+        return ideal ? Limits.NONE : Limits.OF_THE_BRICK;
+    }
+
+    /** How long bricks may keep the PC busy: a program may compute without an end. */
+    public Duration patience() throws WrongUse {
+        if (seconds < 1) {
+            throw new WrongUse("--timeout " + seconds + " is less than 1");
+        }
+        return Duration.ofSeconds(seconds);
+    }
+
+    /** Tells of a run that was given up, and returns the exit status that says so. */
+    public static int gaveUp(OutOfPatience reason, Console console) {
+        console.err().println("given up: " + reason.getMessage() + "; --timeout gives it more");
+        return ExitStatus.UNKNOWN;
+    }
+}

@@ -1,0 +1,184 @@
+package arcomat.pipeline.brick;
+
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.FileReader;
+import arcomat.sim.Laboratory;
+import arcomat.sim.Outcome;
+import arcomat.sim.SimulatedBrick;
+import arcomat.sim.device.Limits;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.script.Action;
+import arcomat.sim.script.ParsedScript;
+import arcomat.sim.script.Script;
+import arcomat.sim.script.ScriptError;
+import arcomat.sim.script.ScriptParser;
+import arcomat.sim.script.Step;
+import arcomat.sim.trace.Lateness;
+import arcomat.sim.trace.Recorder;
+import arcomat.sim.trace.Recorder.Misfit;
+import arcomat.sim.trace.Trace;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalInt;
+
+/**
+ * Runs a robot's jar on a simulated brick: the very classes that go on the brick.
+ *
+ * @param jar path of the jar
+ * @param script path of a script that says what happens to the brick
+ * @param devices what is plugged into sockets: kinds of devices, or paths of Java files
+ * @param seconds of virtual time at most; empty for as long as the script says
+ * @param patience of the PC's time at most
+ * @param limits those of the brick that the program meets
+ */
+public record RunJar(
+        String jar,
+        Optional<String> script,
+        Map<SensorName, String> devices,
+        OptionalInt seconds,
+        Duration patience,
+        Limits limits)
+        implements Task<RunJar.Result> {
+    private static final String BROKEN_SCRIPT = "ARC0808";
+    private static final long MILLISECONDS = 1000;
+
+    /** How long a run goes on where nothing says, behind the script's last line. */
+    private static final long USUAL = 10_000;
+
+    /** Without devices, with the usual patience, and all limits. */
+    public RunJar(String jar, Optional<String> script, OptionalInt seconds) {
+        this(jar, script, Map.of(), seconds, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+    }
+
+    /**
+     * What came of it.
+     *
+     * @param findings about the program, or about the script
+     * @param run empty exactly if the findings did not let the program run
+     */
+    public record Result(List<Diagnostic> findings, Optional<Run> run) {}
+
+    /**
+     * A run.
+     *
+     * @param milliseconds of virtual time
+     * @param ending how it ended, in words: "the program ended"
+     * @param failure what nothing in the program caught
+     * @param misfits what the script exposes sensors to, and they cannot sense
+     * @param lateness how often the program came late
+     * @param screen what the display shows at the end, without empty rows at its end
+     */
+    public record Run(
+            Trace trace,
+            long milliseconds,
+            String ending,
+            Optional<String> failure,
+            List<Misfit> misfits,
+            Lateness lateness,
+            List<String> screen) {}
+
+    /**
+     * Runs the program, if nothing speaks against it.
+     *
+     * @throws WrongUse where jar or script cannot be read
+     * @throws arcomat.sim.time.OutOfPatience where it takes longer than it may
+     */
+    @Override
+    public Result run(Session session) throws WrongUse {
+        JarReader program = JarReader.read(jar, session.names());
+        List<Diagnostic> obstacles = program.report().obstacles();
+        if (!obstacles.isEmpty()) {
+            return new Result(obstacles, Optional.empty());
+        }
+        Script events = new Script(List.of());
+        if (script.isPresent()) {
+            SourceFile file = FileReader.required("script", script.get(), session.names());
+            ParsedScript parsed = ScriptParser.parse(file.text());
+            if (parsed.script().isEmpty()) {
+                return new Result(findings(file, parsed.errors()), Optional.empty());
+            }
+            events = parsed.script().get();
+        }
+        PluggedDevices plugged = PluggedDevices.of(devices, session.names());
+        if (!plugged.findings().isEmpty()) {
+            return new Result(plugged.findings(), Optional.empty());
+        }
+        session.progress().step("running " + jar + " on a simulated brick");
+        return new Result(List.of(), Optional.of(run(program, events, plugged)));
+    }
+
+    private Run run(JarReader program, Script events, PluggedDevices plugged) {
+        try (Laboratory laboratory = new Laboratory(limits)) {
+            laboratory.limit(patience);
+            SimulatedBrick brick = laboratory.place(program.main(), program.program());
+            Recorder recorder = new Recorder();
+            brick.observe(recorder);
+            plugged.plugInto(brick);
+            brick.play(events);
+            laboratory.runToEnd(end(events));
+            return new Run(
+                    recorder.trace(),
+                    laboratory.time(),
+                    ending(brick.outcome().kind()),
+                    brick.outcome().failure(),
+                    recorder.misfits(),
+                    recorder.lateness(),
+                    screen(brick));
+        }
+    }
+
+    private static String ending(Outcome.Kind kind) {
+        return switch (kind) {
+            case RUNNING -> "the time was over";
+            case ENDED -> "the program ended";
+            case STOPPED -> "the script ended";
+            case ABORTED -> "ENTER and ESCAPE together broke the program off";
+            case FAILED -> "the program failed";
+        };
+    }
+
+    private static List<String> screen(SimulatedBrick brick) {
+        List<String> rows = new ArrayList<>(brick.screen());
+        while (!rows.isEmpty() && rows.get(rows.size() - 1).isBlank()) {
+            rows.remove(rows.size() - 1);
+        }
+        return rows;
+    }
+
+    /** In milliseconds since switching on. */
+    private long end(Script events) {
+        if (seconds.isPresent()) {
+            return seconds.getAsInt() * MILLISECONDS;
+        }
+        List<Step> steps = events.steps();
+        if (steps.isEmpty()) {
+            return USUAL;
+        }
+        Step last = steps.get(steps.size() - 1);
+        return last.action() instanceof Action.End ? last.time() : last.time() + USUAL;
+    }
+
+    private static List<Diagnostic> findings(SourceFile file, List<ScriptError> errors) {
+        List<Integer> starts = new ArrayList<>(List.of(0));
+        String[] lines = file.text().split("(?<=\\R)", -1);
+        for (String line : lines) {
+            starts.add(starts.get(starts.size() - 1) + line.length());
+        }
+        return errors.stream().map(error -> finding(file, error, starts)).toList();
+    }
+
+    private static Diagnostic finding(SourceFile file, ScriptError error, List<Integer> starts) {
+        int length = file.text().length();
+        int start = Math.min(starts.get(error.line() - 1) + error.column() - 1, length);
+        int end = Math.min(start + error.length(), length);
+        return Diagnostic.error(BROKEN_SCRIPT, file.span(start, end), error.message());
+    }
+}

@@ -1,0 +1,110 @@
+package arcomat.pipeline.diagram;
+
+import arcomat.analysis.automaton.Examination;
+import arcomat.analysis.refinement.Promise;
+import arcomat.diagram.GalleryPage;
+import arcomat.diagram.Graph;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.AnalysisLimits;
+import arcomat.pipeline.analysis.AnalyzeAutomata;
+import arcomat.pipeline.analysis.InstancePromises;
+import arcomat.pipeline.check.Asked;
+import arcomat.pipeline.check.LoweredModels;
+import arcomat.pipeline.check.MainComponent;
+import arcomat.pipeline.check.ModelQuestion;
+import arcomat.pipeline.file.OutputFolder;
+import arcomat.pipeline.picture.PictureFormat;
+import arcomat.pipeline.picture.SourceLinks;
+import arcomat.source.Span;
+import arcomat.symbols.names.DiagramSymbol;
+
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * Draws components, automata and class diagrams, and writes the pictures, all or nothing.
+ *
+ * @param components qualified names; empty for all components and class diagrams that the paths
+ *     name
+ * @param out the folder to be written, as a whole
+ * @param depth how many levels of parts are shown inside a component
+ * @param highlight how long to look for findings about automata, which are then marked; empty for
+ *     plain pictures
+ */
+public record DrawDiagrams(
+        List<String> components,
+        PictureFormat format,
+        String out,
+        int depth,
+        Optional<AnalysisLimits> highlight,
+        List<String> paths)
+        implements ModelQuestion<List<String>> {
+    @Override
+    public Asked asked() {
+        return Asked.components(components);
+    }
+
+    /**
+     * The paths of files in the output folder.
+     *
+     * @throws WrongUse where there is nothing to draw, or the folder cannot be written
+     */
+    @Override
+    public List<String> answer(LoweredModels models, Session session) throws WrongUse {
+        Map<String, Graph> graphs = drawings(models, examinations(models, session)).graphs();
+        if (graphs.isEmpty()) {
+            throw new WrongUse("there is nothing to draw in " + String.join(", ", paths));
+        }
+        session.progress().step("drawing", graphs.size(), "picture");
+        Function<Span, Optional<String>> links = new SourceLinks(session.names(), out)::of;
+        Map<String, byte[]> files = new LinkedHashMap<>();
+        for (Map.Entry<String, Graph> each : graphs.entrySet()) {
+            files.put(each.getKey() + "." + format, format.content(each.getValue(), links));
+        }
+        if (format != PictureFormat.dot) {
+            String title = "Pictures of " + String.join(", ", paths);
+            String gallery = GalleryPage.render(title, List.copyOf(files.keySet()));
+            files.put("index.html", gallery.getBytes(StandardCharsets.UTF_8));
+        }
+        OutputFolder.replace(session.names().resolve(out), out, files);
+        return List.copyOf(files.keySet());
+    }
+
+    private List<Examination> examinations(LoweredModels models, Session session) {
+        if (highlight.isEmpty()) {
+            return List.of();
+        }
+        List<Promise> promises = new InstancePromises(models).all();
+        return AnalyzeAutomata.examine(promises, models, highlight.get(), session);
+    }
+
+    private Drawings drawings(LoweredModels models, List<Examination> examinations)
+            throws WrongUse {
+        Drawings drawings = new Drawings(depth, examinations);
+        List<DiagramSymbol> diagrams = models.checked().workspace().diagrams();
+        for (String name : components) {
+            List<DiagramSymbol> types =
+                    diagrams.stream().filter(each -> each.qualifiedName().equals(name)).toList();
+            if (types.isEmpty() || models.model().component(name).isPresent()) {
+                drawings.add(MainComponent.component(name, models));
+            }
+            types.forEach(drawings::add);
+        }
+        if (components.isEmpty()) {
+            models.named().forEach(drawings::add);
+            diagrams.stream()
+                    .filter(
+                            each ->
+                                    models.checked()
+                                            .loaded()
+                                            .isNamedByUser(each.unit().file().path()))
+                    .forEach(drawings::add);
+        }
+        return drawings;
+    }
+}

@@ -1,0 +1,179 @@
+package arcomat.pipeline.generate;
+
+import arcomat.generate.plan.Choosing;
+import arcomat.generate.Generation;
+import arcomat.generate.Generator;
+import arcomat.generate.Request;
+import arcomat.generate.monitor.SelfWatch;
+import arcomat.generate.Target;
+import arcomat.model.Component;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.Asked;
+import arcomat.pipeline.check.CheckResult;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.pipeline.check.CheckedModels;
+import arcomat.pipeline.check.LoweredModels;
+import arcomat.pipeline.check.MainComponent;
+import arcomat.pipeline.compile.OversizedCode;
+import arcomat.pipeline.file.OutputFolder;
+import arcomat.source.Diagnostic;
+import arcomat.symbols.Workspace;
+import arcomat.symbols.bodies.ComponentSymbol;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Checks models for what code needs, generates it and writes it, all or nothing.
+ *
+ * @param target a shipped target, or a folder of templates
+ * @param out the folder to be written, as a whole
+ * @param main the only component that gets a program; empty for all that are to be deployed
+ * @param randomChoice whether the code draws where the model leaves a choice; else it takes the
+ *     first alternative in text order
+ * @param monitors requirements that programs watch themselves for, as written
+ */
+public record GenerateCode(
+        String target,
+        String out,
+        Optional<String> main,
+        boolean randomChoice,
+        List<String> monitors,
+        List<String> paths)
+        implements Task<CheckedAnswer<GenerateCode.Made>> {
+    /**
+     * What came of it.
+     *
+     * @param files paths of the files that were written, below the output folder
+     * @param robots programs for the brick among them, if the target makes such
+     * @param watches what these watch themselves for
+     */
+    public record Made(
+            List<String> files, List<RobotBuilder.BrickProgram> robots, List<RobotWatch> watches) {}
+
+    /**
+     * What a robot watches itself for.
+     *
+     * @param robot qualified name of the component that its program runs
+     * @param part path of the part that is watched; empty for the robot itself
+     * @param requirement its name and line
+     * @param goesOn whether the robot goes on after a violation
+     */
+    public record RobotWatch(String robot, String part, String requirement, boolean goesOn) {
+        static RobotWatch of(SelfWatch watch) {
+            return new RobotWatch(
+                    watch.program().qualifiedName(),
+                    watch.part(),
+                    GenerateMonitor.requirement(watch.required(), watch.automaton()),
+                    watch.goesOn());
+        }
+    }
+
+    /**
+     * Findings are about models, templates and code.
+     *
+     * @throws WrongUse where this does not fit the models, or the folder cannot be written
+     */
+    @Override
+    public CheckedAnswer<Made> run(Session session) throws WrongUse {
+        Target code = Targets.find(target, session.names());
+        if (!monitors.isEmpty() && !code.isForBrick()) {
+            throw new WrongUse(
+                    "only programs for the brick watch themselves; arcomat monitor writes what"
+                            + " watches other code");
+        }
+        CheckedModels checked = CheckedModels.checkToRun(paths, asked(), this::executable, session);
+        return checked.hasErrors()
+                ? CheckedAnswer.refused(checked.result())
+                : generate(code, checked.lower(session), session);
+    }
+
+    private CheckedAnswer<Made> generate(Target target, LoweredModels models, Session session)
+            throws WrongUse {
+        session.progress().step("generating");
+        CheckedModels checked = models.checked();
+        PathNames names = session.names();
+        Implementations implementations =
+                Implementations.find(target, checked.loaded().roots(names), names);
+        Request code = wanted(models).with(implementations.texts());
+        List<SelfWatch> watches = WatchedParts.of(monitors, code.programs(), models);
+        Generation generation = Generator.generate(code.watching(watches), target);
+        List<Diagnostic> findings = new ArrayList<>(checked.findings());
+        findings.addAll(generation.findings());
+        if (!target.isForBrick()) {
+            session.progress().step("looking at the size of code");
+            findings.addAll(OversizedCode.in(generation));
+        }
+        CheckResult result = checked.result().with(findings);
+        RobotBuilder.Result built = RobotBuilder.NOTHING;
+        if (target.isForBrick() && !result.hasErrors()) {
+            session.progress().step("compiling for the brick");
+            built = RobotBuilder.build(generation, implementations);
+            findings.addAll(built.findings());
+            result = checked.result().with(findings);
+        }
+        if (result.hasErrors()) {
+            return CheckedAnswer.refused(result);
+        }
+        Map<String, byte[]> output = output(generation, implementations, built);
+        session.progress().step("writing", output.size(), "file");
+        OutputFolder.replace(names.resolve(out), out, output);
+        return CheckedAnswer.of(
+                result,
+                new Made(
+                        List.copyOf(output.keySet()),
+                        built.robots(),
+                        watches.stream().map(RobotWatch::of).toList()));
+    }
+
+    /** What runs, and what it watches itself for; everything where nothing says what runs. */
+    private Asked asked() {
+        if (main.isEmpty()) {
+            return Asked.EVERYTHING;
+        }
+        List<String> named = new ArrayList<>(WatchedParts.requirements(monitors));
+        named.add(main.get());
+        return Asked.components(named);
+    }
+
+    /** What the user wrote by hand stands beside what was generated for it. */
+    private static Map<String, byte[]> output(
+            Generation generation, Implementations implementations, RobotBuilder.Result built) {
+        Map<String, byte[]> output = new LinkedHashMap<>();
+        implementations.own().forEach((path, file) -> output.put(path, bytes(file.text())));
+        generation.files().forEach(file -> output.put(file.path(), bytes(file.text())));
+        output.putAll(built.jars());
+        return output;
+    }
+
+    private static byte[] bytes(String text) {
+        return text.getBytes(StandardCharsets.UTF_8);
+    }
+
+    /** What code is to be made of; nothing where {@code --main} names nothing. */
+    private List<ComponentSymbol> executable(Workspace models) {
+        return main.map(name -> MainComponent.symbols(name, models)).orElseGet(models::components);
+    }
+
+    private Request wanted(LoweredModels models) throws WrongUse {
+        Choosing choosing = randomChoice ? Choosing.RANDOM : Choosing.FIRST;
+        if (main.isEmpty()) {
+            return Request.all(models.model(), choosing);
+        }
+        Component program = MainComponent.find(main.get(), models).component();
+        if (!program.parameters().isEmpty()) {
+            throw new WrongUse(
+                    "a program has nobody to give it arguments, and '%s' takes some; give --main a"
+                            + " component with a part that says them",
+                    program.qualifiedName());
+        }
+        return Request.program(program, choosing);
+    }
+}
