@@ -1,7 +1,6 @@
 package arcomat.lower;
 
 import arcomat.model.Expression;
-import arcomat.model.FirstValue;
 import arcomat.model.Type;
 import arcomat.model.Variable;
 import arcomat.symbols.expressions.VariableSymbol;
@@ -35,7 +34,7 @@ final class VariableLowering {
                         .orElseGet(
                                 () ->
                                         new Expression.Constant(
-                                                FirstValue.of(type),
+                                                type.first(),
                                                 Conversion.carrier(type),
                                                 symbol.nameSpan()));
         return new Variable(symbol.name(), type, initial, symbol.nameSpan());

@@ -184,7 +184,7 @@ public record Automaton(
     /** What is sent on a port. */
     public sealed interface Emission {
         /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
-        <R> R match(Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage);
+        <R> R match(Function<Messages, R> messages, Supplier<R> silence, Supplier<R> any);
 
         /** What is computed to be sent. */
         default List<Expression> values() {
@@ -199,8 +199,7 @@ public record Automaton(
         }
 
         @Override
-        public <R> R match(
-                Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage) {
+        public <R> R match(Function<Messages, R> messages, Supplier<R> silence, Supplier<R> any) {
             return messages.apply(this);
         }
     }
@@ -208,8 +207,7 @@ public record Automaton(
     /** {@code --}: nothing is sent. */
     public record Silence() implements Emission {
         @Override
-        public <R> R match(
-                Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage) {
+        public <R> R match(Function<Messages, R> messages, Supplier<R> silence, Supplier<R> any) {
             return silence.get();
         }
     }
@@ -217,9 +215,8 @@ public record Automaton(
     /** {@code ?}: some message, left open. */
     public record AnyMessage() implements Emission {
         @Override
-        public <R> R match(
-                Function<Messages, R> messages, Supplier<R> silence, Supplier<R> anyMessage) {
-            return anyMessage.get();
+        public <R> R match(Function<Messages, R> messages, Supplier<R> silence, Supplier<R> any) {
+            return any.get();
         }
     }
 

@@ -27,4 +27,9 @@ public record StreamTest(
         arguments = List.copyOf(arguments);
         inputs = List.copyOf(inputs);
     }
+
+    /** The same with other expectations. */
+    public StreamTest expecting(Map<String, List<List<Value>>> others) {
+        return new StreamTest(suite, name, component, arguments, inputs, others, span);
+    }
 }

@@ -31,6 +31,13 @@ public sealed interface Type {
     /** The name as written in models; enums and classes by their qualified name. */
     String name();
 
+    /**
+     * Its first value: 0, false, the empty string, the first constant of an enumeration, the low
+     * end of a range without 0. Variables start with it, and where a model leaves open which
+     * message a total port carries, a run without random choices sends it.
+     */
+    Value first();
+
     /** The name without its package. */
     default String simpleName() {
         return name();
@@ -45,6 +52,11 @@ public sealed interface Type {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.booleanType(this);
+        }
+
+        @Override
+        public Value first() {
+            return new Value.BooleanValue(false);
         }
     }
 
@@ -67,6 +79,11 @@ public sealed interface Type {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.integerType(this);
+        }
+
+        @Override
+        public Value first() {
+            return new Value.IntegerValue(low <= 0 && 0 <= high ? 0 : low);
         }
     }
 
@@ -99,6 +116,11 @@ public sealed interface Type {
         public <R> R match(Cases<R> cases) {
             return cases.realType(this);
         }
+
+        @Override
+        public Value first() {
+            return new Value.RealValue(0);
+        }
     }
 
     record CharacterType() implements Type {
@@ -111,6 +133,11 @@ public sealed interface Type {
         public <R> R match(Cases<R> cases) {
             return cases.characterType(this);
         }
+
+        @Override
+        public Value first() {
+            return new Value.CharacterValue((char) 0);
+        }
     }
 
     record StringType() implements Type {
@@ -122,6 +149,11 @@ public sealed interface Type {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.stringType(this);
+        }
+
+        @Override
+        public Value first() {
+            return new Value.StringValue("");
         }
     }
 
@@ -140,6 +172,11 @@ public sealed interface Type {
         public <R> R match(Cases<R> cases) {
             return cases.enumType(this);
         }
+
+        @Override
+        public Value first() {
+            return new Value.EnumValue(this, 0);
+        }
     }
 
     /** A class of a class diagram; {@code name} is qualified, inherited attributes come first. */
@@ -156,6 +193,12 @@ public sealed interface Type {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.classType(this);
+        }
+
+        @Override
+        public Value first() {
+            return new Value.ObjectValue(
+                    this, attributes.stream().map(each -> each.type().first()).toList());
         }
     }
 

@@ -3,7 +3,8 @@
  * what an automaton may do ({@link arcomat.semantics.automaton.StepRelation}), a component ({@link
  * arcomat.semantics.automaton.Behaviour}), how parts work together ({@link
  * arcomat.semantics.network.Composition} for generators, {@link arcomat.semantics.network.Network}
- * for interpreters), which messages it tells apart ({@link arcomat.semantics.value.Kinds}), and the
- * interface behind which interpreter and compiled code run. Pure; knows neither text nor targets.
+ * for interpreters), which messages it tells apart ({@link
+ * arcomat.semantics.value.MessageClasses}), and the interface behind which interpreter and compiled
+ * code run. Pure; knows neither text nor targets.
  */
 package arcomat.semantics;

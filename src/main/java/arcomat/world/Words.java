@@ -83,13 +83,7 @@ final class Words {
     Span name(String meaning) throws Unreadable {
         Span word = next(meaning);
         if (!NAME.matcher(word.text()).matches()) {
-            throw broken(
-                    word,
-                    "'"
-                            + word.text()
-                            + "' is not "
-                            + meaning
-                            + ": a letter, then letters, digits, - and _, up to 16");
+            throw isNot(word, meaning + ": a letter, then letters, digits, - and _, up to 16");
         }
         return word;
     }
@@ -101,7 +95,7 @@ final class Words {
         if (number >= low && number <= high) { // not a number is neither
             return number;
         }
-        throw broken(word, "'" + word.text() + "' is not " + expected);
+        throw isNot(word, expected);
     }
 
     private static double parsed(String text) {
@@ -116,7 +110,7 @@ final class Words {
         Span word = hasNext() ? words.get(position) : null;
         double number = number(meaning, low, high);
         if (number != Math.rint(number)) {
-            throw broken(word, "'" + word.text() + "' is not " + meaning + ": it has to be whole");
+            throw isNot(word, meaning + ": it has to be whole");
         }
         return (int) number;
     }
@@ -126,7 +120,7 @@ final class Words {
         String expected = meaning + ": " + String.join(", ", allowed);
         Span word = next(expected);
         if (!allowed.contains(word.text())) {
-            throw broken(word, "'" + word.text() + "' is not " + expected);
+            throw isNot(word, expected);
         }
         return word;
     }
@@ -136,6 +130,10 @@ final class Words {
             Span word = words.get(position);
             throw broken(word, "'" + word.text() + "' is one word too many");
         }
+    }
+
+    private static Unreadable isNot(Span word, String expected) {
+        return broken(word, "'" + word.text() + "' is not " + expected);
     }
 
     static Unreadable broken(Span place, String message) {

@@ -2,7 +2,6 @@ package arcomat.analysis;
 
 import arcomat.analysis.search.Moment;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -116,7 +115,7 @@ public final class CounterexampleRun {
         Map<String, Value> totals = new LinkedHashMap<>();
         for (Port port : left.inputs()) {
             if (port.total()) {
-                totals.put(port.name(), FirstValue.of(port.type()));
+                totals.put(port.name(), port.type().first());
             }
         }
         return Letter.of(totals);
@@ -133,6 +132,6 @@ public final class CounterexampleRun {
         if (sent instanceof Sent.Messages certain) {
             return certain.values();
         }
-        return sent.allows(List.of()) ? List.of() : List.of(FirstValue.of(port.type()));
+        return sent.allows(List.of()) ? List.of() : List.of(port.type().first());
     }
 }

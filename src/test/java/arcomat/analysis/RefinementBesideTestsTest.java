@@ -38,7 +38,7 @@ import java.util.Set;
  * passes and the right side does not. More with {@code -Dmodels=1000}, others with {@code
  * -Dfirst=7}.
  */
-class RefinementBesideTestsTest {
+class RefinementValueGapsTestsTest {
     private static final int MODELS = Integer.getInteger("models", 40);
     private static final int FIRST = Integer.getInteger("first", 0);
 

@@ -10,7 +10,6 @@ import arcomat.check.Checks;
 import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.StreamTest;
@@ -140,7 +139,7 @@ class TransitionTestsTest {
     private static Value sample(Parameter parameter) {
         return parameter.type() instanceof Type.IntegerType
                 ? new Value.IntegerValue(3)
-                : FirstValue.of(parameter.type());
+                : parameter.type().first();
     }
 
     /** Events, tables, conversions, all types: the models on which the generator is tried. */

@@ -7,7 +7,6 @@ import arcomat.check.law.Profile;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
@@ -182,7 +181,7 @@ final class Harmless {
                             .initial()
                             .filter(Expression.Constant.class::isInstance)
                             .map(initial -> ((Expression.Constant) initial).value())
-                            .orElseGet(() -> FirstValue.of(parameter.type())));
+                            .orElseGet(() -> parameter.type().first()));
         }
         return arguments;
     }

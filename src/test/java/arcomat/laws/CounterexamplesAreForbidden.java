@@ -5,7 +5,6 @@ import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Moment;
 import arcomat.laws.draw.Draw;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.StreamTest;
@@ -132,7 +131,7 @@ final class CounterexamplesAreForbidden implements Law {
         Map<String, List<Value>> messages = new LinkedHashMap<>(quiet.messages());
         right.inputs().stream()
                 .filter(Port::total)
-                .forEach(p -> messages.putIfAbsent(p.name(), List.of(FirstValue.of(p.type()))));
+                .forEach(p -> messages.putIfAbsent(p.name(), List.of(p.type().first())));
         return new Letter(messages);
     }
 
@@ -198,6 +197,6 @@ final class CounterexamplesAreForbidden implements Law {
         if (sent instanceof Sent.Messages messages) {
             return messages.values();
         }
-        return sent instanceof Sent.AnyMessage ? List.of(FirstValue.of(port.type())) : List.of();
+        return sent instanceof Sent.AnyMessage ? List.of(port.type().first()) : List.of();
     }
 }

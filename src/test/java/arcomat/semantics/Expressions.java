@@ -9,12 +9,14 @@ import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
+import arcomat.semantics.expression.Guards;
 
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 
 import java.util.List;
+import java.util.Optional;
 
 /** Arbitrary expressions over a component with two Boolean ports and two numbers, one total. */
 public final class Expressions {
@@ -95,6 +97,13 @@ public final class Expressions {
 
     public static Expression binary(BinaryOperator operator, Expression left, Expression right) {
         return new Expression.Binary(operator, left, right, BOOLEAN, NOWHERE);
+    }
+
+    /** When a guard is true; false where it is false or undefined. */
+    public static Expression trueWhen(Guards guards, Expression guard) {
+        return guards.enabledWhen(
+                new Automaton.Transition(
+                        0, 0, Optional.of(guard), List.of(), List.of(), List.of(), NOWHERE));
     }
 
     public static Expression not(Expression e) {

@@ -8,10 +8,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.value.Beside;
-import arcomat.semantics.value.KindsTest;
+import arcomat.semantics.value.MessageClassesTest;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.TooManyMessages;
+import arcomat.semantics.value.ValueGaps;
 import arcomat.semantics.value.ValueOrder;
 
 import org.junit.jupiter.api.Test;
@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.stream.DoubleStream;
 
 /**
- * Which values are tried, and what is said where there are too many. {@link KindsTest} says why
- * they are enough.
+ * Which values are tried, and what is said where there are too many. {@link MessageClassesTest}
+ * says why they are enough.
  */
 class SamplesTest {
     private static final Type.RealType DOUBLE = new Type.RealType(false);
@@ -32,7 +32,7 @@ class SamplesTest {
     }
 
     private static List<Value> beside(Type type, double... numbers) {
-        return new Beside(type, reals(numbers)).gaps();
+        return new ValueGaps(type, reals(numbers)).gaps();
     }
 
     @Test

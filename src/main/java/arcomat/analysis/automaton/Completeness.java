@@ -5,10 +5,9 @@ import arcomat.analysis.automaton.exploration.Situation;
 import arcomat.analysis.smt.Subject;
 import arcomat.model.Automaton.Completion;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 import arcomat.source.Diagnostic;
 import arcomat.source.Severity;
 
@@ -54,12 +53,12 @@ final class Completeness extends Analysis {
     /** Silence may stand for letters with a message on a port that the state does not look at. */
     private Optional<Situation> withMessage(Situation silent) {
         List<Port> inputs = subject.component().inputs();
-        List<Attention.Look> looks =
-                subject.relation().attention(silent.visit().configuration()).looks();
+        List<InputAbstraction.PortAbstraction> looks =
+                subject.relation().abstraction(silent.visit().configuration()).looks();
         for (int port = 0; port < inputs.size(); port++) {
-            if (looks.get(port) instanceof Attention.Unseen) {
+            if (looks.get(port) instanceof InputAbstraction.Unseen) {
                 Value[] letter = silent.letter().clone();
-                letter[port] = FirstValue.of(inputs.get(port).type());
+                letter[port] = inputs.get(port).type().first();
                 return Optional.of(
                         new Situation(silent.visit(), letter, List.of(), List.of(), List.of()));
             }

@@ -4,7 +4,6 @@ import arcomat.analysis.coverage.Stimuli.Stimulus;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
@@ -206,7 +205,7 @@ final class ReachabilityGraph {
             if (sent instanceof Sent.Messages certain) {
                 messages.put(port.name(), certain.values());
             } else if (sent instanceof Sent.AnyMessage) {
-                messages.put(port.name(), List.of(FirstValue.of(port.type())));
+                messages.put(port.name(), List.of(port.type().first()));
             }
         }
         return new Letter(messages);

@@ -10,11 +10,11 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Copied;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Attention.Unseen;
-import arcomat.semantics.value.Attention.Whole;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.Copied;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
+import arcomat.semantics.value.InputAbstraction.Whole;
 import arcomat.semantics.value.TooManyMessages;
 
 import java.util.ArrayList;
@@ -68,18 +68,18 @@ final class Stimuli {
      * @param latched as in {@link Stimulus}
      */
     List<Stimulus> of(List<Configuration> configurations, List<Value> latched) {
-        Look[] looks = behaviour.attention(configurations).looks().toArray(Look[]::new);
+        PortAbstraction[] looks = behaviour.abstraction(configurations).looks().toArray(PortAbstraction[]::new);
         return timed ? letters(looks, configurations, latched) : events(looks, latched);
     }
 
-    private Look[] unseen() {
-        Look[] looks = new Look[ports.size()];
+    private PortAbstraction[] unseen() {
+        PortAbstraction[] looks = new PortAbstraction[ports.size()];
         Arrays.fill(looks, new Unseen());
         return looks;
     }
 
     private List<Stimulus> letters(
-            Look[] looks, List<Configuration> configurations, List<Value> latched) {
+            PortAbstraction[] looks, List<Configuration> configurations, List<Value> latched) {
         Set<List<Value>> letters = new LinkedHashSet<>();
         try {
             add(looks, letters);
@@ -115,18 +115,18 @@ final class Stimuli {
         return mentioned;
     }
 
-    private Look[] only(MentionedValues transition, Look[] looks) {
-        Look[] own = unseen();
+    private PortAbstraction[] only(MentionedValues transition, PortAbstraction[] looks) {
+        PortAbstraction[] own = unseen();
         for (int i = 0; i < own.length; i++) {
             own[i] = transition.port(ports.get(i).name()) ? looks[i] : own[i];
         }
         return own;
     }
 
-    private List<Stimulus> events(Look[] looks, List<Value> latched) {
+    private List<Stimulus> events(PortAbstraction[] looks, List<Value> latched) {
         List<Stimulus> stimuli = new ArrayList<>();
         for (int port = 0; port < looks.length; port++) {
-            Look[] alone = unseen();
+            PortAbstraction[] alone = unseen();
             alone[port] = looks[port];
             Set<List<Value>> letters = new LinkedHashSet<>();
             addSome(alone, letters);
@@ -151,13 +151,13 @@ final class Stimuli {
     /**
      * @throws TooManyMessages where there are too many to try
      */
-    private void add(Look[] looks, Set<List<Value>> letters) {
+    private void add(PortAbstraction[] looks, Set<List<Value>> letters) {
         for (Value[] letter : Letters.atMost(MOST_LETTERS, ports, List.of(looks))) {
             letters.add(Arrays.asList(letter));
         }
     }
 
-    private void addSome(Look[] looks, Set<List<Value>> letters) {
+    private void addSome(PortAbstraction[] looks, Set<List<Value>> letters) {
         try {
             add(looks, letters);
         } catch (TooManyMessages tooMany) {
@@ -169,8 +169,8 @@ final class Stimuli {
         }
     }
 
-    private Look[] fewer(Look[] looks) {
-        Look[] fewer = looks.clone();
+    private PortAbstraction[] fewer(PortAbstraction[] looks) {
+        PortAbstraction[] fewer = looks.clone();
         for (int i = 0; i < looks.length; i++) {
             if ((looks[i] instanceof Whole || looks[i] instanceof Copied)
                     && !isSmall(ports.get(i).type())) {
@@ -188,7 +188,7 @@ final class Stimuli {
                         && range.high() - range.low() < FEW;
     }
 
-    private Look sample(Port port) {
+    private PortAbstraction sample(Port port) {
         Type type = port.type();
         sampled =
                 "only some values of port '%s' were tried, %s has too many"

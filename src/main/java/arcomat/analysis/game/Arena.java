@@ -11,10 +11,10 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.GivenUp;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -83,7 +83,7 @@ public final class Arena {
         if (latched.positions().size() > Integer.SIZE) {
             throw new GivenUp("more than " + Integer.SIZE + " latched ports");
         }
-        this.latchedClasses = new LetterClasses(0, latched.attention(inputs.size()), inputs);
+        this.latchedClasses = new LetterClasses(0, latched.abstraction(inputs.size()), inputs);
         int[] free = new int[requirements.size() + 1];
         Arrays.fill(free, Requirement.CHAOS);
         positions.number(new IntKey(free));
@@ -122,13 +122,13 @@ public final class Arena {
 
     /** How many letters matter in a position. */
     long letters(int position) {
-        List<Look> looks = attention(position).looks();
+        List<PortAbstraction> looks = abstraction(position).looks();
         boolean events = profile == Component.Profile.EVENT_DRIVEN;
         long together = 1;
         long alone = 0;
         for (int port = 0; port < looks.size() && together < Integer.MAX_VALUE; port++) {
             Port input = inputs.get(port);
-            int samples = Kinds.of(input, input.total(), looks.get(port)).samples().size();
+            int samples = MessageClasses.of(input, input.total(), looks.get(port)).samples().size();
             if (events && !input.latched()) {
                 alone += samples;
             } else {
@@ -204,12 +204,12 @@ public final class Arena {
     }
 
     /** What matters in a position. */
-    Attention attention(int position) {
+    InputAbstraction abstraction(int position) {
         int[] sets = sets(position);
-        Attention all = latchedClasses.attention();
+        InputAbstraction all = latchedClasses.abstraction();
         for (int i = 0; i < requirements.size(); i++) {
             if (sets[i] != Requirement.CHAOS) {
-                all = all.and(requirements.get(i).letterClasses(sets[i]).attention());
+                all = all.and(requirements.get(i).letterClasses(sets[i]).abstraction());
             }
         }
         return all;

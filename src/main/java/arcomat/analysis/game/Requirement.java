@@ -13,7 +13,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.Output;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongObjectHashMap;
@@ -131,7 +131,7 @@ public final class Requirement {
 
     /** The letters that its members together tell apart. */
     LetterClasses letterClasses(int set) {
-        return classes.of(set, this::attention);
+        return classes.of(set, this::abstraction);
     }
 
     /** The letters that it tells apart. */
@@ -140,10 +140,10 @@ public final class Requirement {
                 system.profile(), system.inputs(), List.of(letterClasses(set)), List.of(positions));
     }
 
-    private Attention attention(int set) {
-        Attention all = Attention.none(positions.length);
+    private InputAbstraction abstraction(int set) {
+        InputAbstraction all = InputAbstraction.none(positions.length);
         for (int member : sets.members(set)) {
-            all = all.and(system.letterClasses(member).attention());
+            all = all.and(system.letterClasses(member).abstraction());
         }
         return all;
     }

@@ -3,15 +3,14 @@ package arcomat.analysis.game;
 import arcomat.analysis.game.controller.MealyMachine;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.Numbering;
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.GivenUp;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -83,12 +82,12 @@ public final class Synthesis {
     }
 
     private Optional<MealyMachine.State> state(List<Integer> positions) {
-        List<Look> looks = looks(positions);
+        List<PortAbstraction> looks = looks(positions);
         List<List<Value>> samples = new ArrayList<>();
         long letters = 1;
         for (int port = 0; port < inputs.size(); port++) {
             Port input = inputs.get(port);
-            samples.add(Kinds.of(input, input.total(), looks.get(port)).samples());
+            samples.add(MessageClasses.of(input, input.total(), looks.get(port)).samples());
             letters *= samples.get(port).size();
             if (letters > MOST_LETTERS) {
                 return Optional.empty();
@@ -108,10 +107,10 @@ public final class Synthesis {
         return free ? "free" : String.join("_", names);
     }
 
-    private List<Look> looks(List<Integer> positions) {
-        Attention all = Attention.none(inputs.size());
+    private List<PortAbstraction> looks(List<Integer> positions) {
+        InputAbstraction all = InputAbstraction.none(inputs.size());
         for (int i = 0; i < games.size(); i++) {
-            all = all.and(games.get(i).arena().attention(positions.get(i)));
+            all = all.and(games.get(i).arena().abstraction(positions.get(i)));
         }
         return all.looks();
     }
@@ -161,7 +160,7 @@ public final class Synthesis {
             Port port = outputs.get(i);
             Sent sent = all.ports().get(i);
             if (sent instanceof Sent.AnyMessage || sent instanceof Sent.Anything && port.total()) {
-                sent = new Sent.Messages(Collections.singletonList(FirstValue.of(port.type())));
+                sent = new Sent.Messages(Collections.singletonList(port.type().first()));
             }
             letter.add(sent instanceof Sent.Anything ? Sent.SILENCE : sent);
         }

@@ -9,7 +9,7 @@ import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -175,8 +175,9 @@ record ExplicitSystem(
 
         private List<Set<Integer>> kinds(LetterClasses focus, int port) {
             PortTrack track = inputs.get(port);
-            Kinds kinds =
-                    Kinds.of(track.port(), track.total(), focus.attention().looks().get(port));
+            MessageClasses kinds =
+                    MessageClasses.of(
+                            track.port(), track.total(), focus.abstraction().looks().get(port));
             Map<Integer, Set<Integer>> codes = new LinkedHashMap<>();
             for (int code : track.codes()) {
                 int kind = kinds.of(track.message(code).orElse(null));
@@ -185,7 +186,7 @@ record ExplicitSystem(
             return List.copyOf(codes.values());
         }
 
-        /** Kinds that differ in one port become one, port by port. */
+        /** MessageClasses that differ in one port become one, port by port. */
         private List<List<Set<Integer>>> merged(List<List<Set<Integer>>> kinds) {
             List<List<Set<Integer>>> merged = kinds;
             for (int port = 0; port < inputs.size(); port++) {

@@ -1,6 +1,5 @@
 package arcomat.analysis.smt;
 
-import arcomat.model.FirstValue;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
@@ -102,7 +101,7 @@ final class Encoding implements Value.Cases<Term> {
         if (type instanceof Type.CharacterType) {
             return new Value.CharacterValue((char) number.intValue());
         }
-        return type instanceof Type.StringType ? text(number) : FirstValue.of(type);
+        return type instanceof Type.StringType ? text(number) : type.first();
     }
 
     private Value text(BigInteger number) {

@@ -9,7 +9,6 @@ import arcomat.model.Automaton;
 import arcomat.model.Automaton.Assignment;
 import arcomat.model.Automaton.Send;
 import arcomat.model.Expression;
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
@@ -107,7 +106,7 @@ final class Effects {
     }
 
     private List<String> anything(Port port, boolean something) {
-        Value first = FirstValue.of(port.type());
+        Value first = port.type().first();
         return something ? List.of(context.expressions().of(first, port.type()).text()) : List.of();
     }
 

@@ -11,7 +11,7 @@ import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Effect;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -130,10 +130,10 @@ public final class Behaviour {
      *
      * @param configurations one per automaton
      */
-    public Attention attention(List<Configuration> configurations) {
-        Attention all = Attention.none(component.inputs().size());
+    public InputAbstraction abstraction(List<Configuration> configurations) {
+        InputAbstraction all = InputAbstraction.none(component.inputs().size());
         for (int i = 0; i < configurations.size(); i++) {
-            all = all.and(relations.get(i).attention(configurations.get(i)));
+            all = all.and(relations.get(i).abstraction(configurations.get(i)));
         }
         return all;
     }
@@ -172,7 +172,10 @@ public final class Behaviour {
                     between.run();
                     Optional<Output> output = prefix.output.meet(start.output());
                     output.ifPresent(
-                            o -> longer.add(new JointStart(plus(prefix.starts, start), o)));
+                            o ->
+                                    longer.add(
+                                            new JointStart(
+                                                    StepRelation.plus(prefix.starts, start), o)));
                 }
             }
             joint = longer;
@@ -264,7 +267,11 @@ public final class Behaviour {
                 between.run();
                 prefix.output
                         .meet(reaction.output())
-                        .map(both -> new JointReaction(plus(prefix.reactions, reaction), both))
+                        .map(
+                                both ->
+                                        new JointReaction(
+                                                StepRelation.plus(prefix.reactions, reaction),
+                                                both))
                         .ifPresent(longer::add);
             }
         }
@@ -273,11 +280,5 @@ public final class Behaviour {
 
     private Output anything() {
         return new Output(component.outputs().stream().map(Effect::anything).toList());
-    }
-
-    private static <T> List<T> plus(List<T> list, T last) {
-        List<T> longer = new ArrayList<>(list);
-        longer.add(last);
-        return longer;
     }
 }

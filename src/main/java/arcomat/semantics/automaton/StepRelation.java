@@ -7,7 +7,7 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.expression.Attentions;
+import arcomat.semantics.expression.AbstractionOfInputs;
 import arcomat.semantics.expression.DataFlow;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Effect;
@@ -18,7 +18,7 @@ import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.expression.Term;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +38,7 @@ public final class StepRelation {
 
     private final List<ReadyTransition> transitions = new ArrayList<>();
     private final List<List<ReadyTransition>> byState = new ArrayList<>();
-    private final List<Attentions> attentions = new ArrayList<>();
+    private final List<AbstractionOfInputs> attentions = new ArrayList<>();
     private final List<Start> starts = new ArrayList<>();
     private final Optional<Value[]> held;
     private final Output silence;
@@ -99,7 +99,7 @@ public final class StepRelation {
     private void prepareTransitions(Set<String> owned) {
         for (int i = 0; i < automaton.states().size(); i++) {
             byState.add(new ArrayList<>(2));
-            attentions.add(new Attentions(component, scope));
+            attentions.add(new AbstractionOfInputs(component, scope));
         }
         Guards guards = new Guards(component.profile());
         for (int i = 0; i < automaton.transitions().size(); i++) {
@@ -185,10 +185,10 @@ public final class StepRelation {
     }
 
     /** What the reactions in a configuration depend on. */
-    public Attention attention(Configuration configuration) {
+    public InputAbstraction abstraction(Configuration configuration) {
         return configuration.isState()
                 ? attentions.get(configuration.state()).with(configuration.slots())
-                : Attention.none(component.inputs().size());
+                : InputAbstraction.none(component.inputs().size());
     }
 
     /** The alternatives to begin with, in text order. */
@@ -301,7 +301,7 @@ public final class StepRelation {
         return before.isState() ? byState.get(before.state()) : List.of();
     }
 
-    private static <T> List<T> plus(List<T> list, T next) {
+    static <T> List<T> plus(List<T> list, T next) {
         List<T> longer = new ArrayList<>(list);
         longer.add(next);
         return longer;

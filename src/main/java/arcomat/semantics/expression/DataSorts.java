@@ -5,6 +5,7 @@ import arcomat.model.Value;
 import arcomat.semantics.value.ValueOrder;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -132,17 +133,7 @@ public final class DataSorts {
     private static Sort numbers(Facts facts) {
         List<Type.IntegerType> types =
                 facts.types.stream().map(Type.IntegerType.class::cast).toList();
-        Type.IntegerType widest = types.get(0);
-        for (Type.IntegerType each : types) {
-            widest =
-                    new Type.IntegerType(
-                            each.width().compareTo(widest.width()) > 0
-                                    ? each.width()
-                                    : widest.width(),
-                            Math.min(each.low(), widest.low()),
-                            Math.max(each.high(), widest.high()),
-                            each.ranged() || widest.ranged());
-        }
+        Type.IntegerType widest = types.stream().reduce(DataSorts::widest).orElseThrow();
         Set<Value> constants = new TreeSet<>(ValueOrder.NATURAL);
         constants.addAll(facts.constants);
         boolean ordered = facts.ordered;
@@ -156,5 +147,14 @@ public final class DataSorts {
             }
         }
         return new Sort(facts.number, widest, !facts.calculated, List.copyOf(constants), ordered);
+    }
+
+    /** A type that has room for the values of both. */
+    private static Type.IntegerType widest(Type.IntegerType one, Type.IntegerType other) {
+        return new Type.IntegerType(
+                Collections.max(List.of(one.width(), other.width())),
+                Math.min(one.low(), other.low()),
+                Math.max(one.high(), other.high()),
+                one.ranged() || other.ranged());
     }
 }

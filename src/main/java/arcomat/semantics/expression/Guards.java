@@ -53,16 +53,6 @@ public final class Guards {
         return formulas.simplify(condition);
     }
 
-    /** True where the expression is true; false where it is false or undefined. */
-    public Expression trueWhen(Expression expression) {
-        return formulas.simplify(certainlyTrue(expression));
-    }
-
-    /** True where the expression is false; false where it is true or undefined. */
-    public Expression falseWhen(Expression expression) {
-        return formulas.simplify(certainly(false, expression));
-    }
-
     private Expression certainlyTrue(Expression e) {
         return certainly(true, e);
     }

@@ -1,6 +1,5 @@
 package arcomat.semantics.value;
 
-import arcomat.model.FirstValue;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
@@ -42,7 +41,7 @@ public final class FirstValues {
 
     /** Upwards first, then what lies below. */
     private static LongStream numbers(Type.IntegerType type) {
-        long first = ((Value.IntegerValue) FirstValue.of(type)).value();
+        long first = ((Value.IntegerValue) type.first()).value();
         LongStream upwards = LongStream.rangeClosed(first, type.high());
         return first == type.low()
                 ? upwards

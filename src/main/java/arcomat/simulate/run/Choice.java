@@ -1,6 +1,5 @@
 package arcomat.simulate.run;
 
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 
@@ -29,7 +28,7 @@ public interface Choice {
      * @param required whether there has to be one
      */
     default Optional<Value> message(Port port, boolean required) {
-        return required ? Optional.of(FirstValue.of(port.type())) : Optional.empty();
+        return required ? Optional.of(port.type().first()) : Optional.empty();
     }
 
     /**

@@ -43,7 +43,10 @@ public final class Interpreter implements Execution {
     interface Engine {
         Trace.Step step(Letter input, int number);
 
-        Optional<Letter> opening();
+        /** Slices have no beginning of their own. */
+        default Optional<Letter> opening() {
+            return Optional.empty();
+        }
 
         /** What is to be seen of a step that goes wrong. */
         Trace.End end(Letter input);

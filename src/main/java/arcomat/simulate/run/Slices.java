@@ -10,7 +10,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
 
 /** The time-synchronous engine: all instances, slice by slice, in schedule order. */
@@ -52,7 +51,7 @@ public final class Slices implements Interpreter.Engine {
         for (Actor actor : actors) {
             send(actor.instance(), react(actor, number, activities));
         }
-        Trace.Step step = new Trace.Step(number, input, shown(), activities);
+        Trace.Step step = new Trace.Step(number, input, shown(network.outputs()), activities);
         for (int signal : delayed) {
             visible[signal] = registers[signal];
         }
@@ -85,10 +84,6 @@ public final class Slices implements Interpreter.Engine {
         }
     }
 
-    private Letter shown() {
-        return shown(network.outputs());
-    }
-
     private Letter shown(List<Network.External> outputs) {
         Map<String, Value> messages = new LinkedHashMap<>();
         for (Network.External external : outputs) {
@@ -98,12 +93,6 @@ public final class Slices implements Interpreter.Engine {
             }
         }
         return Letter.of(messages);
-    }
-
-    /** Slices have no beginning of their own. */
-    @Override
-    public Optional<Letter> opening() {
-        return Optional.empty();
     }
 
     /** What was sent a slice ago is seen, whatever goes wrong in this one. */

@@ -1,15 +1,14 @@
 package arcomat.simulate.test;
 
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Attention.Unseen;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
+import arcomat.semantics.value.MessageClasses;
 import arcomat.semantics.value.TooManyMessages;
 
 import java.util.ArrayList;
@@ -52,7 +51,7 @@ final class Division {
     }
 
     Options of(Possibility possibility, int signal) {
-        Look look = new Unseen();
+        PortAbstraction look = new Unseen();
         for (Wires.Reader reader : wires.readers(signal)) {
             look = look.and(look(possibility, reader.instance(), reader.port()));
         }
@@ -66,25 +65,27 @@ final class Division {
      * @param required whether there is one
      * @param look of all who read it
      */
-    static Options values(Port sender, boolean required, Look look, Collection<Value> mentioned) {
+    static Options values(
+            Port sender, boolean required, PortAbstraction look, Collection<Value> mentioned) {
         try {
-            List<Value> samples = Kinds.of(sender, required, look).samples();
+            List<Value> samples = MessageClasses.of(sender, required, look).samples();
             return new Options(samples.stream().map(Sent::of).toList(), true);
         } catch (TooManyMessages tooMany) {
             return some(sender, required, mentioned);
         }
     }
 
-    private Look look(Possibility possibility, int instance, int port) {
-        return behaviours.get(instance).attention(possibility.before(instance)).looks().get(port);
+    private PortAbstraction look(Possibility possibility, int instance, int port) {
+        return behaviours.get(instance).abstraction(possibility.before(instance)).looks().get(port);
     }
 
     /** Those that the test speaks of, the simplest one, and some between them. */
     private static Options some(Port port, boolean required, Collection<Value> mentioned) {
         List<Value> values = new ArrayList<>();
         mentioned.stream().filter(v -> isOf(port.type(), v)).limit(SOME).forEach(values::add);
-        values.add(FirstValue.of(port.type()));
-        List<Value> samples = Kinds.of(port, required, new Compared(values, true)).samples();
+        values.add(port.type().first());
+        List<Value> samples =
+                MessageClasses.of(port, required, new Compared(values, true)).samples();
         return new Options(samples.stream().map(Sent::of).toList(), false);
     }
 
@@ -105,6 +106,6 @@ final class Division {
         if (type instanceof Type.ClassType) {
             return value instanceof Value.ObjectValue object && object.type().equals(type);
         }
-        return FirstValue.of(type).getClass() == value.getClass();
+        return type.first().getClass() == value.getClass();
     }
 }

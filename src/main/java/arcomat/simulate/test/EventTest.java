@@ -64,16 +64,7 @@ final class EventTest {
 
     /** Why no run goes on to the end, whatever it shows; empty if one does. */
     private Optional<String> problem() {
-        AllowedEvents allowed =
-                allowed(
-                        new StreamTest(
-                                test.suite(),
-                                test.name(),
-                                test.component(),
-                                test.arguments(),
-                                test.inputs(),
-                                Map.of(),
-                                test.span()));
+        AllowedEvents allowed = allowed(test.expecting(Map.of()));
         return runs(allowed).isEmpty() && allowed.gaveUp().isEmpty()
                 ? allowed.lastProblem()
                 : Optional.empty();

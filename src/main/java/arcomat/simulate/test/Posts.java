@@ -4,7 +4,7 @@ import arcomat.model.StreamTest;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 import arcomat.simulate.run.Events;
 
 import java.util.ArrayList;
@@ -139,7 +139,7 @@ final class Posts {
 
     private List<List<Value>> inside(int signal, Sent sent) {
         Division.Options each =
-                Division.values(wires.port(signal), true, new Attention.Whole(), mentioned);
+                Division.values(wires.port(signal), true, new InputAbstraction.Whole(), mentioned);
         boolean complete = each.complete();
         boolean one = !sent.allows(List.of());
         boolean held = wires.readers(signal).stream().allMatch(Wires.Reader::latched);

@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /** Writes stream tests as the text of a suite in the package of their component. */
 public final class SuiteText {
@@ -122,32 +123,39 @@ public final class SuiteText {
     }
 
     private void slices(Entry entry) {
-        line("    input {");
-        for (Network.External input : network.inputs()) {
-            stream(
-                    input,
-                    entry.inputs().stream().map(letter -> letter.messages(input.name())).toList());
-        }
-        line("    }");
-        line("    expect {");
-        for (Network.External output : network.outputs()) {
-            if (entry.expected().containsKey(output.name())) {
-                stream(output, entry.expected().get(output.name()));
-            }
-        }
+        block(
+                "input",
+                network.inputs().stream()
+                        .map(
+                                input ->
+                                        stream(
+                                                input,
+                                                entry.inputs().stream()
+                                                        .map(each -> each.messages(input.name()))
+                                                        .toList())));
+        block(
+                "expect",
+                network.outputs().stream()
+                        .filter(output -> entry.expected().containsKey(output.name()))
+                        .map(output -> stream(output, entry.expected().get(output.name()))));
+    }
+
+    private void block(String head, Stream<String> lines) {
+        line("    " + head + " {");
+        lines.forEach(each -> line("      " + each));
         line("    }");
     }
 
-    private void stream(Network.External external, List<List<Value>> messages) {
+    private static String stream(Network.External external, List<List<Value>> messages) {
         List<String> slices = new ArrayList<>();
         for (List<Value> slice : messages) {
-            String sent =
+            slices.add(
                     slice.stream()
-                            .map(value -> text(value, external.port().type()) + ", ")
-                            .collect(Collectors.joining());
-            slices.add(sent + "Tk");
+                                    .map(v -> text(v, external.port().type()) + ", ")
+                                    .collect(Collectors.joining())
+                            + "Tk");
         }
-        line("      " + external.name() + ": <" + runLengths(slices) + ">;");
+        return external.name() + ": <" + runLengths(slices) + ">;";
     }
 
     /** {@code a, Tk} three times is {@code 3*(a, Tk)}. */
@@ -167,24 +175,33 @@ public final class SuiteText {
     }
 
     private void events(Entry entry) {
-        line("    events {");
-        for (Letter event : entry.inputs()) {
-            for (Network.External input : network.inputs()) {
-                for (Value value : event.messages(input.name())) {
-                    line("      " + input.name() + ": " + text(value, input.port().type()) + ";");
-                }
-            }
-        }
-        line("    }");
-        line("    expect {");
-        for (Network.External output : network.outputs()) {
-            List<String> messages =
-                    entry.expected().getOrDefault(output.name(), List.of()).stream()
-                            .flatMap(List::stream)
-                            .map(value -> text(value, output.port().type()))
-                            .toList();
-            line("      " + output.name() + ": <" + runLengths(messages) + ">;");
-        }
-        line("    }");
+        block("events", entry.inputs().stream().flatMap(this::event));
+        block(
+                "expect",
+                network.outputs().stream()
+                        .map(
+                                output ->
+                                        all(
+                                                output,
+                                                entry.expected()
+                                                        .getOrDefault(output.name(), List.of()))));
+    }
+
+    private Stream<String> event(Letter event) {
+        return network.inputs().stream()
+                .flatMap(
+                        input ->
+                                event.messages(input.name()).stream()
+                                        .map(value -> text(value, input.port().type()))
+                                        .map(message -> input.name() + ": " + message + ";"));
+    }
+
+    private static String all(Network.External output, List<List<Value>> messages) {
+        List<String> texts =
+                messages.stream()
+                        .flatMap(List::stream)
+                        .map(v -> text(v, output.port().type()))
+                        .toList();
+        return output.name() + ": <" + runLengths(texts) + ">;";
     }
 }

@@ -4,7 +4,6 @@ import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.Value;
@@ -36,6 +35,6 @@ final class Models {
         return parameter
                 .initial()
                 .map(initial -> ((Expression.Constant) initial).value())
-                .orElseGet(() -> FirstValue.of(parameter.type()));
+                .orElseGet(() -> parameter.type().first());
     }
 }

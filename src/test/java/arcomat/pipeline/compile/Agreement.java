@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
 import arcomat.model.Type;
@@ -141,6 +140,6 @@ public final class Agreement {
         if (type instanceof Type.StringType) {
             return new Value.StringValue(List.of("", "a", "reading").get(random.nextInt(3)));
         }
-        return FirstValue.of(type);
+        return type.first();
     }
 }

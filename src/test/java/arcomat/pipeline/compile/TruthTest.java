@@ -8,7 +8,6 @@ import arcomat.generate.plan.Choosing;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Expression;
-import arcomat.model.FirstValue;
 import arcomat.model.Model;
 import arcomat.model.Parameter;
 import arcomat.model.StreamTest;
@@ -167,6 +166,6 @@ class TruthTest {
 
     /** A number that lets the thresholds of the models be crossed both ways. */
     private static Value sample(Type type) {
-        return type instanceof Type.IntegerType ? new Value.IntegerValue(3) : FirstValue.of(type);
+        return type instanceof Type.IntegerType ? new Value.IntegerValue(3) : type.first();
     }
 }

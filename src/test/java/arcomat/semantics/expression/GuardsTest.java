@@ -57,8 +57,8 @@ class GuardsTest {
     void twoValuesSayWhenKleenesGuardIsTrue(
             @ForAll("guards") Expression guard, @ForAll("letters") Value[] letter) {
         Value kleene = evaluate(guard, letter);
-        assertThat(evaluate(GUARDS.trueWhen(guard), letter)).isEqualTo(truth(kleene));
-        assertThat(evaluate(GUARDS.falseWhen(guard), letter))
+        assertThat(evaluate(Expressions.trueWhen(GUARDS, guard), letter)).isEqualTo(truth(kleene));
+        assertThat(evaluate(Expressions.trueWhen(GUARDS, not(guard)), letter))
                 .isEqualTo(truth(FALSE.equals(kleene) ? TRUE : FALSE));
     }
 
@@ -70,7 +70,7 @@ class GuardsTest {
     @Property(seed = "2", tries = 2000, edgeCases = EdgeCasesMode.NONE)
     void whatAnAbsentPortLastCarriedHasNoInfluence(
             @ForAll("guards") Expression guard, @ForAll("letters") Value[] letter) {
-        Expression condition = GUARDS.trueWhen(guard);
+        Expression condition = Expressions.trueWhen(GUARDS, guard);
         Value strict = evaluate(condition, letter);
         for (boolean stale : new boolean[] {false, true}) {
             assertThat(new StaleReading(letter, stale).holds(condition))
@@ -89,27 +89,31 @@ class GuardsTest {
     @Test
     void conditionsReadAsAPersonWouldWriteThem() {
         Expression greater = binary(BinaryOperator.LESS, number("1"), read("m"));
-        assertThat(text(GUARDS.trueWhen(greater))).isEqualTo("(m? && (1 LESS m))");
+        assertThat(text(Expressions.trueWhen(GUARDS, greater))).isEqualTo("(m? && (1 LESS m))");
         Expression both = and(greater, binary(BinaryOperator.LESS, read("m"), number("5")));
-        assertThat(text(GUARDS.trueWhen(both))).isEqualTo("((m? && (1 LESS m)) && (m LESS 5))");
-        assertThat(text(GUARDS.trueWhen(not(and(read("p"), read("q"))))))
+        assertThat(text(Expressions.trueWhen(GUARDS, both)))
+                .isEqualTo("((m? && (1 LESS m)) && (m LESS 5))");
+        assertThat(text(Expressions.trueWhen(GUARDS, not(and(read("p"), read("q"))))))
                 .isEqualTo("((p? && !p) || (q? && !q))");
     }
 
     @Test
     void totalPortsNeedNoTest() {
         Expression small = binary(BinaryOperator.LESS, read("n"), number("5"));
-        assertThat(text(GUARDS.trueWhen(small))).isEqualTo("(n LESS 5)");
+        assertThat(text(Expressions.trueWhen(GUARDS, small))).isEqualTo("(n LESS 5)");
         Guards events = new Guards(Profile.EVENT_DRIVEN);
-        assertThat(text(events.trueWhen(small))).isEqualTo("(n? && (n LESS 5))");
+        assertThat(text(Expressions.trueWhen(events, small))).isEqualTo("(n? && (n LESS 5))");
     }
 
     @Test
     void absenceIsDecidedWithoutAMessage() {
         Expression absent = Expressions.matches("p", new Automaton.Absent());
-        assertThat(text(GUARDS.trueWhen(absent))).isEqualTo("p--");
-        assertThat(text(GUARDS.trueWhen(not(absent)))).isEqualTo("p?");
-        assertThat(text(GUARDS.trueWhen(Expressions.matches("n", new Automaton.Absent()))))
+        assertThat(text(Expressions.trueWhen(GUARDS, absent))).isEqualTo("p--");
+        assertThat(text(Expressions.trueWhen(GUARDS, not(absent)))).isEqualTo("p?");
+        assertThat(
+                        text(
+                                Expressions.trueWhen(
+                                        GUARDS, Expressions.matches("n", new Automaton.Absent()))))
                 .isEqualTo("false");
     }
 
@@ -120,7 +124,7 @@ class GuardsTest {
             chain = binary(BinaryOperator.EQUIVALENT, chain, and(read("p"), read("q")));
         }
         int[] size = {0};
-        GUARDS.trueWhen(chain).visit(e -> size[0]++);
+        Expressions.trueWhen(GUARDS, chain).visit(e -> size[0]++);
         assertThat(size[0]).isLessThan(5000);
     }
 }

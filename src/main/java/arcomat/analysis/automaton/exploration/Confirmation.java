@@ -10,7 +10,7 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.automaton.StepRelation.Start;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.List;
 import java.util.Optional;
@@ -92,9 +92,9 @@ public record Confirmation(Subject subject, Stepper stepper) {
         if (timed) {
             return !port.total();
         }
-        Attention attention = subject.relation().attention(visit.configuration());
+        InputAbstraction abstraction = subject.relation().abstraction(visit.configuration());
         return port.latched()
                 && (!visit.latched().contains(position)
-                        || attention.looks().get(position) instanceof Attention.Unseen);
+                        || abstraction.looks().get(position) instanceof InputAbstraction.Unseen);
     }
 }

@@ -8,9 +8,9 @@ import arcomat.analysis.smt.Subject;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.StepRelation.Start;
 import arcomat.semantics.expression.Output;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Unseen;
 import arcomat.semantics.value.GivenUp;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -36,7 +36,7 @@ public final class Exploration {
 
     private final Map<Place, Visit> visits = new HashMap<>();
     private final List<Visit> byNumber = new ArrayList<>();
-    private final Map<Attention, List<Value[]>> alphabets = new HashMap<>();
+    private final Map<InputAbstraction, List<Value[]>> alphabets = new HashMap<>();
     private final BitSet connected;
     private final Set<RunProperty> shown = new HashSet<>();
     private Map<Place, Visit> next = new LinkedHashMap<>();
@@ -95,11 +95,11 @@ public final class Exploration {
     }
 
     private List<Value[]> letters(Visit visit) {
-        Attention attention = subject.relation().attention(visit.configuration());
-        List<Value[]> known = alphabets.get(attention);
+        InputAbstraction abstraction = subject.relation().abstraction(visit.configuration());
+        List<Value[]> known = alphabets.get(abstraction);
         if (known == null) {
-            known = Letters.of(subject.component(), attention);
-            alphabets.put(attention, known);
+            known = Letters.of(subject.component(), abstraction);
+            alphabets.put(abstraction, known);
         }
         return known;
     }
@@ -109,12 +109,12 @@ public final class Exploration {
         if (visit.latched().isEmpty()) {
             return true;
         }
-        Attention attention = subject.relation().attention(visit.configuration());
+        InputAbstraction abstraction = subject.relation().abstraction(visit.configuration());
         return visit.latched().stream()
                 .noneMatch(
                         port ->
                                 letter[port] == null
-                                        && !(attention.looks().get(port) instanceof Unseen));
+                                        && !(abstraction.looks().get(port) instanceof Unseen));
     }
 
     private Situation situation(Visit visit, Value[] letter) {

@@ -3,7 +3,7 @@ package arcomat.analysis.game.controller;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import java.util.List;
 
@@ -35,5 +35,8 @@ public record MealyMachine(
      * @param reactions one per combination of samples; those of the last port change fastest
      */
     public record State(
-            String name, List<Look> looks, List<List<Value>> samples, List<Reaction> reactions) {}
+            String name,
+            List<PortAbstraction> looks,
+            List<List<Value>> samples,
+            List<Reaction> reactions) {}
 }

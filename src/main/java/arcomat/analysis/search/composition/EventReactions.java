@@ -14,8 +14,8 @@ import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -107,7 +107,7 @@ final class EventReactions {
      *
      * @param looks by external input, widened by what the part looks at; null if nobody asks
      */
-    void react(RunToCompletion run, Look[] looks, Branches found) {
+    void react(RunToCompletion run, PortAbstraction[] looks, Branches found) {
         int part = run.nextPart();
         RunToCompletion.Event event = run.first(part);
         if (looks != null) {
@@ -160,14 +160,14 @@ final class EventReactions {
             List<Configuration> configurations,
             int part,
             RunToCompletion.Event event,
-            Look[] looks) {
+            PortAbstraction[] looks) {
         List<StepRelation> relations = behaviours.get(part).relations();
         for (int i = 0; i < configurations.size(); i++) {
-            Attention attention = relations.get(i).attention(configurations.get(i));
+            InputAbstraction abstraction = relations.get(i).abstraction(configurations.get(i));
             for (int port = 0; port < held[part].length; port++) {
                 int origin = port == event.port() ? event.origin() : held[part][port];
                 if (origin != RunToCompletion.INSIDE) {
-                    looks[origin] = looks[origin].and(attention.looks().get(port));
+                    looks[origin] = looks[origin].and(abstraction.looks().get(port));
                 }
             }
         }
@@ -252,6 +252,6 @@ final class EventReactions {
                                     "decide with transitions, or with another completion"));
             return List.of(Sent.SILENCE);
         }
-        return wiring.samples(signal, all, new Attention.Whole());
+        return wiring.samples(signal, all, new InputAbstraction.Whole());
     }
 }

@@ -4,14 +4,13 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.composition.EventReactions.Branches;
 import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Component;
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -40,7 +39,7 @@ public final class EventUnfolding implements Unfolding {
     private final Wiring wiring;
     private final EventReactions parts;
     private final List<Port> inputs;
-    private final Look[] firstLooks;
+    private final PortAbstraction[] firstLooks;
 
     /** Latched ports of parts whose messages come from inside, or as events from outside. */
     private final List<Wiring.Reader> registers = new ArrayList<>();
@@ -86,20 +85,20 @@ public final class EventUnfolding implements Unfolding {
     }
 
     /** An event is seen at least; all of it matters where it is stored or passes through. */
-    private Look[] firstLooks() {
-        Look[] looks = new Look[inputs.size()];
+    private PortAbstraction[] firstLooks() {
+        PortAbstraction[] looks = new PortAbstraction[inputs.size()];
         for (int i = 0; i < looks.length; i++) {
             Network.External input = network.inputs().get(i);
             boolean stored =
                     wiring.readers.get(input.signal()).stream()
                             .anyMatch(reader -> wiring.port(reader).latched());
             if (input.port().latched()) {
-                looks[i] = new Attention.Unseen();
+                looks[i] = new InputAbstraction.Unseen();
             } else {
                 looks[i] =
                         stored || isShown(network, input)
-                                ? new Attention.Copied()
-                                : new Attention.Compared(List.of(), false);
+                                ? new InputAbstraction.Copied()
+                                : new InputAbstraction.Compared(List.of(), false);
             }
         }
         return looks;
@@ -160,9 +159,9 @@ public final class EventUnfolding implements Unfolding {
 
     /** Found by running: what a run looks at is known when it has looked. */
     @Override
-    public Attention attention(GlobalState whole, Representatives standIns) {
-        Look[] looks = firstLooks.clone();
-        List<Look> before;
+    public InputAbstraction abstraction(GlobalState whole, Representatives standIns) {
+        PortAbstraction[] looks = firstLooks.clone();
+        List<PortAbstraction> before;
         do {
             before = List.of(looks);
             for (Value[] letter :
@@ -171,7 +170,7 @@ public final class EventUnfolding implements Unfolding {
             }
             standIns.copyWhatMeetsStrangers(looks);
         } while (!before.equals(Arrays.asList(looks)));
-        return new Attention(before);
+        return new InputAbstraction(before);
     }
 
     @Override
@@ -179,7 +178,7 @@ public final class EventUnfolding implements Unfolding {
         return run(before, letter, null);
     }
 
-    private List<Unfolding.Step> run(GlobalState before, Value[] letter, Look[] looks) {
+    private List<Unfolding.Step> run(GlobalState before, Value[] letter, PortAbstraction[] looks) {
         RunToCompletion run = new RunToCompletion(before.parts(), latched(before, letter));
         boolean empty = true;
         for (int i = 0; i < letter.length; i++) {
@@ -218,7 +217,7 @@ public final class EventUnfolding implements Unfolding {
     }
 
     /** Follows runs in all ways until every queue is empty, first alternatives first. */
-    private void complete(List<RunToCompletion> runs, Look[] looks, List<Unfolding.Step> outcomes) {
+    private void complete(List<RunToCompletion> runs, PortAbstraction[] looks, List<Unfolding.Step> outcomes) {
         Deque<RunToCompletion> open = new ArrayDeque<>(runs);
         int reactions = 0;
         while (!open.isEmpty()) {
@@ -297,7 +296,7 @@ public final class EventUnfolding implements Unfolding {
                                     .formatted(output.name()));
                 }
                 if (each instanceof Sent.AnyMessage) {
-                    messages.add(FirstValue.of(output.port().type()));
+                    messages.add(output.port().type().first());
                 }
             }
         }

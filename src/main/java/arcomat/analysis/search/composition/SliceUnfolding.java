@@ -14,9 +14,9 @@ import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -94,16 +94,16 @@ public final class SliceUnfolding implements Unfolding {
 
     /** A message that passes through to the outside matters as a whole. */
     @Override
-    public Attention attention(GlobalState whole, Representatives standIns) {
-        Look[] looks = new Look[network.inputs().size()];
+    public InputAbstraction abstraction(GlobalState whole, Representatives standIns) {
+        PortAbstraction[] looks = new PortAbstraction[network.inputs().size()];
         for (int i = 0; i < looks.length; i++) {
             int signal = network.inputs().get(i).signal();
-            looks[i] = wiring.observed[signal] ? new Attention.Copied() : new Attention.Unseen();
+            looks[i] = wiring.observed[signal] ? new InputAbstraction.Copied() : new InputAbstraction.Unseen();
             for (Wiring.Reader reader : wiring.readers.get(signal)) {
                 looks[i] = looks[i].and(look(whole, reader.part(), reader.port()));
             }
         }
-        return new Attention(List.of(looks));
+        return new InputAbstraction(List.of(looks));
     }
 
     @Override
@@ -220,7 +220,7 @@ public final class SliceUnfolding implements Unfolding {
     }
 
     private List<Sent> samples(int signal, Sent open, GlobalState before) {
-        Look look = new Unseen();
+        PortAbstraction look = new Unseen();
         for (Wiring.Reader reader : wiring.readers.get(signal)) {
             look = look.and(look(before, reader.part(), reader.port()));
         }
@@ -228,12 +228,12 @@ public final class SliceUnfolding implements Unfolding {
     }
 
     /** What a part looks at, in the configuration before the slice. */
-    private Look look(GlobalState before, int part, int port) {
-        Look look = new Unseen();
+    private PortAbstraction look(GlobalState before, int part, int port) {
+        PortAbstraction look = new Unseen();
         List<Configuration> configurations = before.parts().get(part);
         List<StepRelation> relations = behaviours.get(part).relations();
         for (int i = 0; i < configurations.size(); i++) {
-            look = look.and(relations.get(i).attention(configurations.get(i)).looks().get(port));
+            look = look.and(relations.get(i).abstraction(configurations.get(i)).looks().get(port));
         }
         return look;
     }
@@ -289,6 +289,6 @@ public final class SliceUnfolding implements Unfolding {
         if (sent instanceof Sent.Messages || !wiring.shared[signal]) {
             return List.of(sent);
         }
-        return wiring.samples(signal, !sent.allows(List.of()), new Attention.Whole());
+        return wiring.samples(signal, !sent.allows(List.of()), new InputAbstraction.Whole());
     }
 }

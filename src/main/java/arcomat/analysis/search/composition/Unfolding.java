@@ -5,7 +5,7 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.List;
 import java.util.Optional;
@@ -46,7 +46,7 @@ public interface Unfolding {
      *
      * @param standIns for data of this side of which it only matters which are the same
      */
-    Attention attention(GlobalState whole, Representatives standIns);
+    InputAbstraction abstraction(GlobalState whole, Representatives standIns);
 
     /**
      * All ways to react.

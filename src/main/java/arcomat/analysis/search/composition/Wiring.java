@@ -3,8 +3,8 @@ package arcomat.analysis.search.composition;
 import arcomat.model.Port;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -84,7 +84,7 @@ final class Wiring {
      *
      * @param present whether there is one for certain; else silence is among the samples
      */
-    List<Sent> samples(int signal, boolean present, Look look) {
-        return Kinds.of(sender[signal], present, look).samples().stream().map(Sent::of).toList();
+    List<Sent> samples(int signal, boolean present, PortAbstraction look) {
+        return MessageClasses.of(sender[signal], present, look).samples().stream().map(Sent::of).toList();
     }
 }

@@ -3,8 +3,8 @@ package arcomat.analysis.search.letter;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import java.util.Arrays;
 import java.util.List;
@@ -41,10 +41,10 @@ public final class Alphabet {
             List<LetterClasses> classes,
             List<int[]> positions,
             Representatives representatives) {
-        Look[] looks = new Look[inputs.size()];
-        Arrays.fill(looks, new Attention.Unseen());
+        PortAbstraction[] looks = new PortAbstraction[inputs.size()];
+        Arrays.fill(looks, new InputAbstraction.Unseen());
         for (int c = 0; c < classes.size(); c++) {
-            List<Look> own = classes.get(c).attention().looks();
+            List<PortAbstraction> own = classes.get(c).abstraction().looks();
             for (int i = 0; i < own.size(); i++) {
                 int position = positions.get(c)[i];
                 looks[position] = looks[position].and(own.get(i));

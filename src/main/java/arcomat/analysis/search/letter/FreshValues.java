@@ -4,7 +4,7 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.expression.DataSorts.Sort;
 import arcomat.semantics.value.FirstValues;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -45,7 +45,7 @@ record FreshValues(List<List<Value>> gaps) {
     List<Value> in(Type type) {
         return gaps.stream()
                 .flatMap(List::stream)
-                .filter(value -> Kinds.isIn(type, value))
+                .filter(value -> MessageClasses.isIn(type, value))
                 .toList();
     }
 

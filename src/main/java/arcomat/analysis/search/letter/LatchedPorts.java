@@ -3,9 +3,9 @@ package arcomat.analysis.search.letter;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -29,10 +29,10 @@ public record LatchedPorts(List<Integer> positions) {
     }
 
     /** It always matters whether they hold something. */
-    public Attention attention(int inputs) {
-        List<Look> looks = new ArrayList<>(Attention.none(inputs).looks());
+    public InputAbstraction abstraction(int inputs) {
+        List<PortAbstraction> looks = new ArrayList<>(InputAbstraction.none(inputs).looks());
         positions.forEach(port -> looks.set(port, new Compared(List.of(), false)));
-        return new Attention(looks);
+        return new InputAbstraction(looks);
     }
 
     /** What they hold when a letter is read. */

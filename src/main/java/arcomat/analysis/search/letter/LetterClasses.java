@@ -5,9 +5,9 @@ import arcomat.analysis.search.Numbering;
 import arcomat.analysis.search.Shortcut;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.MessageClasses;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.TooManyMessages;
 
@@ -29,8 +29,8 @@ public final class LetterClasses {
     private record Told(long kind, List<Value> messages) {}
 
     private final int number;
-    private final Attention attention;
-    private final Kinds[] kinds;
+    private final InputAbstraction abstraction;
+    private final MessageClasses[] kinds;
     private final int[] ports;
     private final int[] identity;
     private final long[] strides;
@@ -40,18 +40,18 @@ public final class LetterClasses {
 
     private final Numbering<Told> told = new Numbering<>();
 
-    public LetterClasses(int number, Attention attention, List<Port> inputs) {
+    public LetterClasses(int number, InputAbstraction abstraction, List<Port> inputs) {
         this.number = number;
-        this.attention = attention;
+        this.abstraction = abstraction;
         this.identity = IntStream.range(0, inputs.size()).toArray();
-        List<Look> looks = attention.looks();
-        kinds = new Kinds[inputs.size()];
+        List<PortAbstraction> looks = abstraction.looks();
+        kinds = new MessageClasses[inputs.size()];
         strides = new long[inputs.size()];
         long stride = 1;
         int seen = 0;
         int[] all = new int[inputs.size()];
         for (int i = 0; i < kinds.length; i++) {
-            kinds[i] = Kinds.of(inputs.get(i), false, told(inputs.get(i), looks.get(i)));
+            kinds[i] = MessageClasses.of(inputs.get(i), false, told(inputs.get(i), looks.get(i)));
             strides[i] = stride;
             stride = product(stride, kinds[i].count());
             if (kinds[i].count() > 1) {
@@ -73,12 +73,12 @@ public final class LetterClasses {
         return stride * count;
     }
 
-    private static boolean isTold(Port port, Look look) {
-        return look instanceof Attention.Copied && SmallType.values(port.type()).isEmpty();
+    private static boolean isTold(Port port, PortAbstraction look) {
+        return look instanceof InputAbstraction.Copied && SmallType.values(port.type()).isEmpty();
     }
 
-    private static Look told(Port port, Look look) {
-        return isTold(port, look) ? new Attention.Unseen() : look;
+    private static PortAbstraction told(Port port, PortAbstraction look) {
+        return isTold(port, look) ? new InputAbstraction.Unseen() : look;
     }
 
     /** LetterClassesPool of one side are numbered from 0. */
@@ -87,8 +87,8 @@ public final class LetterClasses {
     }
 
     /** What is looked at, port by port. */
-    public Attention attention() {
-        return attention;
+    public InputAbstraction abstraction() {
+        return abstraction;
     }
 
     /** The class of a letter of this system's own ports. */
@@ -122,7 +122,7 @@ public final class LetterClasses {
     public static final class OfConfigurations {
         private final List<Port> inputs;
         private final Budget budget;
-        private final Map<Attention, LetterClasses> distinct = new HashMap<>();
+        private final Map<InputAbstraction, LetterClasses> distinct = new HashMap<>();
         private final List<LetterClasses> known = new ArrayList<>();
 
         public OfConfigurations(List<Port> inputs, Budget budget) {
@@ -133,35 +133,35 @@ public final class LetterClasses {
         /**
          * @param attention of a configuration, asked once for each
          */
-        public LetterClasses of(int configuration, IntFunction<Attention> attention) {
+        public LetterClasses of(int configuration, IntFunction<InputAbstraction> abstraction) {
             while (known.size() <= configuration) {
                 known.add(null);
             }
             LetterClasses classes = known.get(configuration);
             if (classes == null) {
-                classes = of(attention.apply(configuration));
+                classes = of(abstraction.apply(configuration));
                 known.set(configuration, classes);
             }
             return classes;
         }
 
-        private LetterClasses of(Attention attention) {
+        private LetterClasses of(InputAbstraction abstraction) {
             return distinct.computeIfAbsent(
-                    attention, each -> new LetterClasses(distinct.size(), paid(each), inputs));
+                    abstraction, each -> new LetterClasses(distinct.size(), paid(each), inputs));
         }
 
-        private Attention paid(Attention attention) {
-            Attention all = new Attention(all(attention));
-            boolean alike = !attention.equals(all) && budget.takes(Shortcut.ALIKE);
-            return alike ? attention : all;
+        private InputAbstraction paid(InputAbstraction abstraction) {
+            InputAbstraction all = new InputAbstraction(all(abstraction));
+            boolean alike = !abstraction.equals(all) && budget.takes(Shortcut.ALIKE);
+            return alike ? abstraction : all;
         }
 
         /** A look at every single message, where these can be tried. */
-        private List<Look> all(Attention attention) {
-            List<Look> looks = new ArrayList<>();
+        private List<PortAbstraction> all(InputAbstraction abstraction) {
+            List<PortAbstraction> looks = new ArrayList<>();
             for (int port = 0; port < inputs.size(); port++) {
                 boolean few = SmallType.values(inputs.get(port).type()).isPresent();
-                looks.add(few ? new Attention.Whole() : attention.looks().get(port));
+                looks.add(few ? new InputAbstraction.Whole() : abstraction.looks().get(port));
             }
             return looks;
         }

@@ -3,9 +3,9 @@ package arcomat.analysis.search.letter;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.MessageClasses;
 import arcomat.semantics.value.TooManyMessages;
 
 import java.util.ArrayList;
@@ -32,8 +32,9 @@ public final class Letters {
         List<Value> samples(int port, boolean present);
     }
 
-    private static Trials kinds(List<Port> inputs, List<Look> looks) {
-        return (port, present) -> Kinds.of(inputs.get(port), present, looks.get(port)).samples();
+    private static Trials kinds(List<Port> inputs, List<PortAbstraction> looks) {
+        return (port, present) ->
+                MessageClasses.of(inputs.get(port), present, looks.get(port)).samples();
     }
 
     /**
@@ -41,8 +42,8 @@ public final class Letters {
      *
      * @throws TooManyMessages where all messages of a port matter that has too many
      */
-    public static List<Value[]> of(Component component, Attention attention) {
-        return of(component.profile(), component.inputs(), attention.looks());
+    public static List<Value[]> of(Component component, InputAbstraction abstraction) {
+        return of(component.profile(), component.inputs(), abstraction.looks());
     }
 
     /**
@@ -52,13 +53,14 @@ public final class Letters {
      * @throws TooManyMessages where there are more, or all messages of a port matter that has too
      *     many
      */
-    public static List<Value[]> atMost(int most, List<Port> inputs, List<Look> looks) {
+    public static List<Value[]> atMost(int most, List<Port> inputs, List<PortAbstraction> looks) {
         List<Value[]> letters = slices(inputs, kinds(inputs, looks), most);
         letters.sort(Comparator.comparingInt(Letters::messages));
         return letters;
     }
 
-    static List<Value[]> of(Component.Profile profile, List<Port> inputs, List<Look> looks) {
+    static List<Value[]> of(
+            Component.Profile profile, List<Port> inputs, List<PortAbstraction> looks) {
         return of(profile, inputs, kinds(inputs, looks));
     }
 

@@ -4,10 +4,10 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.DataSorts.Sort;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Copied;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Kinds;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.Copied;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.MessageClasses;
 import arcomat.semantics.value.ValueOrder;
 
 import java.util.ArrayList;
@@ -29,7 +29,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
     public static final Representatives NONE = new Representatives(new Sort[0], Map.of());
 
     /** As {@link Letters#of}. */
-    public List<Value[]> letters(Component.Profile profile, List<Port> inputs, List<Look> looks) {
+    public List<Value[]> letters(Component.Profile profile, List<Port> inputs, List<PortAbstraction> looks) {
         List<Integer> open = new ArrayList<>();
         for (int port = 0; port < sorts.length; port++) {
             if (sorts[port] != null && looks.get(port) instanceof Copied) {
@@ -53,7 +53,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
                         (port, present) ->
                                 open.contains(port)
                                         ? samples(inputs.get(port), present, port, fresh)
-                                        : Kinds.of(inputs.get(port), present, looks.get(port))
+                                        : MessageClasses.of(inputs.get(port), present, looks.get(port))
                                                 .samples());
         letters.removeIf(letter -> !isFirst(letter, open, fresh));
         return letters;
@@ -63,7 +63,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
      * A run may compare a message with strangers that it has met on its way: with other ones, when
      * these stand in for them.
      */
-    public void copyWhatMeetsStrangers(Look[] looks) {
+    public void copyWhatMeetsStrangers(PortAbstraction[] looks) {
         for (int port = 0; port < sorts.length; port++) {
             if (sorts[port] != null
                     && looks[port] instanceof Compared compared
@@ -103,7 +103,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
         if (!present) {
             samples.add(null);
         }
-        known(sort).stream().filter(value -> Kinds.isIn(port.type(), value)).forEach(samples::add);
+        known(sort).stream().filter(value -> MessageClasses.isIn(port.type(), value)).forEach(samples::add);
         samples.addAll(fresh.get(sort.number()).in(port.type()));
         return samples;
     }

@@ -1,12 +1,11 @@
 package arcomat.analysis.search.step;
 
 import arcomat.analysis.search.Budget;
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.Beside;
+import arcomat.semantics.value.ValueGaps;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -107,7 +106,7 @@ public final class CubeSplit {
                 mentioned.addAll(messages.values());
             }
         }
-        List<Value> fresh = new Beside(ports.get(port).type(), sorted(mentioned)).any();
+        List<Value> fresh = new ValueGaps(ports.get(port).type(), sorted(mentioned)).any();
         fresh.forEach(value -> options.add(new Sent.Messages(List.of(value))));
         if (events && sent instanceof Sent.Anything) {
             options.add(longer(port, options));
@@ -121,7 +120,7 @@ public final class CubeSplit {
         for (Sent option : options) {
             longest = Math.max(longest, ((Sent.Messages) option).values().size());
         }
-        Value value = FirstValue.of(ports.get(port).type());
+        Value value = ports.get(port).type().first();
         return new Sent.Messages(Collections.nCopies(longest + 1, value));
     }
 

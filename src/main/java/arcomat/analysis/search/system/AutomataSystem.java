@@ -15,7 +15,7 @@ import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Output;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.BitSet;
 import java.util.HashMap;
@@ -61,8 +61,8 @@ public final class AutomataSystem extends ModelSystem<List<Configuration>> {
     }
 
     @Override
-    Attention attention(int configuration) {
-        return behaviour.attention(get(configuration));
+    InputAbstraction abstraction(int configuration) {
+        return behaviour.abstraction(get(configuration));
     }
 
     @Override

@@ -9,7 +9,7 @@ import arcomat.analysis.search.step.Steps;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.TooManyMessages;
 
@@ -68,8 +68,8 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     }
 
     /** Whatever a letter that is held may be looked at for, in whichever configuration. */
-    private static Attention everything(TransitionSystem system, Budget budget) {
-        Attention all = Attention.none(system.inputs().size());
+    private static InputAbstraction everything(TransitionSystem system, Budget budget) {
+        InputAbstraction all = InputAbstraction.none(system.inputs().size());
         Numbering<Integer> met = new Numbering<>();
         IntStream.of(system.openings().next()).forEach(met::number);
         for (int i = 0; i < met.size(); i++) {
@@ -78,9 +78,9 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
                 throw new GivenUp(exhausted);
             }
             int configuration = met.get(i);
-            Attention attention = system.letterClasses(configuration).attention();
-            all = all.and(attention);
-            for (Value[] letter : letters(system, attention)) {
+            InputAbstraction abstraction = system.letterClasses(configuration).abstraction();
+            all = all.and(abstraction);
+            for (Value[] letter : letters(system, abstraction)) {
                 budget.insist();
                 IntStream.of(system.steps(configuration, letter).next()).forEach(met::number);
             }
@@ -89,8 +89,8 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
         return all;
     }
 
-    private static List<Value[]> letters(TransitionSystem system, Attention attention) {
-        return Letters.atMost(MOST_LETTERS, system.inputs(), attention.looks());
+    private static List<Value[]> letters(TransitionSystem system, InputAbstraction abstraction) {
+        return Letters.atMost(MOST_LETTERS, system.inputs(), abstraction.looks());
     }
 
     @Override

@@ -4,7 +4,7 @@ import arcomat.analysis.search.letter.LatchedPorts;
 import arcomat.analysis.search.letter.LetterClasses;
 import arcomat.analysis.search.step.Steps;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.HashMap;
 import java.util.Map;
@@ -18,7 +18,7 @@ import java.util.Map;
  */
 public final class DrivenSystem extends HistorySystem<Long> {
     private final LatchedPorts latched;
-    private final Map<Attention, LetterClasses> classes = new HashMap<>();
+    private final Map<InputAbstraction, LetterClasses> classes = new HashMap<>();
 
     private DrivenSystem(TransitionSystem system, LatchedPorts latched) {
         super(system);
@@ -40,9 +40,9 @@ public final class DrivenSystem extends HistorySystem<Long> {
     /** Of a latched port it always matters whether it holds something. */
     @Override
     public LetterClasses letterClasses(int configuration) {
-        Attention own = system.letterClasses(get(configuration).inner()).attention();
+        InputAbstraction own = system.letterClasses(get(configuration).inner()).abstraction();
         return classes.computeIfAbsent(
-                own.and(latched.attention(inputs().size())),
+                own.and(latched.abstraction(inputs().size())),
                 each -> new LetterClasses(classes.size(), each, inputs()));
     }
 

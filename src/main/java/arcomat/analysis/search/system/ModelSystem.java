@@ -7,7 +7,7 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -51,7 +51,7 @@ abstract class ModelSystem<C> extends NumberedSystem<C> {
     }
 
     /** What a configuration pays attention to. */
-    abstract Attention attention(int configuration);
+    abstract InputAbstraction abstraction(int configuration);
 
     /** As {@link #delays}, of the output at a position, of a system that works in slices. */
     abstract int delay(int output);
@@ -79,7 +79,7 @@ abstract class ModelSystem<C> extends NumberedSystem<C> {
 
     @Override
     public final LetterClasses letterClasses(int configuration) {
-        return classes.of(configuration, this::attention);
+        return classes.of(configuration, this::abstraction);
     }
 
     final IntStream observed() {

@@ -15,7 +15,7 @@ import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.network.Network;
-import arcomat.semantics.value.Attention;
+import arcomat.semantics.value.InputAbstraction;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -105,15 +105,15 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
     }
 
     @Override
-    Attention attention(int configuration) {
+    InputAbstraction abstraction(int configuration) {
         GlobalState state = get(configuration);
         if (state.isError()) {
-            return Attention.none(inputs().size());
+            return InputAbstraction.none(inputs().size());
         }
         own = own == null ? new DataIndependence(this, this, (int) observed().count()) : own;
         Representatives representatives =
                 own.any() ? own.representatives(own.held(configuration)) : Representatives.NONE;
-        return unfolding.attention(state, representatives);
+        return unfolding.abstraction(state, representatives);
     }
 
     @Override

@@ -11,7 +11,7 @@ import arcomat.semantics.ComponentBuilder;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
-import arcomat.semantics.value.Attention.Compared;
+import arcomat.semantics.value.InputAbstraction.Compared;
 
 import org.junit.jupiter.api.Test;
 

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import arcomat.lower.Lowering;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.TooManyMessages;
 import arcomat.symbols.Scenario;
 
@@ -35,8 +35,8 @@ class LettersTest {
                 .orElseThrow();
     }
 
-    private static List<Look> all(Component component) {
-        return Collections.nCopies(component.inputs().size(), new Attention.Whole());
+    private static List<PortAbstraction> all(Component component) {
+        return Collections.nCopies(component.inputs().size(), new InputAbstraction.Whole());
     }
 
     private static String text(List<arcomat.model.Value[]> letters) {
@@ -52,7 +52,7 @@ class LettersTest {
     @Test
     void aSliceMayBeSilentWhereAPortIsNotTotal() {
         Component c = component(PORTS);
-        assertThat(text(Letters.of(c, new Attention(all(c)))))
+        assertThat(text(Letters.of(c, new InputAbstraction(all(c)))))
                 .isEqualTo(
                         "- - false, - - true, - 0 false, - 0 true, - 1 false, - 1 true,"
                                 + " false - false, false - true, true - false, true - true,"
@@ -75,7 +75,7 @@ class LettersTest {
                 component(
                         "timing untimed;\n"
                             + "port in Boolean x, <<state>> in Boolean held, in Integer[0..1] y;");
-        assertThat(text(Letters.of(c, new Attention(all(c)))))
+        assertThat(text(Letters.of(c, new InputAbstraction(all(c)))))
                 .isEqualTo(
                         "false - -, true - -, - - 0, - - 1,"
                                 + " false false -, false true -, true false -, true true -,"

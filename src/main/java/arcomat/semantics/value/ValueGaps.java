@@ -1,6 +1,5 @@
 package arcomat.semantics.value;
 
-import arcomat.model.FirstValue;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
@@ -14,11 +13,11 @@ import java.util.Set;
  *
  * @param values of the type, in their natural order
  */
-public record Beside(Type type, List<Value> values) {
+public record ValueGaps(Type type, List<Value> values) {
 
     /** One value that is none of them, the simplest; none where they are all. */
     public List<Value> any() {
-        Value first = FirstValue.of(type);
+        Value first = type.first();
         if (!values.contains(first)) {
             return List.of(first);
         }
@@ -32,7 +31,7 @@ public record Beside(Type type, List<Value> values) {
     /** One value of each gap: before the first, between two, behind the last. */
     public List<Value> gaps() {
         if (values.isEmpty()) {
-            return List.of(FirstValue.of(type));
+            return List.of(type.first());
         }
         if (type instanceof Type.IntegerType integer) {
             return wholeGaps(integer.low(), integer.high());

@@ -11,15 +11,15 @@ import arcomat.semantics.Expressions;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
-import arcomat.semantics.expression.Attentions;
+import arcomat.semantics.expression.AbstractionOfInputs;
 import arcomat.semantics.expression.Evaluation;
 import arcomat.semantics.expression.Guards;
 import arcomat.semantics.expression.Scope;
 import arcomat.semantics.expression.Term;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Copied;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.Copied;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
 import arcomat.symbols.Scenario;
 
 import net.jqwik.api.Arbitrary;
@@ -40,8 +40,8 @@ import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /** What transitions look at: enough, whatever the guard, and, as data, no more than they need. */
-class AttentionTest {
-    private static final Path LOOKS = Path.of("src/test/resources/semantics/attention.txt");
+class InputAbstractionTest {
+    private static final Path LOOKS = Path.of("src/test/resources/semantics/abstraction.txt");
     private static final Guards GUARDS = new Guards(Profile.TIME_SYNCHRONOUS);
 
     @Provide
@@ -53,10 +53,10 @@ class AttentionTest {
     @Property(seed = "1", tries = 500)
     void tellsLettersApartThatGuardsTellApart(@ForAll("guards") Expression guard) {
         Scope scope = new Scope(Expressions.COMPONENT, List.of());
-        Attentions attentions = new Attentions(Expressions.COMPONENT, scope);
-        Expression condition = GUARDS.trueWhen(guard);
+        AbstractionOfInputs attentions = new AbstractionOfInputs(Expressions.COMPONENT, scope);
+        Expression condition = Expressions.trueWhen(GUARDS, guard);
         attentions.condition(condition);
-        List<Look> looks = attentions.with(new Value[0]).looks();
+        List<PortAbstraction> looks = attentions.with(new Value[0]).looks();
         Term term = Evaluation.compile(condition, scope);
         Map<List<Object>, Boolean> known = new HashMap<>();
         for (Value[] letter : letters()) {
@@ -67,7 +67,7 @@ class AttentionTest {
     }
 
     /** What somebody knows of a letter who looks at it like this. */
-    private static List<Object> seen(List<Look> looks, Value[] letter) {
+    private static List<Object> seen(List<PortAbstraction> looks, Value[] letter) {
         List<Object> seen = new ArrayList<>();
         for (int port = 0; port < letter.length; port++) {
             seen.add(seen(looks.get(port), letter[port]));
@@ -75,7 +75,7 @@ class AttentionTest {
         return seen;
     }
 
-    private static Object seen(Look look, Value message) {
+    private static Object seen(PortAbstraction look, Value message) {
         if (look instanceof Unseen) {
             return "";
         }
@@ -129,7 +129,7 @@ class AttentionTest {
         Value[] slots = relation.starts().get(0).configuration().slots().clone();
         slots[0] = new Value.IntegerValue(words.length > 1 ? Long.parseLong(words[1]) : 0);
         int state = relation.automaton().states().indexOf(words[0]);
-        List<Look> looks = relation.attention(new Configuration(state, slots)).looks();
+        List<PortAbstraction> looks = relation.abstraction(new Configuration(state, slots)).looks();
         List<String> seen = new ArrayList<>();
         for (int port = 0; port < looks.size(); port++) {
             if (!(looks.get(port) instanceof Unseen)) {
@@ -140,7 +140,7 @@ class AttentionTest {
         assertThat(String.join("; ", seen)).isEqualTo(expected);
     }
 
-    private static String text(Look look) {
+    private static String text(PortAbstraction look) {
         if (look instanceof Copied) {
             return "copied";
         }

@@ -1,12 +1,11 @@
 package arcomat.semantics.value;
 
-import arcomat.model.FirstValue;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Attention.Unseen;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -19,7 +18,7 @@ import java.util.List;
  * <p>Kind 0 is silence, kind 2k + 2 the k-th value, kind 2k + 1 what lies before it; 1 is anything
  * else where order does not matter. Where it does, the last kind is what has no place in it, NaN.
  */
-public final class Kinds {
+public final class MessageClasses {
     private final List<Value> values;
     private final boolean ordered;
     private final boolean seen;
@@ -29,7 +28,8 @@ public final class Kinds {
     /** What is neither less nor greater than any number, nor equal to one. */
     private static final Value NOT_A_NUMBER = new Value.RealValue(Double.NaN);
 
-    private Kinds(Port port, boolean total, List<Value> values, boolean ordered, boolean closed) {
+    private MessageClasses(
+            Port port, boolean total, List<Value> values, boolean ordered, boolean closed) {
         this.values = values;
         this.ordered = ordered;
         this.seen = true;
@@ -41,7 +41,7 @@ public final class Kinds {
         List<Value> possible = values.stream().filter(v -> isIn(port.type(), v)).toList();
         samples.addAll(possible);
         if (!closed) {
-            Beside beside = new Beside(port.type(), possible);
+            ValueGaps beside = new ValueGaps(port.type(), possible);
             samples.addAll(ordered ? beside.gaps() : beside.any());
         }
         if (unordered) {
@@ -49,27 +49,27 @@ public final class Kinds {
         }
     }
 
-    private Kinds(Port port, boolean total) {
+    private MessageClasses(Port port, boolean total) {
         this.values = List.of();
         this.ordered = false;
         this.seen = false;
         this.count = 1;
-        samples.add(total ? FirstValue.of(port.type()) : null);
+        samples.add(total ? port.type().first() : null);
     }
 
     /**
      * @param total whether there is always a message
      * @throws TooManyMessages where all values matter and there are too many to try
      */
-    public static Kinds of(Port port, boolean total, Look look) {
+    public static MessageClasses of(Port port, boolean total, PortAbstraction look) {
         if (look instanceof Unseen) {
-            return new Kinds(port, total);
+            return new MessageClasses(port, total);
         }
         if (look instanceof Compared compared) {
-            return new Kinds(port, total, compared.values(), compared.ordered(), false);
+            return new MessageClasses(port, total, compared.values(), compared.ordered(), false);
         }
         List<Value> all = SmallType.values(port.type()).orElseThrow(() -> TooManyMessages.on(port));
-        return new Kinds(port, total, all, false, true);
+        return new MessageClasses(port, total, all, false, true);
     }
 
     /** A port may be compared with a variable that is outside of the port's range. */

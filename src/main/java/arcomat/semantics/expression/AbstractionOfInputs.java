@@ -6,12 +6,12 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Copied;
-import arcomat.semantics.value.Attention.Look;
-import arcomat.semantics.value.Attention.Unseen;
-import arcomat.semantics.value.Attention.Whole;
+import arcomat.semantics.value.InputAbstraction;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.Copied;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
+import arcomat.semantics.value.InputAbstraction.Unseen;
+import arcomat.semantics.value.InputAbstraction.Whole;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -21,7 +21,7 @@ import java.util.Optional;
  * Reads off the transitions out of one state what they look at. Comparisons of a port with a value
  * that no port has a say in divide its messages; anything else takes the whole message.
  */
-public final class Attentions extends ConditionWalk {
+public final class AbstractionOfInputs extends ConditionWalk {
 
     /**
      * What a port is compared with.
@@ -30,15 +30,16 @@ public final class Attentions extends ConditionWalk {
      * @param value that it is compared with
      * @param fixed whether the value is the same in all configurations
      */
-    private record Probe(Port port, Look always, Term value, boolean ordered, boolean fixed) {}
+    private record Probe(
+            Port port, PortAbstraction always, Term value, boolean ordered, boolean fixed) {}
 
     private final Scope scope;
     private final int ports;
     private final List<Probe> probes = new ArrayList<>();
     private final List<Integer> seen = new ArrayList<>();
-    private Attention constant;
+    private InputAbstraction constant;
 
-    public Attentions(Component component, Scope scope) {
+    public AbstractionOfInputs(Component component, Scope scope) {
         this.scope = scope;
         this.ports = component.inputs().size();
     }
@@ -53,11 +54,11 @@ public final class Attentions extends ConditionWalk {
     }
 
     /** What is looked at with certain values of the variables. */
-    public Attention with(Value[] variables) {
+    public InputAbstraction with(Value[] variables) {
         if (constant != null) {
             return constant;
         }
-        Look[] looks = new Look[ports];
+        PortAbstraction[] looks = new PortAbstraction[ports];
         java.util.Arrays.fill(looks, new Unseen());
         for (int port : seen) {
             looks[port] = new Compared(List.of(), false);
@@ -69,14 +70,14 @@ public final class Attentions extends ConditionWalk {
             int port = scope.port(probe.port);
             looks[port] = looks[port].and(look(probe, nothing, variables));
         }
-        Attention attention = new Attention(List.of(looks));
+        InputAbstraction abstraction = new InputAbstraction(List.of(looks));
         if (fixed || variables.length == 0) {
-            constant = attention;
+            constant = abstraction;
         }
-        return attention;
+        return abstraction;
     }
 
-    private static Look look(Probe probe, Value[] nothing, Value[] variables) {
+    private static PortAbstraction look(Probe probe, Value[] nothing, Value[] variables) {
         if (probe.always != null) {
             return probe.always;
         }

@@ -14,29 +14,29 @@ import java.util.TreeSet;
  *
  * @param looks one per input port, in the order of declaration
  */
-public record Attention(List<Look> looks) {
-    public Attention {
+public record InputAbstraction(List<PortAbstraction> looks) {
+    public InputAbstraction {
         looks = List.copyOf(looks);
     }
 
     /** Nothing matters. */
-    public static Attention none(int ports) {
-        return new Attention(Collections.nCopies(ports, new Unseen()));
+    public static InputAbstraction none(int ports) {
+        return new InputAbstraction(Collections.nCopies(ports, new Unseen()));
     }
 
     /** What looks as closely as both, port by port. */
-    public Attention and(Attention other) {
-        List<Look> both = new ArrayList<>(looks.size());
+    public InputAbstraction and(InputAbstraction other) {
+        List<PortAbstraction> both = new ArrayList<>(looks.size());
         for (int port = 0; port < looks.size(); port++) {
             both.add(looks.get(port).and(other.looks.get(port)));
         }
-        return new Attention(both);
+        return new InputAbstraction(both);
     }
 
     /** How one port is looked at. */
-    public sealed interface Look {
+    public sealed interface PortAbstraction {
         /** What looks as closely as both. */
-        default Look and(Look other) {
+        default PortAbstraction and(PortAbstraction other) {
             if (this instanceof Unseen || other instanceof Whole) {
                 return other;
             }
@@ -55,7 +55,7 @@ public record Attention(List<Look> looks) {
     }
 
     /** Message or none, whichever: it is the same. */
-    public record Unseen() implements Look {}
+    public record Unseen() implements PortAbstraction {}
 
     /**
      * Whether there is a message, and how it compares with some values.
@@ -63,7 +63,7 @@ public record Attention(List<Look> looks) {
      * @param values without duplicates, in their natural order
      * @param ordered whether it matters which of the values are less
      */
-    public record Compared(List<Value> values, boolean ordered) implements Look {
+    public record Compared(List<Value> values, boolean ordered) implements PortAbstraction {
         public Compared {
             TreeSet<Value> sorted = new TreeSet<>(ValueOrder.NATURAL);
             sorted.addAll(values);
@@ -75,8 +75,8 @@ public record Attention(List<Look> looks) {
      * Stored, sent on as it is, or compared for equality with another message: every value makes a
      * difference, but perhaps only whether it is the same as others ({@link DataSorts}).
      */
-    public record Copied() implements Look {}
+    public record Copied() implements PortAbstraction {}
 
     /** Every value may make a difference: it is calculated with. */
-    public record Whole() implements Look {}
+    public record Whole() implements PortAbstraction {}
 }

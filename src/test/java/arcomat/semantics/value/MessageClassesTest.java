@@ -6,8 +6,8 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Type.Width;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Whole;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.Whole;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 
@@ -24,7 +24,7 @@ import java.util.stream.Stream;
  * Each message that a port can carry is of the kind of exactly one sample, and each sample is a
  * message that the port can carry.
  */
-public class KindsTest {
+public class MessageClassesTest {
     private static final Type.EnumType LIGHT =
             new Type.EnumType("T.Light", List.of("red", "green", "off"));
     private static final Type.ClassType PAIR =
@@ -119,7 +119,7 @@ public class KindsTest {
     void constantsTextsAndObjects() {
         List<Value> lights = SmallType.values(LIGHT).orElseThrow();
         subsets(lights).forEach(values -> check(LIGHT, values, false, lights));
-        List<Value> texts = Stream.of("", "a", "aa", "b").map(KindsTest::text).toList();
+        List<Value> texts = Stream.of("", "a", "aa", "b").map(MessageClassesTest::text).toList();
         for (List<Value> values : subsets(texts)) {
             check(new Type.StringType(), values, false, texts);
         }
@@ -134,11 +134,11 @@ public class KindsTest {
 
     @Test
     void allValuesWhereAllMatter() {
-        assertThat(Kinds.of(port(range(-2, 1)), false, new Whole()).samples())
+        assertThat(MessageClasses.of(port(range(-2, 1)), false, new Whole()).samples())
                 .containsExactlyInAnyOrder(
                         Stream.concat(Stream.of((Value) null), integers(-2, 1).stream())
                                 .toArray(Value[]::new));
-        assertThat(Kinds.of(port(LIGHT), true, new Whole()).samples())
+        assertThat(MessageClasses.of(port(LIGHT), true, new Whole()).samples())
                 .isEqualTo(SmallType.values(LIGHT).orElseThrow());
     }
 
@@ -149,7 +149,7 @@ public class KindsTest {
 
     private static void check(Type type, List<Value> values, boolean ordered, List<Value> carried) {
         Compared look = new Compared(values, ordered);
-        Kinds kinds = Kinds.of(port(type), true, look);
+        MessageClasses kinds = MessageClasses.of(port(type), true, look);
         List<Value> samples = kinds.samples();
         String what = type.name() + " beside " + look;
         assertThat(samples).as(what).doesNotContainNull().allMatch(each -> isIn(type, each));
@@ -161,7 +161,8 @@ public class KindsTest {
             assertThat(alike).as(what + " and " + message).hasSize(1);
             assertThat(kinds.of(message)).isEqualTo(kinds.of(alike.get(0)));
         }
-        assertThat(Kinds.of(port(type), false, look).samples()).hasSize(samples.size() + 1);
+        assertThat(MessageClasses.of(port(type), false, look).samples())
+                .hasSize(samples.size() + 1);
     }
 
     private static boolean areAlike(Value one, Value other, Compared look) {
