@@ -10,8 +10,8 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.value.Attention.Compared;
-import arcomat.semantics.value.Attention.Look;
+import arcomat.semantics.value.InputAbstraction.Compared;
+import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.ValueOrder;
 
@@ -28,7 +28,7 @@ final class MessageCondition {
     private static final int FEW = 3;
 
     private final Port port;
-    private final Look look;
+    private final PortAbstraction look;
     private final List<Value> present = new ArrayList<>();
     private final List<Value> wanted = new ArrayList<>();
     private boolean absentWanted;
@@ -42,7 +42,7 @@ final class MessageCondition {
      * @param samples of all kinds
      * @param group positions of those that are wanted; not all
      */
-    MessageCondition(Port port, Look look, List<Value> samples, int[] group) {
+    MessageCondition(Port port, PortAbstraction look, List<Value> samples, int[] group) {
         this.port = port;
         this.look = look;
         this.noNumberPossible = samples.stream().anyMatch(MessageCondition::isNoNumber);
