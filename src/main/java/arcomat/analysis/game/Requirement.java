@@ -39,8 +39,7 @@ public final class Requirement {
      * What one requirement allows after one kind of letter: its steps, sorted by what they send.
      *
      * @param number the same for replies that allow the same and lead to the same
-     * @param before per member of the set: the configuration, and where its steps begin in {@code
-     *     all}
+     * @param before the steps of each member of the set
      * @param cubes numbers of the distinct output cubes, in text order
      * @param list the number of these cubes as a list
      * @param next per cube the configurations afterwards
