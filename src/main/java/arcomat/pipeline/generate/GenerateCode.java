@@ -1,11 +1,11 @@
 package arcomat.pipeline.generate;
 
-import arcomat.generate.plan.Choosing;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
-import arcomat.generate.monitor.SelfWatch;
 import arcomat.generate.Target;
+import arcomat.generate.monitor.SelfWatch;
+import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
