@@ -68,7 +68,8 @@ final class Stimuli {
      * @param latched as in {@link Stimulus}
      */
     List<Stimulus> of(List<Configuration> configurations, List<Value> latched) {
-        PortAbstraction[] looks = behaviour.abstraction(configurations).looks().toArray(PortAbstraction[]::new);
+        PortAbstraction[] looks =
+                behaviour.abstraction(configurations).looks().toArray(PortAbstraction[]::new);
         return timed ? letters(looks, configurations, latched) : events(looks, latched);
     }
 

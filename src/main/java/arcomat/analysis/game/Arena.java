@@ -11,9 +11,9 @@ import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
+import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
-import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;

@@ -7,9 +7,9 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
+import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
-import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.MessageClasses;
 
 import java.util.ArrayList;

@@ -98,7 +98,10 @@ public final class SliceUnfolding implements Unfolding {
         PortAbstraction[] looks = new PortAbstraction[network.inputs().size()];
         for (int i = 0; i < looks.length; i++) {
             int signal = network.inputs().get(i).signal();
-            looks[i] = wiring.observed[signal] ? new InputAbstraction.Copied() : new InputAbstraction.Unseen();
+            looks[i] =
+                    wiring.observed[signal]
+                            ? new InputAbstraction.Copied()
+                            : new InputAbstraction.Unseen();
             for (Wiring.Reader reader : wiring.readers.get(signal)) {
                 looks[i] = looks[i].and(look(whole, reader.part(), reader.port()));
             }

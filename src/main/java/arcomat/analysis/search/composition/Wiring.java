@@ -85,6 +85,8 @@ final class Wiring {
      * @param present whether there is one for certain; else silence is among the samples
      */
     List<Sent> samples(int signal, boolean present, PortAbstraction look) {
-        return MessageClasses.of(sender[signal], present, look).samples().stream().map(Sent::of).toList();
+        return MessageClasses.of(sender[signal], present, look).samples().stream()
+                .map(Sent::of)
+                .toList();
     }
 }

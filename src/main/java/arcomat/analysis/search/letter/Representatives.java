@@ -29,7 +29,8 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
     public static final Representatives NONE = new Representatives(new Sort[0], Map.of());
 
     /** As {@link Letters#of}. */
-    public List<Value[]> letters(Component.Profile profile, List<Port> inputs, List<PortAbstraction> looks) {
+    public List<Value[]> letters(
+            Component.Profile profile, List<Port> inputs, List<PortAbstraction> looks) {
         List<Integer> open = new ArrayList<>();
         for (int port = 0; port < sorts.length; port++) {
             if (sorts[port] != null && looks.get(port) instanceof Copied) {
@@ -53,7 +54,8 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
                         (port, present) ->
                                 open.contains(port)
                                         ? samples(inputs.get(port), present, port, fresh)
-                                        : MessageClasses.of(inputs.get(port), present, looks.get(port))
+                                        : MessageClasses.of(
+                                                        inputs.get(port), present, looks.get(port))
                                                 .samples());
         letters.removeIf(letter -> !isFirst(letter, open, fresh));
         return letters;
@@ -103,7 +105,9 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
         if (!present) {
             samples.add(null);
         }
-        known(sort).stream().filter(value -> MessageClasses.isIn(port.type(), value)).forEach(samples::add);
+        known(sort).stream()
+                .filter(value -> MessageClasses.isIn(port.type(), value))
+                .forEach(samples::add);
         samples.addAll(fresh.get(sort.number()).in(port.type()));
         return samples;
     }

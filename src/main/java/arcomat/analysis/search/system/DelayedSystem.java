@@ -9,8 +9,8 @@ import arcomat.analysis.search.step.Steps;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
-import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.GivenUp;
+import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.TooManyMessages;
 
 import java.util.ArrayList;
