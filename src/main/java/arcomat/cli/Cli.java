@@ -12,6 +12,8 @@ import arcomat.pipeline.WrongUse;
 import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 
+import org.jspecify.annotations.Nullable;
+
 import picocli.CommandLine;
 import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
@@ -157,7 +159,7 @@ public final class Cli {
         return ExitStatus.WRONG_USE;
     }
 
-    private static void complain(String message, Console console) {
-        console.err().println("arcomat: " + Printable.escape(message));
+    private static void complain(@Nullable String message, Console console) {
+        console.err().println("arcomat: " + Printable.escape(String.valueOf(message)));
     }
 }

@@ -35,6 +35,7 @@ import java.util.EnumSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Finds a place for everything, by the layered method of the Eclipse Layout Kernel: ports on the
@@ -269,7 +270,7 @@ public final class LayeredLayout {
                                 .findFirst()
                                 .orElseThrow();
         if (end.port().isEmpty()) {
-            return nodes.get(node);
+            return Objects.requireNonNull(nodes.get(node));
         }
         String wanted = end.port().get();
         return node.ports().stream()

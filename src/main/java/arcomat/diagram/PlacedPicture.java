@@ -18,6 +18,7 @@ import org.eclipse.elk.graph.ElkShape;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /** Reads from a graph with a layout where everything is. */
 final class PlacedPicture {
@@ -39,7 +40,7 @@ final class PlacedPicture {
     }
 
     private void place(Node node, double x, double y) {
-        ElkNode placed = layout.nodes.get(node);
+        ElkNode placed = Objects.requireNonNull(layout.nodes.get(node));
         Box box = box(placed).moved(x, y);
         List<Shape> shapes = new ArrayList<>();
         switch (node.form()) {
@@ -72,7 +73,7 @@ final class PlacedPicture {
     }
 
     private void place(Graph.Port port, double x, double y) {
-        ElkPort placed = layout.ports.get(port);
+        ElkPort placed = Objects.requireNonNull(layout.ports.get(port));
         Box box = box(placed).moved(x, y);
         List<Shape> shapes = new ArrayList<>();
         shapes.add(new Picture.Rectangle(box, 0));
@@ -82,7 +83,7 @@ final class PlacedPicture {
     }
 
     private void place(Edge edge, double x, double y) {
-        List<ElkEdge> placed = layout.edges.get(edge);
+        List<ElkEdge> placed = Objects.requireNonNull(layout.edges.get(edge));
         List<Point> points = new ArrayList<>();
         for (ElkEdge piece : placed) {
             for (KVector point : ElkUtil.createVectorChain(piece.getSections().get(0))) {

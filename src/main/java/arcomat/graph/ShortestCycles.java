@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** One shortest cycle through the lowest node of every strongly connected component with one. */
 public final class ShortestCycles {
@@ -48,7 +49,7 @@ public final class ShortestCycles {
 
     private static List<Integer> path(int start, int end, Map<Integer, Integer> previous) {
         List<Integer> path = new ArrayList<>();
-        for (int node = end; node != start; node = previous.get(node)) {
+        for (int node = end; node != start; node = Objects.requireNonNull(previous.get(node))) {
             path.add(node);
         }
         path.add(start);

@@ -16,6 +16,7 @@ import arcomat.symbols.expressions.VariableSymbol;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /** One automaton: names resolved, conditions on variables moved into guards. */
@@ -93,7 +94,8 @@ final class AutomatonLowering {
             return new Expression.VariableRead(expressions.variable(variable), item.node().span());
         }
         String name = ((ParameterSymbol) target).name();
-        return new Expression.ParameterRead(environment.parameters().get(name), item.node().span());
+        return new Expression.ParameterRead(
+                Objects.requireNonNull(environment.parameters().get(name)), item.node().span());
     }
 
     private List<Automaton.Send> sends(List<ItemSymbol> items) {
@@ -126,6 +128,6 @@ final class AutomatonLowering {
     }
 
     private Port port(PortSymbol port) {
-        return environment.ports().get(port.name());
+        return Objects.requireNonNull(environment.ports().get(port.name()));
     }
 }

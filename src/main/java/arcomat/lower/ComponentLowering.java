@@ -22,6 +22,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** Components, each instantiation once, parts before wholes. */
 final class ComponentLowering {
@@ -59,7 +60,7 @@ final class ComponentLowering {
                 }
             }
         }
-        return lowered.get(wanted);
+        return Objects.requireNonNull(lowered.get(wanted));
     }
 
     private void pushMissingParts(Instantiation whole, Deque<Instantiation> open) {
@@ -73,11 +74,11 @@ final class ComponentLowering {
 
     /** The names inside a lowered component. */
     Environment environment(Instantiation instantiation) {
-        return environments.get(instantiation);
+        return Objects.requireNonNull(environments.get(instantiation));
     }
 
     Component lowered(Instantiation instantiation) {
-        return lowered.get(instantiation);
+        return Objects.requireNonNull(lowered.get(instantiation));
     }
 
     private Component build(Instantiation instantiation) {

@@ -22,6 +22,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Stream tests, laid out in slices or as a sequence of events.
@@ -102,7 +103,9 @@ final class StreamTestLowering {
             }
         }
         int slices = length;
-        expected.replaceAll((port, written) -> padded(written, slices + delayOf.get(port)));
+        expected.replaceAll(
+                (port, written) ->
+                        padded(written, slices + Objects.requireNonNull(delayOf.get(port))));
         return new Streams(letters(inputs, slices), expected);
     }
 

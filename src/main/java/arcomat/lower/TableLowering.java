@@ -13,6 +13,7 @@ import arcomat.tree.Stereotype;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -122,6 +123,6 @@ final class TableLowering {
 
     private Port port(TableSymbol.Column column) {
         PortSymbol symbol = column.port().orElseThrow();
-        return environment.ports().get(symbol.name());
+        return Objects.requireNonNull(environment.ports().get(symbol.name()));
     }
 }

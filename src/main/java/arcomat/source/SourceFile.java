@@ -1,5 +1,7 @@
 package arcomat.source;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Arrays;
 
 /**
@@ -9,7 +11,7 @@ import java.util.Arrays;
 public final class SourceFile {
     private final String path;
     private final String text;
-    private int[] lineStarts;
+    private int @Nullable [] lineStarts;
 
     public SourceFile(String path, String text) {
         this.path = path;

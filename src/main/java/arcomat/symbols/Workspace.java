@@ -25,6 +25,7 @@ import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -146,7 +147,7 @@ public final class Workspace {
     }
 
     private ComponentSymbol symbol(ComponentDeclaration declaration) {
-        return symbols.get(signatures.get(declaration));
+        return Objects.requireNonNull(symbols.get(signatures.get(declaration)));
     }
 
     public List<Unit> units() {
@@ -164,7 +165,7 @@ public final class Workspace {
 
     /** What the names in a file reach. */
     public UnitScope scope(Unit unit) {
-        return scopes.get(unit.file());
+        return Objects.requireNonNull(scopes.get(unit.file()));
     }
 
     /** The components that files are about, in the order of the units. */

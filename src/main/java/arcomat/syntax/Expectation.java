@@ -12,6 +12,7 @@ import org.antlr.v4.runtime.atn.ATN;
 import org.antlr.v4.runtime.atn.ATNConfig;
 import org.antlr.v4.runtime.atn.Transition;
 import org.antlr.v4.runtime.misc.IntervalSet;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -66,7 +67,7 @@ final class Expectation {
         return expectation.words;
     }
 
-    private void takeSets(ParserRuleContext context) {
+    private void takeSets(@Nullable ParserRuleContext context) {
         dropOperators();
         take(ArcomatParser.RULE_element, "an element of a component");
         if (context != null

@@ -5,6 +5,7 @@ import arcomat.source.SourceFile;
 import arcomat.syntax.layout.Layout;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -26,7 +27,10 @@ public final class Formatter {
             return new Formatted(Optional.empty(), reading.findings());
         }
         String text =
-                Layout.format(reading.file().text(), reading.tokens().getTokens(), reading.root());
+                Layout.format(
+                        reading.file().text(),
+                        reading.tokens().getTokens(),
+                        Objects.requireNonNull(reading.root()));
         boolean isWindows = breaksLikeWindows(reading.file().text());
         return new Formatted(Optional.of(isWindows ? text.replace("\n", "\r\n") : text), List.of());
     }

@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -57,7 +58,7 @@ record Misspelling(Token written, String meant) {
                                         parser.getInputStream(),
                                         rule,
                                         first,
-                                        keywords.get(each.meant()),
+                                        Objects.requireNonNull(keywords.get(each.meant())),
                                         error.getOffendingToken()));
     }
 

@@ -6,6 +6,7 @@ import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -36,6 +37,7 @@ public final class Parser {
     }
 
     private static Unit unit(Reading reading) {
-        return UnitBuilder.unit(reading.file(), reading.root(), reading.comments());
+        return UnitBuilder.unit(
+                reading.file(), Objects.requireNonNull(reading.root()), reading.comments());
     }
 }

@@ -13,6 +13,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.atn.PredictionMode;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -28,7 +29,7 @@ record Reading(
         SourceFile file,
         CommonTokenStream tokens,
         List<Comment> comments,
-        ParserRuleContext root,
+        @Nullable ParserRuleContext root,
         List<Diagnostic> findings) {
 
     /** From this depth on parse trees are built and walked on a stack of their own. */
@@ -76,7 +77,8 @@ record Reading(
     }
 
     /** Null where the fast mode finds no tree. */
-    private static ParserRuleContext parseFast(SourceFile file, CommonTokenStream tokens) {
+    private static @Nullable ParserRuleContext parseFast(
+            SourceFile file, CommonTokenStream tokens) {
         try {
             return parse(file, tokens, new BailErrorStrategy(), PredictionMode.SLL);
         } catch (ParseCancellationException e) {

@@ -13,8 +13,10 @@ import org.antlr.v4.runtime.RecognitionException;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.TokenStream;
 import org.antlr.v4.runtime.misc.IntervalSet;
+import org.jspecify.annotations.Nullable;
 
 import java.util.List;
+import java.util.Objects;
 
 /** From an error of ANTLR's to a finding in the user's terms. */
 final class SyntaxErrorMessage {
@@ -80,7 +82,7 @@ final class SyntaxErrorMessage {
     }
 
     private Diagnostic semicolonMissing() {
-        Span before = span(before(parser.getInputStream(), found));
+        Span before = span(Objects.requireNonNull(before(parser.getInputStream(), found)));
         Span end = file.span(before.end(), before.end());
         return Diagnostic.error(
                         Codes.SYNTAX, before, "';' is missing behind " + quote(before) + ".")
@@ -161,7 +163,7 @@ final class SyntaxErrorMessage {
     }
 
     /** The last token of the languages before another, null before the first. */
-    private static Token before(TokenStream tokens, Token token) {
+    private static @Nullable Token before(TokenStream tokens, Token token) {
         for (int i = token.getTokenIndex() - 1; i >= 0; i--) {
             if (tokens.get(i).getChannel() == Token.DEFAULT_CHANNEL) {
                 return tokens.get(i);

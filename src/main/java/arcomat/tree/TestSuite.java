@@ -14,7 +14,7 @@ public record TestSuite(
         List<Member> members)
         implements Definition {
     @Override
-    public <R> R match(Cases<R> cases) {
+    public <R> R match(Definition.Cases<R> cases) {
         return cases.suite().apply(this);
     }
 

@@ -7,6 +7,8 @@ import arcomat.world.Kind.Program;
 import arcomat.world.Kind.Wheels;
 import arcomat.world.Words.Unreadable;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -43,10 +45,10 @@ final class KindDraft {
     private final List<Device> devices = new ArrayList<>();
     private final List<Described> described = new ArrayList<>();
     private final Map<String, Span> used = new LinkedHashMap<>();
-    private Program program;
+    private @Nullable Program program;
     private double radius = 80;
     private double mass = 900;
-    private Wheels wheels;
+    private @Nullable Wheels wheels;
 
     KindDraft(Span name) {
         this.name = name;

@@ -107,10 +107,9 @@ final class Words {
     }
 
     int count(String meaning, int low, int high) throws Unreadable {
-        Span word = hasNext() ? words.get(position) : null;
         double number = number(meaning, low, high);
         if (number != Math.rint(number)) {
-            throw isNot(word, meaning + ": it has to be whole");
+            throw isNot(words.get(position - 1), meaning + ": it has to be whole");
         }
         return (int) number;
     }

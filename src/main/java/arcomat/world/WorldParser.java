@@ -9,6 +9,8 @@ import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
 import arcomat.world.World.Robot;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -33,7 +35,7 @@ public final class WorldParser {
     private final List<Stripe> stripes = new ArrayList<>();
     private final List<RobotDraft> robots = new ArrayList<>();
     private final List<Drinker> drinkers = new ArrayList<>();
-    private KindDraft open;
+    private @Nullable KindDraft open;
     private double width;
     private double depth;
     private int seconds = 60;

@@ -21,6 +21,7 @@ record BuildTasks(String scripts) {
         for (String script :
                 List.of(
                         "build.gradle",
+                        "gradle/changes.gradle",
                         "gradle/checksums.gradle",
                         "gradle/compiler.gradle",
                         "gradle/mutation.gradle",

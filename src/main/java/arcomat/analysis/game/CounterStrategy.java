@@ -69,15 +69,13 @@ public final class CounterStrategy {
     /** Where a turn is played: after so many letters of the word, or anywhere; and the position. */
     private record Place(int letters, int position) {}
 
-    private final Game game;
     private final Arena arena;
     private final List<Value[]> word;
     private final AttractorRanks strategy;
     private final Numbering<Place> places = new Numbering<>();
 
-    private CounterStrategy(Game game, List<Value[]> word, AttractorRanks strategy) {
-        this.game = game;
-        this.arena = game.arena();
+    private CounterStrategy(Arena arena, List<Value[]> word, AttractorRanks strategy) {
+        this.arena = arena;
         this.word = word;
         this.strategy = strategy;
     }
@@ -96,8 +94,8 @@ public final class CounterStrategy {
         }
         CounterStrategy telling =
                 found.word().isPresent()
-                        ? new CounterStrategy(game, found.word().get(), null)
-                        : new CounterStrategy(game, null, ranks);
+                        ? new CounterStrategy(game.arena(), found.word().get(), null)
+                        : new CounterStrategy(game.arena(), null, ranks);
         return new Won(telling.turns(), found.word().map(telling::letters), found.decided());
     }
 

@@ -3,6 +3,7 @@ package arcomat.brick.need;
 import arcomat.brick.api.BrickTable;
 import arcomat.brick.api.BrickType;
 
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.ClassNode;
 import org.objectweb.asm.tree.MethodInsnNode;
@@ -94,7 +95,7 @@ final class Code {
     }
 
     /** None for objects, for interfaces it is objects. */
-    private String superclass(String type) {
+    private @Nullable String superclass(String type) {
         ClassNode own = classes.get(type);
         return own != null
                 ? own.superName

@@ -1,5 +1,6 @@
 package arcomat.brick.need;
 
+import org.jspecify.annotations.Nullable;
 import org.objectweb.asm.Opcodes;
 import org.objectweb.asm.tree.AbstractInsnNode;
 import org.objectweb.asm.tree.MethodInsnNode;
@@ -57,7 +58,7 @@ record Entry(Code code) {
         return run == null ? OptionalInt.empty() : Constants.pushed(Constants.before(run));
     }
 
-    private MethodInsnNode run() {
+    private @Nullable MethodInsnNode run() {
         if (mains().size() != 1) {
             return null;
         }

@@ -9,6 +9,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalLong;
 import java.util.Set;
@@ -82,7 +83,7 @@ final class LibraryCost {
     }
 
     long bytesOfObject(String type) {
-        return objects.getOrDefault(type, objects.get(DEFAULT));
+        return Objects.requireNonNull(objects.getOrDefault(type, objects.get(DEFAULT)));
     }
 
     /** How often a loop of the runtime goes round at most, where its code does not show it. */
@@ -104,7 +105,7 @@ final class LibraryCost {
         if (mayWait(method)) {
             throw Unknown.of(method, "may wait");
         }
-        return calls.get(DEFAULT);
+        return Objects.requireNonNull(calls.get(DEFAULT));
     }
 
     private boolean mayWait(MethodName method) {

@@ -56,7 +56,7 @@ public record Needs(int classes, boolean isExact, Need memory, Need slice, Optio
             try {
                 return new Need(OptionalLong.of(amount.getAsLong()), Optional.empty());
             } catch (Unknown e) {
-                return new Need(OptionalLong.empty(), Optional.of(e.getMessage()));
+                return new Need(OptionalLong.empty(), Optional.ofNullable(e.getMessage()));
             } catch (ArithmeticException e) {
                 return new Need(OptionalLong.empty(), Optional.of("it is beyond all numbers"));
             }

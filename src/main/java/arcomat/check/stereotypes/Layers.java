@@ -5,6 +5,8 @@ import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.signatures.Layer;
 import arcomat.tree.Stereotype;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -16,7 +18,7 @@ import java.util.Set;
 /** Which layer of a robot program a component belongs to (the paper, section 4). */
 final class Layers {
     /** An instance and those around it, innermost first. */
-    private record Step(InstanceSymbol instance, Step around) {}
+    private record Step(InstanceSymbol instance, @Nullable Step around) {}
 
     private Layers() {}
 

@@ -25,12 +25,14 @@ public final class ArcomatCommand implements Runnable {
 
     @CommandLine.Spec private CommandLine.Model.CommandSpec spec;
 
+    @SuppressWarnings("UnusedVariable") // picocli asks it
     @CommandLine.Option(
             names = {"-h", "--help"},
             usageHelp = true,
             description = "Show this help and exit.")
     private boolean help;
 
+    @SuppressWarnings("UnusedVariable") // picocli asks it
     @CommandLine.Option(
             names = {"-V", "--version"},
             versionHelp = true,

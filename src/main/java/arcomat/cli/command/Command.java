@@ -22,6 +22,7 @@ import java.util.function.ToIntFunction;
 public abstract class Command implements Callable<Integer> {
     @ParentCommand private ArcomatCommand tool;
 
+    @SuppressWarnings("UnusedVariable") // picocli asks it
     @Option(
             names = {"-h", "--help"},
             usageHelp = true,

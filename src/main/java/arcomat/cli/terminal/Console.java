@@ -2,6 +2,8 @@ package arcomat.cli.terminal;
 
 import arcomat.report.text.Style;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.BufferedReader;
 import java.io.InputStreamReader;
 import java.io.OutputStream;
@@ -70,9 +72,9 @@ public record Console(
     }
 
     /** That of a terminal, if it can show more than ASCII. All else reads UTF-8. */
-    private static Charset charset(java.io.Console terminal) {
-        boolean limited = terminal == null || terminal.charset().equals(StandardCharsets.US_ASCII);
-        return limited ? StandardCharsets.UTF_8 : terminal.charset();
+    private static Charset charset(java.io.@Nullable Console terminal) {
+        Charset own = terminal == null ? StandardCharsets.US_ASCII : terminal.charset();
+        return own.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : own;
     }
 
     private static PrintWriter writer(OutputStream stream, Charset charset) {

@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
+import java.util.Objects;
 
 /** The version that the build wrote into the tool. */
 public final class Version implements CommandLine.IVersionProvider {
@@ -37,7 +38,7 @@ public final class Version implements CommandLine.IVersionProvider {
             StringBuilder identity = new StringBuilder(number());
             append(Path.of(classes), identity);
             if (number.getScheme().equals("file")) {
-                append(Path.of(number).getParent(), identity);
+                append(Objects.requireNonNull(Path.of(number).getParent()), identity);
             }
             return identity.toString();
         } catch (IOException | URISyntaxException | RuntimeException unknown) {

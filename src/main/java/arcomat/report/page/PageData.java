@@ -17,6 +17,7 @@ import java.io.IOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 
@@ -91,7 +92,8 @@ record PageData(List<Story> stories) {
                                     each ->
                                             new Picture(
                                                     each.title(),
-                                                    pictures.get(each.svg()),
+                                                    Objects.requireNonNull(
+                                                            pictures.get(each.svg())),
                                                     each.tracks())))
                     .build()
                     .writer(new HtmlEscapes())

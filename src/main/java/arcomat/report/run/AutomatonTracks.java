@@ -7,6 +7,8 @@ import arcomat.report.page.Story.Drawing;
 import arcomat.report.page.Track;
 import arcomat.report.page.Track.Kind;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -48,7 +50,7 @@ final class AutomatonTracks {
     /**
      * @param activity null where it did nothing
      */
-    void add(Trace.Activity activity) {
+    void add(Trace.@Nullable Activity activity) {
         int step = state.steps();
         if (activity == null) {
             reason.addNothing();

@@ -106,7 +106,8 @@ public final class StreamTestPage {
     }
 
     private Track expected(String port) {
-        Stream<String> expected = test.expected().get(port).stream().map(TraceTable::text);
+        Stream<String> expected =
+                test.expected().getOrDefault(port, List.of()).stream().map(TraceTable::text);
         return Track.of(
                 TraceTracks.OUTPUTS,
                 port + EXPECTED,

@@ -20,6 +20,8 @@ import java.util.stream.Collectors;
  */
 public final class TraceCsv implements RunText {
     private final Consumer<String> out;
+
+    @SuppressWarnings("NullAway.Init") // a run begins with its columns
     private TraceColumns columns;
 
     /**

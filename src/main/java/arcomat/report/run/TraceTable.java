@@ -26,8 +26,13 @@ public final class TraceTable implements RunText {
 
     private final Consumer<String> out;
     private final Style style;
+
+    @SuppressWarnings("NullAway.Init") // a run begins with its columns
     private TraceColumns columns;
+
+    @SuppressWarnings("NullAway.Init") // a run begins with its columns
     private TextTable table;
+
     private boolean begun;
 
     /**

@@ -13,6 +13,7 @@ import com.fasterxml.jackson.databind.SerializerProvider;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import com.fasterxml.jackson.databind.ser.std.StdSerializer;
+import org.jspecify.annotations.Nullable;
 
 import java.io.IOException;
 import java.io.StringWriter;
@@ -41,7 +42,7 @@ public final class Json {
                 .addModule(form(Optional.class, Json::present));
     }
 
-    private static Object present(Optional<?> optional) {
+    private static @Nullable Object present(Optional<?> optional) {
         return optional.orElse(null);
     }
 

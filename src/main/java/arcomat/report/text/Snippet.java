@@ -20,7 +20,7 @@ public final class Snippet {
     private final Style style;
     private final Severity severity;
     private final StringBuilder out = new StringBuilder();
-    private String margin;
+    private String margin = "";
 
     private Snippet(Style style, Severity severity) {
         this.style = style;

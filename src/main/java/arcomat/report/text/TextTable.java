@@ -9,6 +9,8 @@ import java.util.stream.IntStream;
 public final class TextTable {
     private final List<String> headings;
     private final List<List<String>> rows = new ArrayList<>();
+
+    @SuppressWarnings("NullAway.Init") // arranged before anything is written
     private TableLayout layout;
 
     public TextTable(List<String> headings) {

@@ -66,7 +66,7 @@ public final class TransitionTestsText {
         long count = found.tests().stream().filter(test -> !test.promised()).count();
         return count == 0
                 ? ""
-                : FindingsText.count((int) count, "test")
+                : FindingsText.count(count, "test")
                         + (count == 1 ? " ends" : " end")
                         + " where the model promises nothing any more, and "
                         + (count == 1 ? "expects" : "expect")

@@ -85,7 +85,7 @@ final class RandomValues implements Type.Cases<Value> {
             case 0 -> type.low();
             case 1 -> type.high();
             default -> {
-                long value = generator.next(2 * SMALL + 1) - SMALL;
+                long value = (long) generator.next(2 * SMALL + 1) - SMALL;
                 yield Math.max(type.low(), Math.min(type.high(), value));
             }
         };

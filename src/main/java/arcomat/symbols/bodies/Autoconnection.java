@@ -9,6 +9,8 @@ import arcomat.symbols.expressions.TypeRules;
 import arcomat.symbols.names.TypeSymbol;
 import arcomat.tree.Element;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -46,7 +48,7 @@ final class Autoconnection {
     }
 
     /** The last statement of the nearest component that has one. */
-    private static Element.Autoconnect statement(ComponentSymbol component) {
+    private static Element.@Nullable Autoconnect statement(ComponentSymbol component) {
         for (ComponentSymbol c : component.lineage()) {
             List<Element.Autoconnect> statements = c.node().elements(Element.Autoconnect.class);
             if (!statements.isEmpty()) {
@@ -88,7 +90,10 @@ final class Autoconnection {
             Optional<End> sender =
                     only(sendersByKey.getOrDefault(group, List.of()), s -> matches(s, receiver));
             if (sender.isPresent()
-                    && only(receiversByKey.get(group), r -> matches(sender.get(), r)).isPresent()) {
+                    && only(
+                                    receiversByKey.getOrDefault(group, List.of()),
+                                    r -> matches(sender.get(), r))
+                            .isPresent()) {
                 made.add(connector(sender.get(), receiver));
             }
         }

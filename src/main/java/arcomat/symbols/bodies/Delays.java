@@ -5,6 +5,7 @@ import arcomat.symbols.expressions.PortSymbol;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -58,7 +59,7 @@ public final class Delays {
                 graphs.put(part, InstantGraph.of(part, this::known));
             }
         }
-        return graphs.get(component);
+        return Objects.requireNonNull(graphs.get(component));
     }
 
     /** Empty for a part that contains the whole again: that is another finding. */

@@ -16,6 +16,7 @@ import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -59,7 +60,11 @@ final class Instances {
             if (element instanceof Element.Subcomponent subcomponent) {
                 addDeclared(owner, subcomponent, instances);
             } else if (element instanceof Component component && component.instance().isPresent()) {
-                instances.add(named(owner, inner.get(component), component.instance().get()));
+                instances.add(
+                        named(
+                                owner,
+                                Objects.requireNonNull(inner.get(component)),
+                                component.instance().get()));
             }
         }
         if (!inner.isEmpty() && instantiatesAutomatically(owner)) {

@@ -83,12 +83,14 @@ public final class Parts {
         Map<ComponentSymbol, Integer> numbers = new HashMap<>();
         components.forEach(component -> numbers.put(component, numbers.size()));
         Digraph graph = new Digraph(components.size());
-        for (ComponentSymbol component : components) {
+        for (int whole = 0; whole < components.size(); whole++) {
+            int number = whole;
             Set<ComponentSymbol> parts = new HashSet<>();
-            for (InstanceSymbol instance : component.instances()) {
+            for (InstanceSymbol instance : components.get(whole).instances()) {
                 instance.component()
                         .filter(parts::add)
-                        .ifPresent(p -> graph.addEdge(numbers.get(component), numbers.get(p)));
+                        .map(numbers::get)
+                        .ifPresent(part -> graph.addEdge(number, part));
             }
         }
         return ShortestCycles.of(graph).stream()

@@ -91,7 +91,7 @@ final class ReferenceTyping {
                         : List.of();
         problems.report(
                 Kind.UNKNOWN_ATTRIBUTE,
-                at(reference, part),
+                at(part),
                 "type %s has no attribute '%s'%s"
                         .formatted(value.type().text(), part, Nearest.hint(part.text(), known)),
                 Nearest.to(part.text(), known));
@@ -150,7 +150,7 @@ final class ReferenceTyping {
             }
             problems.report(
                     Kind.UNKNOWN_CONSTANT,
-                    at(reference, last),
+                    at(last),
                     "%s has no constant '%s'%s"
                             .formatted(
                                     type.text(), last, Nearest.hint(last.text(), type.constants())),
@@ -175,7 +175,7 @@ final class ReferenceTyping {
     }
 
     /** The reference, narrowed to one of its names. */
-    private static Expression at(Expression.Reference reference, Name part) {
+    private static Expression at(Name part) {
         return new Expression.Reference(part.span(), new QualifiedName(part.span(), List.of(part)));
     }
 }

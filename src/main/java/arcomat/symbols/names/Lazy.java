@@ -1,12 +1,14 @@
 package arcomat.symbols.names;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Objects;
 import java.util.function.Supplier;
 
 /** A value computed at its first use; every reader sees the same object. */
 public final class Lazy<T> implements Supplier<T> {
     private final Supplier<? extends T> computation;
-    private volatile T value;
+    private volatile @Nullable T value;
 
     public Lazy(Supplier<? extends T> computation) {
         this.computation = computation;

@@ -48,7 +48,7 @@ public sealed interface Resolution<T> {
 
         @Override
         public <U> Resolution<U> map(Function<? super T, ? extends U> function) {
-            return new Ambiguous<>(candidates.stream().<U>map(function::apply).toList());
+            return new Ambiguous<>(candidates.stream().<U>map(function).toList());
         }
     }
 

@@ -12,6 +12,7 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -101,7 +102,8 @@ public final class UnitScope {
     public boolean mayLeadFurther(Import imported) {
         return imported.wildcard()
                 ? index.hasBrokenFileIn(imported.name().text())
-                : singleImports.get().get(imported.name().last().text()).stream()
+                : Objects.requireNonNull(singleImports.get().get(imported.name().last().text()))
+                        .stream()
                         .anyMatch(each -> !target(each).isFound());
     }
 

@@ -6,6 +6,8 @@ import arcomat.symbols.expressions.VariableSymbol;
 import arcomat.symbols.names.Lazy;
 import arcomat.symbols.names.TypeSubstitution;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashSet;
@@ -47,7 +49,7 @@ final class Inheritance {
         return new Inheritance(heir, List.copyOf(line));
     }
 
-    private static Ancestor above(Ancestor ancestor) {
+    private static @Nullable Ancestor above(Ancestor ancestor) {
         Optional<ComponentReference> reference = ancestor.component().superComponent();
         return reference
                 .flatMap(ComponentReference::component)

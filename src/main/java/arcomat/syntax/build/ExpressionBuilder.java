@@ -27,6 +27,7 @@ import org.antlr.v4.runtime.Token;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -158,7 +159,10 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     private Expression unary(ParserRuleContext context, Token operator, ParserRuleContext operand) {
-        return new Unary(span(context), UNARY.get(operator.getType()), build(operand));
+        return new Unary(
+                span(context),
+                Objects.requireNonNull(UNARY.get(operator.getType())),
+                build(operand));
     }
 
     @Override
@@ -190,7 +194,10 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     @Override
     public Expression visitBinaryExpression(ArcomatParser.BinaryExpressionContext context) {
         List<ArcomatParser.ExpressionContext> row = Rows.operands(context);
-        return row(BINARY.get(context.operator.getType()), row, row.size() > LONG_ROW);
+        return row(
+                Objects.requireNonNull(BINARY.get(context.operator.getType())),
+                row,
+                row.size() > LONG_ROW);
     }
 
     /**

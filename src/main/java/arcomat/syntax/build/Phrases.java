@@ -16,6 +16,7 @@ import arcomat.tree.Variable;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -143,8 +144,8 @@ final class Phrases {
     private TypeReference type(
             ParserRuleContext context,
             QualifiedName name,
-            ArcomatParser.TypeArgumentsContext arguments,
-            ArcomatParser.TypeSuffixContext suffix) {
+            ArcomatParser.@Nullable TypeArgumentsContext arguments,
+            ArcomatParser.@Nullable TypeSuffixContext suffix) {
         return new TypeReference(
                 span(context),
                 name,
@@ -162,7 +163,7 @@ final class Phrases {
                 span(context), expressions.build(context.low), expressions.build(context.high));
     }
 
-    List<TypeArgument> typeArguments(ArcomatParser.TypeArgumentsContext context) {
+    List<TypeArgument> typeArguments(ArcomatParser.@Nullable TypeArgumentsContext context) {
         return context == null ? List.of() : each(context.typeArgument(), this::typeArgument);
     }
 

@@ -1,5 +1,7 @@
 package arcomat.syntax.layout;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.List;
 
@@ -20,7 +22,7 @@ final class Line {
     final List<Piece> pieces = new ArrayList<>();
 
     /** The table of which this is a row, else null. */
-    Object table;
+    @Nullable Object table;
 
     /** A package declaration stands apart from what follows. */
     boolean isPackage;

@@ -4,6 +4,7 @@ import arcomat.syntax.antlr.ArcomatParser;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,8 +14,8 @@ final class Lines {
     private final Structure structure;
     private final Spacing spacing;
     private final List<Line> lines = new ArrayList<>();
-    private Line current;
-    private Token previous;
+    private Line current = new Line(0, false);
+    private @Nullable Token previous;
     private int depth;
     private boolean mustBreak;
 

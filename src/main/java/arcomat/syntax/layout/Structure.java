@@ -7,6 +7,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.tree.ParseTree;
 import org.antlr.v4.runtime.tree.TerminalNode;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -57,7 +58,7 @@ final class Structure {
     private final ParserRuleContext[] parent;
 
     /** The list of ports that was entered last and takes a line for each. */
-    private ArcomatParser.PortsContext spreadPorts;
+    private ArcomatParser.@Nullable PortsContext spreadPorts;
 
     private Structure(int tokens) {
         startsLine = new boolean[tokens];
