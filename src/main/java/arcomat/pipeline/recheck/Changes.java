@@ -52,17 +52,17 @@ record Changes(Map<String, File> before, Map<String, File> after) {
         return Optional.ofNullable(files.get(path)).map(File::hash);
     }
 
-    private List<FileReferences> references(Set<String> changed) {
-        List<FileReferences> references = new ArrayList<>();
+    private List<FileInterface> references(Set<String> changed) {
+        List<FileInterface> references = new ArrayList<>();
         for (String path : changed) {
             Stream.of(before, after)
                     .flatMap(files -> Stream.ofNullable(files.get(path)))
-                    .map(FileReferences::of)
+                    .map(FileInterface::of)
                     .forEach(references::add);
         }
         for (String name : packagesThatCameOrWent()) {
             references.add(
-                    new FileReferences(List.of(FileReferences.words(name)), Set.of(), Set.of()));
+                    new FileInterface(List.of(FileInterface.words(name)), Set.of(), Set.of()));
         }
         return references;
     }

@@ -18,11 +18,11 @@ import java.util.Set;
  * just as well.
  */
 final class Dependencies {
-    private final Map<String, FileReferences> files = new LinkedHashMap<>();
+    private final Map<String, FileInterface> files = new LinkedHashMap<>();
     private final Map<String, List<String>> claimants;
 
     Dependencies(Collection<CheckState.File> files) {
-        files.forEach(file -> this.files.put(file.path(), FileReferences.of(file)));
+        files.forEach(file -> this.files.put(file.path(), FileInterface.of(file)));
         this.claimants = claimants();
     }
 
@@ -56,11 +56,11 @@ final class Dependencies {
      *
      * @param changed references of what changed, before and now
      */
-    Set<String> affectedBy(Collection<FileReferences> changed) {
+    Set<String> affectedBy(Collection<FileInterface> changed) {
         Set<String> affected = new HashSet<>();
-        Deque<FileReferences> open = new ArrayDeque<>(changed);
+        Deque<FileInterface> open = new ArrayDeque<>(changed);
         while (!open.isEmpty()) {
-            FileReferences current = open.remove();
+            FileInterface current = open.remove();
             List<String> fresh = new ArrayList<>();
             for (String claim : current.claims()) {
                 claimants.getOrDefault(claim, List.of()).stream()
@@ -79,7 +79,7 @@ final class Dependencies {
         return affected;
     }
 
-    private static boolean refers(FileReferences from, FileReferences to) {
+    private static boolean refers(FileInterface from, FileInterface to) {
         return to.offers().stream().anyMatch(from.mentions()::containsAll);
     }
 

@@ -81,7 +81,7 @@ record StateOfFiles(FilesAround around) {
         Set<String> mentions = WrittenNames.in(unit.file().text());
         unit.imports().stream()
                 .filter(Import::wildcard)
-                .forEach(each -> mentions.add(FileReferences.allOf(each.name().text())));
+                .forEach(each -> mentions.add(FileInterface.allOf(each.name().text())));
         return mentions;
     }
 

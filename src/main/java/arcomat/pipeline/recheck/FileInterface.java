@@ -17,24 +17,24 @@ import java.util.Set;
  * @param mentions the words of its text
  * @param claims what only one file may have
  */
-record FileReferences(List<List<String>> offers, Set<String> mentions, Set<String> claims) {
+record FileInterface(List<List<String>> offers, Set<String> mentions, Set<String> claims) {
     /** Behind the name of a package: all of it, as in an import. No name has this letter. */
     private static final String ALL = "*";
 
-    static FileReferences of(CheckState.File file) {
+    static FileInterface of(CheckState.File file) {
         Set<String> claims = new HashSet<>();
         claims.add("file " + file.path().toLowerCase(Locale.ROOT));
         if (file.names().isEmpty()) {
-            return new FileReferences(brokenOffers(file.path()), file.mentions(), claims);
+            return new FileInterface(brokenOffers(file.path()), file.mentions(), claims);
         }
         Outline names = file.names().get();
         List<List<String>> offers = new ArrayList<>();
-        names.components().stream().findFirst().map(FileReferences::words).ifPresent(offers::add);
-        names.diagram().map(FileReferences::words).ifPresent(offers::add);
+        names.components().stream().findFirst().map(FileInterface::words).ifPresent(offers::add);
+        names.diagram().map(FileInterface::words).ifPresent(offers::add);
         for (String component : names.components()) {
             claims.add(javaClass(names.packageName(), component));
         }
-        return new FileReferences(offers, file.mentions(), claims);
+        return new FileInterface(offers, file.mentions(), claims);
     }
 
     /** The parts of a qualified name. */
