@@ -47,13 +47,22 @@ public sealed interface Expression {
     Span span();
 
     /** What it is directly made of, from left to right. */
-    default List<Expression> operands() {
-        return List.of();
-    }
+    List<Expression> operands();
 
     /** The same of other operands, each made of the one in its place. */
-    default Expression withOperands(Function<Expression, Expression> rewrite) {
-        return this;
+    Expression withOperands(Function<Expression, Expression> rewrite);
+
+    /** An expression without operands. */
+    sealed interface Leaf extends Expression {
+        @Override
+        default List<Expression> operands() {
+            return List.of();
+        }
+
+        @Override
+        default Expression withOperands(Function<Expression, Expression> rewrite) {
+            return this;
+        }
     }
 
     /** Rebuilds it from its rewritten operands, then rewrites the result itself. */
@@ -87,7 +96,7 @@ public sealed interface Expression {
         return list.stream().map(rewrite).toList();
     }
 
-    record Constant(Value value, Type type, Span span) implements Expression {
+    record Constant(Value value, Type type, Span span) implements Leaf {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.constant(this);
@@ -95,7 +104,7 @@ public sealed interface Expression {
     }
 
     /** The message on a port; undefined where there is none. */
-    record PortRead(Port port, Span span) implements Expression {
+    record PortRead(Port port, Span span) implements Leaf {
         @Override
         public Type type() {
             return port.type();
@@ -108,7 +117,7 @@ public sealed interface Expression {
     }
 
     /** A variable of the automaton or a constant of the component. */
-    record VariableRead(Variable variable, Span span) implements Expression {
+    record VariableRead(Variable variable, Span span) implements Leaf {
         @Override
         public Type type() {
             return variable.type();
@@ -120,7 +129,7 @@ public sealed interface Expression {
         }
     }
 
-    record ParameterRead(Parameter parameter, Span span) implements Expression {
+    record ParameterRead(Parameter parameter, Span span) implements Leaf {
         @Override
         public Type type() {
             return parameter.type();

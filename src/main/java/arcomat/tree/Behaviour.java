@@ -11,6 +11,11 @@ public sealed interface Behaviour extends Element
     /** The automata that it consists of; none in other languages. */
     List<Automaton> automata();
 
+    @Override
+    default void accept(Element.Visitor visitor) {
+        visitor.behaviour(this);
+    }
+
     /**
      * {@code implementation Name {..}} of the older tools. A body of bare automaton elements is
      * read as one automaton without a name of its own.

@@ -38,6 +38,11 @@ public record Component(
         return cases.component().apply(this);
     }
 
+    @Override
+    public void accept(Visitor visitor) {
+        visitor.component(this);
+    }
+
     /** A configuration parameter of a component. */
     public record Parameter(Span span, TypeReference type, Name name, Optional<Expression> initial)
             implements Node {}

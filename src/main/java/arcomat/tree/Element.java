@@ -18,9 +18,41 @@ public sealed interface Element extends Node
                 Element.Invariant,
                 Element.Variables,
                 Element.JavaPart {
+    /** Takes the sum apart: one step for each form, and the compiler asks for all of them. */
+    void accept(Visitor visitor);
+
+    /** One step for each form. */
+    interface Visitor {
+        void component(Component component);
+
+        void behaviour(Behaviour behaviour);
+
+        void ports(Ports ports);
+
+        void subcomponent(Subcomponent subcomponent);
+
+        void connector(Connector connector);
+
+        void timing(Timing timing);
+
+        void autoconnect(Autoconnect clause);
+
+        void autoinstantiate(Autoinstantiate clause);
+
+        void invariant(Invariant invariant);
+
+        void variables(Variables variables);
+
+        void javaPart(JavaPart part);
+    }
 
     /** {@code port in A a, out B b;}. */
-    record Ports(Span span, List<Stereotype> stereotypes, List<Port> ports) implements Element {}
+    record Ports(Span span, List<Stereotype> stereotypes, List<Port> ports) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.ports(this);
+        }
+    }
 
     /**
      * One declaration of a port list. It may name several ports, or none: then the port is named
@@ -48,7 +80,12 @@ public sealed interface Element extends Node
             TypeReference type,
             List<Expression> arguments,
             List<Instance> instances)
-            implements Element {}
+            implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.subcomponent(this);
+        }
+    }
 
     record Instance(Span span, Name name, List<SimpleConnector> connectors) implements Node {}
 
@@ -67,9 +104,19 @@ public sealed interface Element extends Node
             List<Stereotype> stereotypes,
             QualifiedName source,
             List<QualifiedName> targets)
-            implements Element {}
+            implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.connector(this);
+        }
+    }
 
-    record Timing(Span span, List<Stereotype> stereotypes, TimingKind kind) implements Element {}
+    record Timing(Span span, List<Stereotype> stereotypes, TimingKind kind) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.timing(this);
+        }
+    }
 
     /** The five words of the language; what they mean is decided in the room of symbols. */
     enum TimingKind {
@@ -81,7 +128,12 @@ public sealed interface Element extends Node
     }
 
     record Autoconnect(Span span, List<Stereotype> stereotypes, AutoconnectKind kind)
-            implements Element {}
+            implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.autoconnect(this);
+        }
+    }
 
     enum AutoconnectKind {
         TYPE,
@@ -89,8 +141,12 @@ public sealed interface Element extends Node
         OFF
     }
 
-    record Autoinstantiate(Span span, List<Stereotype> stereotypes, boolean on)
-            implements Element {}
+    record Autoinstantiate(Span span, List<Stereotype> stereotypes, boolean on) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.autoinstantiate(this);
+        }
+    }
 
     /**
      * A condition that always holds, in words of some language.
@@ -100,11 +156,26 @@ public sealed interface Element extends Node
      */
     record Invariant(
             Span span, Optional<Name> kind, Name name, String text, Optional<Expression> condition)
-            implements Element {}
+            implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.invariant(this);
+        }
+    }
 
-    record Variables(Span span, TypeReference type, List<Variable> variables) implements Element {}
+    record Variables(Span span, TypeReference type, List<Variable> variables) implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.variables(this);
+        }
+    }
 
     /** {@code compute {..}} or {@code init {..}} of 2017 models: Java, kept and reported. */
     record JavaPart(Span span, String keyword, Optional<Name> name, String text)
-            implements Element {}
+            implements Element {
+        @Override
+        public void accept(Visitor visitor) {
+            visitor.javaPart(this);
+        }
+    }
 }

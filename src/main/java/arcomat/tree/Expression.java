@@ -9,8 +9,14 @@ import java.util.stream.Stream;
 /** An expression of guards, items, initial values and arguments. Parentheses leave no node. */
 public sealed interface Expression extends Node {
     /** What it is directly made of, from left to right. */
-    default List<Expression> operands() {
-        return List.of();
+    List<Expression> operands();
+
+    /** An expression without operands. */
+    sealed interface Leaf extends Expression {
+        @Override
+        default List<Expression> operands() {
+            return List.of();
+        }
     }
 
     private static List<Expression> concatenated(
@@ -51,7 +57,7 @@ public sealed interface Expression extends Node {
     }
 
     /** A literal as written, quotes and suffixes included. */
-    record Literal(Span span, Kind kind, String text) implements Expression {
+    record Literal(Span span, Kind kind, String text) implements Leaf {
         public enum Kind {
             BOOLEAN,
             INT,
@@ -70,7 +76,7 @@ public sealed interface Expression extends Node {
     }
 
     /** {@code a}, {@code a.b}, {@code Enum.CONSTANT}: what it is, resolution tells. */
-    record Reference(Span span, QualifiedName name) implements Expression {
+    record Reference(Span span, QualifiedName name) implements Leaf {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.reference(this);
@@ -183,7 +189,7 @@ public sealed interface Expression extends Node {
     /**
      * {@code new T(a)}, {@code x[i]}, {@code f(a).b}: Java expressions, reported as unsupported.
      */
-    record JavaExpression(Span span, String text) implements Expression {
+    record JavaExpression(Span span, String text) implements Leaf {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.javaExpression(this);

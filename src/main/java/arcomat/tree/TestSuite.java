@@ -18,17 +18,29 @@ public record TestSuite(
         return cases.suite().apply(this);
     }
 
-    public sealed interface Member extends Node {}
+    public sealed interface Member extends Node {
+        /** The Java blocks in it. */
+        List<Before> before();
+    }
 
     public record Test(Span span, Name name, List<Streams> streams, List<Before> before)
             implements Member {}
 
     /** A field of 2012 suites: kept, reported. */
-    public record Field(Span span, TypeReference type, List<Variable> variables)
-            implements Member {}
+    public record Field(Span span, TypeReference type, List<Variable> variables) implements Member {
+        @Override
+        public List<Before> before() {
+            return List.of();
+        }
+    }
 
     /** {@code @Before {..}} of 2012 suites: kept, reported. */
-    public record Before(Span span, Name name, String text) implements Member {}
+    public record Before(Span span, Name name, String text) implements Member {
+        @Override
+        public List<Before> before() {
+            return List.of(this);
+        }
+    }
 
     /** One {@code input}, {@code expect} or {@code events} block. */
     public record Streams(Span span, Kind kind, List<PortStream> streams) implements Node {}

@@ -1,12 +1,9 @@
 package arcomat.check.naming;
 
 import arcomat.tree.Automaton;
-import arcomat.tree.ClassDiagram;
-import arcomat.tree.Component;
 import arcomat.tree.Definition;
 import arcomat.tree.Name;
 import arcomat.tree.Node;
-import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
 
 import java.util.Optional;
@@ -17,19 +14,12 @@ public final class Definitions {
 
     /** The name of a definition; a bare automaton may have none. */
     static Optional<Name> name(Definition definition) {
-        if (definition instanceof Component component) {
-            return Optional.of(component.name());
-        }
-        if (definition instanceof ClassDiagram diagram) {
-            return Optional.of(diagram.name());
-        }
-        if (definition instanceof TestSuite suite) {
-            return Optional.of(suite.name());
-        }
-        if (definition instanceof Automaton automaton) {
-            return automaton.name();
-        }
-        throw new AssertionError(definition);
+        return definition.match(
+                new Definition.Cases<>(
+                        component -> Optional.of(component.name()),
+                        Automaton::name,
+                        diagram -> Optional.of(diagram.name()),
+                        suite -> Optional.of(suite.name())));
     }
 
     /** Where to point at for a finding about a whole file. */

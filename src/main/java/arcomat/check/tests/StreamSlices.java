@@ -25,26 +25,23 @@ record StreamSlices(
      */
     static StreamSlices read(
             List<TestSuite.StreamElement> elements, Consumer<TestSuite.Message> second) {
+        TestSuite.StreamElement.Cases<StreamSlices> forms =
+                new TestSuite.StreamElement.Cases<>(
+                        tick -> new StreamSlices(Optional.empty(), Optional.empty(), true),
+                        message ->
+                                new StreamSlices(Optional.of(message), Optional.of(message), false),
+                        repeat -> repeated(repeat, second));
         StreamSlices all = EMPTY;
         for (TestSuite.StreamElement element : elements) {
-            all = all.join(read(element, second), second);
+            all = all.join(element.match(forms), second);
         }
         return all;
     }
 
-    private static StreamSlices read(
-            TestSuite.StreamElement element, Consumer<TestSuite.Message> second) {
-        if (element instanceof TestSuite.Message message) {
-            return new StreamSlices(Optional.of(message), Optional.of(message), false);
-        }
-        if (element instanceof TestSuite.Tick) {
-            return new StreamSlices(Optional.empty(), Optional.empty(), true);
-        }
-        if (element instanceof TestSuite.Repeat repeat) {
-            StreamSlices once = read(repeat.elements(), second);
-            return repeat.count() > 1 ? once.join(once, second) : once;
-        }
-        throw new AssertionError(element);
+    private static StreamSlices repeated(
+            TestSuite.Repeat repeat, Consumer<TestSuite.Message> second) {
+        StreamSlices once = read(repeat.elements(), second);
+        return repeat.count() > 1 ? once.join(once, second) : once;
     }
 
     private StreamSlices join(StreamSlices next, Consumer<TestSuite.Message> second) {

@@ -16,19 +16,14 @@ public final class TestFieldUnsupported implements Check.OnTestSuite {
                         "fields of test suites are not used; give the tested component its values"
                                 + " as arguments, as in 'for %s(3)'",
                         suite.node().component());
-            } else if (member instanceof TestSuite.Before before) {
-                report(before, findings);
-            } else if (member instanceof TestSuite.Test test) {
-                test.before().forEach(before -> report(before, findings));
+            }
+            for (TestSuite.Before before : member.before()) {
+                findings.report(
+                        before.name(),
+                        "the Java block '@%s' is not run; say what should happen before with"
+                                + " messages in the first slices",
+                        before.name());
             }
         }
-    }
-
-    private static void report(TestSuite.Before before, Findings findings) {
-        findings.report(
-                before.name(),
-                "the Java block '@%s' is not run; say what should happen before with messages in"
-                        + " the first slices",
-                before.name());
     }
 }

@@ -36,9 +36,8 @@ record ComponentWalk(
         stereotypes.visit(component.stereotypes(), Carrier.COMPONENT, component.node(), context);
         listeners.onComponent.ask((check, found) -> check.check(component, context, found));
         head(component, context);
-        for (Element element : component.node().elements()) {
-            element(element, context);
-        }
+        ElementWalk elements = new ElementWalk(stereotypes, expressions, context);
+        component.node().elements().forEach(element -> element.accept(elements));
         members(component, context);
     }
 
@@ -63,39 +62,6 @@ record ComponentWalk(
             parameter
                     .initial()
                     .ifPresent(value -> expressions.value(value, parameter.type(), context));
-        }
-    }
-
-    /** Types and stereotypes, which stand on declarations that may declare several things. */
-    private void element(Element element, Context context) {
-        if (element instanceof Element.Ports ports) {
-            stereotypes.visit(ports.stereotypes(), Carrier.PORT, ports, context);
-            for (Element.Port port : ports.ports()) {
-                stereotypes.visit(port.stereotypes(), Carrier.PORT, port, context);
-                expressions.type(port.type(), context);
-            }
-        } else if (element instanceof Element.Subcomponent subcomponent) {
-            subcomponent(subcomponent, context);
-        } else if (element instanceof Element.Connector connector) {
-            stereotypes.visit(connector.stereotypes(), Carrier.CONNECTOR, connector, context);
-        } else if (element instanceof Element.Variables variables) {
-            expressions.type(variables.type(), context);
-        } else if (element instanceof Element.Timing timing) {
-            stereotypes.visit(timing.stereotypes(), Carrier.TIMING, timing, context);
-        } else if (element instanceof Element.Autoconnect clause) {
-            stereotypes.visit(clause.stereotypes(), Carrier.AUTOCONNECT, clause, context);
-        } else if (element instanceof Element.Autoinstantiate clause) {
-            stereotypes.visit(clause.stereotypes(), Carrier.AUTOINSTANTIATE, clause, context);
-        }
-    }
-
-    private void subcomponent(Element.Subcomponent subcomponent, Context context) {
-        stereotypes.visit(subcomponent.stereotypes(), Carrier.SUBCOMPONENT, subcomponent, context);
-        expressions.componentType(subcomponent.type(), context);
-        for (Element.Instance instance : subcomponent.instances()) {
-            for (Element.SimpleConnector connector : instance.connectors()) {
-                stereotypes.visit(connector.stereotypes(), Carrier.CONNECTOR, connector, context);
-            }
         }
     }
 

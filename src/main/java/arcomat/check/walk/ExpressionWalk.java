@@ -12,6 +12,7 @@ import arcomat.tree.TypeReference.TypeArgument;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 
 /** The part of the walk that goes through expressions and types, and collects their names. */
 final class ExpressionWalk {
@@ -71,16 +72,22 @@ final class ExpressionWalk {
         parts(expression.expression().node(), context);
     }
 
-    /** A call without a target makes an object of a class in stream tests: {@code Cup(5)}. */
     private void parts(Expression expression, Context context) {
-        if (expression instanceof Expression.Reference reference) {
-            name(reference.name());
-        } else if (expression instanceof Expression.Cast cast) {
+        named(expression).ifPresent(this::name);
+        if (expression instanceof Expression.Cast cast) {
             type(cast.type(), context);
-        } else if (expression instanceof Expression.Call call && call.target().isEmpty()) {
-            name(new QualifiedName(call.name().span(), List.of(call.name())));
         }
         expression.operands().forEach(operand -> parts(operand, context));
+    }
+
+    /** A call without a target makes an object of a class in stream tests: {@code Cup(5)}. */
+    private static Optional<QualifiedName> named(Expression expression) {
+        if (expression instanceof Expression.Reference reference) {
+            return Optional.of(reference.name());
+        }
+        return expression instanceof Expression.Call call && call.target().isEmpty()
+                ? Optional.of(new QualifiedName(call.name().span(), List.of(call.name())))
+                : Optional.empty();
     }
 
     void type(TypeReference type, Context context) {

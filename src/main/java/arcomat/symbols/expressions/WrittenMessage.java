@@ -21,19 +21,19 @@ public final class WrittenMessage {
             OptionalInt ordinal = enumeration.ordinal(text);
             return ordinal.isPresent() ? Optional.of(ordinal.getAsInt()) : Optional.empty();
         }
-        if (type instanceof RangeType range) {
-            return whole(text, range.low(), range.high());
-        }
-        return type instanceof BuiltinType builtin ? read(text, builtin) : Optional.empty();
+        return type.base() instanceof BuiltinType base ? read(text, base, type) : Optional.empty();
     }
 
-    private static Optional<Object> read(String text, BuiltinType type) {
-        return switch (type) {
+    private static Optional<Object> read(String text, BuiltinType base, TypeSymbol type) {
+        return switch (base) {
             case BOOLEAN ->
                     text.equals("true") || text.equals("false")
                             ? Optional.of(text.equals("true"))
                             : Optional.empty();
-            case BYTE, SHORT, INTEGER, LONG -> whole(text, type.low(), type.high());
+            case BYTE, SHORT, INTEGER, LONG ->
+                    type instanceof RangeType range
+                            ? whole(text, range.low(), range.high())
+                            : whole(text, base.low(), base.high());
             case CHARACTER -> text.length() == 1 ? Optional.of(text.charAt(0)) : Optional.empty();
             case FLOAT, DOUBLE ->
                     text.matches("-?[0-9]+(\\.[0-9]+)?")

@@ -21,14 +21,36 @@ import java.util.Set;
  * Ports that are not named may carry anything.
  */
 final class SureTrigger {
-    /** How a port is asked. */
-    private sealed interface Wish {}
+    /**
+     * How a port is asked.
+     *
+     * @param isSilent whether nothing may be there
+     * @param values what a message is one of; any if empty
+     */
+    private record Wish(boolean isSilent, Optional<Set<Object>> values) {
+        static final Wish SILENCE = new Wish(true, Optional.empty());
+        static final Wish MESSAGE = new Wish(false, Optional.empty());
 
-    private record Silence() implements Wish {}
+        static Wish oneOf(Set<Object> values) {
+            return new Wish(false, Optional.of(values));
+        }
 
-    private record Message() implements Wish {}
+        boolean isPossible() {
+            return values.isEmpty() || !values.get().isEmpty();
+        }
 
-    private record OneOf(Set<Object> values) implements Wish {}
+        Wish and(Wish other) {
+            if (isSilent != other.isSilent) {
+                return oneOf(Set.of());
+            }
+            if (values.isEmpty() || other.values.isEmpty()) {
+                return values.isEmpty() ? other : this;
+            }
+            Set<Object> both = new HashSet<>(values.get());
+            both.retainAll(other.values.get());
+            return oneOf(both);
+        }
+    }
 
     private final Map<String, Wish> wishes = new HashMap<>();
     private boolean isPossible = true;
@@ -62,10 +84,10 @@ final class SureTrigger {
 
     private static Optional<Wish> wish(ItemValue value) {
         if (value.node() instanceof Block.NoMessage) {
-            return Optional.of(new Silence());
+            return Optional.of(Wish.SILENCE);
         }
         if (value.node() instanceof Block.AnyMessage) {
-            return Optional.of(new Message());
+            return Optional.of(Wish.MESSAGE);
         }
         Set<Object> values = new HashSet<>();
         for (Typed each : value.expressions()) {
@@ -76,7 +98,7 @@ final class SureTrigger {
             values.add(constant.get());
         }
         boolean isSequence = value instanceof ItemValue.Sequence;
-        return values.isEmpty() || isSequence ? Optional.empty() : Optional.of(new OneOf(values));
+        return values.isEmpty() || isSequence ? Optional.empty() : Optional.of(Wish.oneOf(values));
     }
 
     /** Of a constant that is no real: two reals may be equal and written differently. */
@@ -98,25 +120,14 @@ final class SureTrigger {
                     .walk(
                             part -> {
                                 if (part instanceof TypedExpression.PortRead read) {
-                                    add(read.port().name(), new Message());
+                                    add(read.port().name(), Wish.MESSAGE);
                                 }
                             });
         }
     }
 
     private void add(String port, Wish wish) {
-        Wish known = wishes.get(port);
-        if (known == null || known instanceof Message && !(wish instanceof Silence)) {
-            wishes.put(port, wish);
-        } else if (known instanceof OneOf one && wish instanceof OneOf other) {
-            Set<Object> both = new HashSet<>(one.values);
-            both.retainAll(other.values);
-            wishes.put(port, new OneOf(both));
-            isPossible &= !both.isEmpty();
-        } else {
-            isPossible &= known.getClass() == wish.getClass() || known instanceof OneOf;
-            isPossible &= !(known instanceof OneOf && wish instanceof Silence);
-        }
+        isPossible &= wishes.merge(port, wish, Wish::and).isPossible();
     }
 
     /** Whether one letter enables both. */
