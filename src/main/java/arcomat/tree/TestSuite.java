@@ -2,6 +2,7 @@ package arcomat.tree;
 
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 
@@ -57,6 +58,22 @@ public record TestSuite(
     public sealed interface StreamElement extends Node {
         /** Takes the sum apart: one answer for each form. */
         <R> R match(Cases<R> cases);
+
+        /** Elements and those in their repetitions, each once, in text order. */
+        static List<StreamElement> written(List<StreamElement> elements) {
+            List<StreamElement> all = new ArrayList<>();
+            add(elements, all);
+            return all;
+        }
+
+        private static void add(List<StreamElement> elements, List<StreamElement> all) {
+            for (StreamElement each : elements) {
+                all.add(each);
+                if (each instanceof Repeat repeat) {
+                    add(repeat.elements(), all);
+                }
+            }
+        }
 
         /**
          * One answer for each form.

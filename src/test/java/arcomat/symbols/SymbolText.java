@@ -1,12 +1,12 @@
 package arcomat.symbols;
 
 import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.bodies.Delays.DelayCycle;
 import arcomat.symbols.bodies.InstanceSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.StateSymbol;
 import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;

@@ -12,13 +12,9 @@ public final class DiagramTypesUnique implements Check.OnClassDiagram {
     public void check(DiagramSymbol diagram, Context context, Findings findings) {
         Duplicates.report(
                 diagram.node().types().stream().map(ClassDiagram.TypeDefinition::name).toList(),
-                (name, first) ->
-                        findings.report(
-                                        name,
-                                        "class diagram '%s' defines '%s' twice; rename or remove"
-                                                + " one",
-                                        diagram.node().name(),
-                                        name)
-                                .related(first, "first defined here"));
+                findings,
+                "class diagram '%s' defines '%s' twice; rename or remove one",
+                diagram.node().name(),
+                "first defined here");
     }
 }

@@ -11,12 +11,9 @@ public final class EnumConstantsUnique implements Check.OnEnum {
     public void check(ClassDiagram.EnumDefinition definition, Context context, Findings findings) {
         Duplicates.report(
                 definition.constants(),
-                (constant, first) ->
-                        findings.report(
-                                        constant,
-                                        "enum '%s' lists '%s' twice; rename or remove one",
-                                        definition.name(),
-                                        constant)
-                                .related(first, "first listed here"));
+                findings,
+                "enum '%s' lists '%s' twice; rename or remove one",
+                definition.name(),
+                "first listed here");
     }
 }

@@ -1,5 +1,6 @@
 package arcomat.check.facts;
 
+import arcomat.check.law.Check.Findings;
 import arcomat.tree.Name;
 
 import java.util.HashMap;
@@ -29,6 +30,20 @@ public final class Duplicates {
                 report.accept(thing, first);
             }
         }
+    }
+
+    /**
+     * Reports each name that an earlier one has.
+     *
+     * @param message with {@code %s} for the owner, and for the name
+     * @param owner the name of what the names have to differ in
+     * @param note about the earlier one
+     */
+    public static void report(
+            List<Name> names, Findings findings, String message, Object owner, String note) {
+        report(
+                names,
+                (name, first) -> findings.report(name, message, owner, name).related(first, note));
     }
 
     /** As above, of names that stand for what has them. */

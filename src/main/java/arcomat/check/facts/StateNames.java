@@ -3,7 +3,7 @@ package arcomat.check.facts;
 import arcomat.source.Fix;
 import arcomat.source.Fix.TextEdit;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.StateSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.AutomatonElement.Initial;
 import arcomat.tree.AutomatonElement.Transition;

@@ -11,12 +11,9 @@ public final class AutomataNamesUnique implements Check.OnComponent {
     public void check(ComponentSymbol component, Context context, Findings findings) {
         Duplicates.report(
                 component.ownAutomata().stream().flatMap(a -> a.node().name().stream()).toList(),
-                (name, first) ->
-                        findings.report(
-                                        name,
-                                        "component '%s' has two automata named '%s'; rename one",
-                                        component.name(),
-                                        name)
-                                .related(first, "the other one is declared here"));
+                findings,
+                "component '%s' has two automata named '%s'; rename one",
+                component.name(),
+                "the other one is declared here");
     }
 }

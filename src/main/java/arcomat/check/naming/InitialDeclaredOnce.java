@@ -3,7 +3,7 @@ package arcomat.check.naming;
 import arcomat.check.facts.Duplicates;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 
 /** ARC0204: no state is declared initial twice (Wor16 AU2). */
 public final class InitialDeclaredOnce implements Check.OnAutomaton {

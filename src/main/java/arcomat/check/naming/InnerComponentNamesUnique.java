@@ -10,15 +10,11 @@ public final class InnerComponentNamesUnique implements Check.OnComponent {
     @Override
     public void check(ComponentSymbol component, Context context, Findings findings) {
         Duplicates.report(
-                component.innerComponents(),
-                ComponentSymbol::name,
-                (inner, first) ->
-                        findings.report(
-                                        inner.nameSpan(),
-                                        "component '%s' declares an inner component '%s' already;"
-                                                + " rename one, or use it for both parts",
-                                        component.name(),
-                                        inner.name())
-                                .related(first.nameSpan(), "the first one"));
+                component.innerComponents().stream().map(inner -> inner.node().name()).toList(),
+                findings,
+                "component '%s' declares an inner component '%s' already; rename one, or use it"
+                        + " for both parts",
+                component.name(),
+                "the first one");
     }
 }

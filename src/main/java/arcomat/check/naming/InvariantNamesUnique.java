@@ -14,13 +14,9 @@ public final class InvariantNamesUnique implements Check.OnComponent {
                 component.node().elements(Element.Invariant.class).stream()
                         .map(Element.Invariant::name)
                         .toList(),
-                (name, first) ->
-                        findings.report(
-                                        name,
-                                        "component '%s' has an invariant '%s' already; rename one"
-                                                + " of them",
-                                        component.name(),
-                                        name)
-                                .related(first, "the first one"));
+                findings,
+                "component '%s' has an invariant '%s' already; rename one of them",
+                component.name(),
+                "the first one");
     }
 }

@@ -3,7 +3,7 @@ package arcomat.check.naming;
 import arcomat.check.facts.StateNames;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.StateSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 
 import java.util.List;
 import java.util.Set;

@@ -12,13 +12,9 @@ public final class TypeParametersUnique implements Check.OnComponent {
     public void check(ComponentSymbol component, Context context, Findings findings) {
         Duplicates.report(
                 component.node().typeParameters().stream().map(TypeParameter::name).toList(),
-                (name, first) ->
-                        findings.report(
-                                        name,
-                                        "component '%s' has a type parameter '%s' already; rename"
-                                                + " one of them",
-                                        component.name(),
-                                        first)
-                                .related(first, "the first one"));
+                findings,
+                "component '%s' has a type parameter '%s' already; rename one of them",
+                component.name(),
+                "the first one");
     }
 }

@@ -2,6 +2,7 @@ package arcomat.check.tests;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.StreamTestSymbol;
 import arcomat.symbols.bodies.TestSuiteSymbol;
 import arcomat.tree.TestSuite;
 
@@ -16,8 +17,8 @@ public final class TestSingleMessagePerSlice implements Check.OnTestSuite {
         if (component.isEmpty() || component.get().isEventDriven()) {
             return;
         }
-        for (TestSuite.Test test : Tests.of(suite.node())) {
-            for (TestSuite.Streams streams : test.streams()) {
+        for (StreamTestSymbol test : suite.tests()) {
+            for (TestSuite.Streams streams : test.node().streams()) {
                 if (streams.kind() != TestSuite.Kind.EVENTS) {
                     streams.streams().forEach(stream -> check(stream, findings));
                 }

@@ -7,7 +7,6 @@ import arcomat.symbols.bodies.StreamTestSymbol.StreamSymbol;
 import arcomat.tree.TestSuite;
 
 import java.util.Comparator;
-import java.util.List;
 
 /** ARC0710: repetitions stay within what can be run: some, and not too many. */
 public final class TestStreamLength implements Check.OnStreamTest {
@@ -15,7 +14,8 @@ public final class TestStreamLength implements Check.OnStreamTest {
     @Override
     public void check(StreamTestSymbol test, Context context, Findings findings) {
         for (StreamSymbol stream : test.streams()) {
-            checkCounts(stream.node().elements(), findings);
+            TestSuite.StreamElement.written(stream.node().elements())
+                    .forEach(element -> checkCount(element, findings));
         }
         if (test.isTooLong()) {
             test.streams().stream()
@@ -32,17 +32,12 @@ public final class TestStreamLength implements Check.OnStreamTest {
                 StreamExtent.LIMIT);
     }
 
-    private static void checkCounts(List<TestSuite.StreamElement> elements, Findings findings) {
-        for (TestSuite.StreamElement element : elements) {
-            if (element instanceof TestSuite.Repeat repeat) {
-                if (repeat.count() < 1) {
-                    findings.report(
-                            repeat,
-                            "this repeats %s times; repeat at least once, or remove it",
-                            repeat.count());
-                }
-                checkCounts(repeat.elements(), findings);
-            }
+    private static void checkCount(TestSuite.StreamElement element, Findings findings) {
+        if (element instanceof TestSuite.Repeat repeat && repeat.count() < 1) {
+            findings.report(
+                    repeat,
+                    "this repeats %s times; repeat at least once, or remove it",
+                    repeat.count());
         }
     }
 }

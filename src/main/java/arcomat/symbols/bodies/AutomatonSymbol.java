@@ -1,5 +1,6 @@
 package arcomat.symbols.bodies;
 
+import arcomat.source.Span;
 import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.PortSymbol;
@@ -26,6 +27,33 @@ import java.util.Optional;
 
 /** An automaton with its states, variables, transitions and the interface it works on. */
 public final class AutomatonSymbol {
+    /** A state; {@code index} counts the declarations from 0. */
+    public record StateSymbol(AutomatonElement.State node, int index) {
+        public String name() {
+            return node.name().text();
+        }
+
+        public Span nameSpan() {
+            return node.name().span();
+        }
+    }
+
+    /**
+     * One initial state. A clause that names several states gives several, with the same items.
+     *
+     * @param node the whole clause
+     * @param state empty where no such state is declared
+     */
+    public record InitialSymbol(
+            AutomatonElement.Initial node,
+            Name name,
+            Optional<StateSymbol> state,
+            List<ItemSymbol> items) {
+        public InitialSymbol {
+            items = List.copyOf(items);
+        }
+    }
+
     private final Automaton node;
     private final UnitScope unitScope;
     private final Optional<ComponentSymbol> component;

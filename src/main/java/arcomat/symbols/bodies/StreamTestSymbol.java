@@ -93,22 +93,17 @@ public final class StreamTestSymbol {
         TypeSymbol expected =
                 port.found().<TypeSymbol>map(PortSymbol::type).orElse(UnknownType.UNKNOWN);
         List<Typed> messages = new ArrayList<>();
-        collect(node.elements(), expected, messages);
+        for (TestSuite.StreamElement element : TestSuite.StreamElement.written(node.elements())) {
+            if (element instanceof TestSuite.Message message) {
+                messages.add(message(message, expected));
+            }
+        }
         return new StreamSymbol(node, kind, port, messages, StreamExtent.of(node.elements()));
     }
 
-    private void collect(
-            List<TestSuite.StreamElement> elements, TypeSymbol expected, List<Typed> messages) {
-        for (TestSuite.StreamElement element : elements) {
-            if (element instanceof TestSuite.Message message) {
-                Typed typed =
-                        ExpressionTyping.message(
-                                message.expression(), suite.emptyScope(), expected);
-                messages.add(expected.isErroneous() ? typed.withoutUnknownNames() : typed);
-            } else if (element instanceof TestSuite.Repeat repeat) {
-                collect(repeat.elements(), expected, messages);
-            }
-        }
+    private Typed message(TestSuite.Message message, TypeSymbol expected) {
+        Typed typed = ExpressionTyping.message(message.expression(), suite.emptyScope(), expected);
+        return expected.isErroneous() ? typed.withoutUnknownNames() : typed;
     }
 
     private Resolution<PortSymbol> port(TestSuite.PortStream stream) {

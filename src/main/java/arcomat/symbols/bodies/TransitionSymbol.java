@@ -1,5 +1,6 @@
 package arcomat.symbols.bodies;
 
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ItemSymbol.Side;
 import arcomat.symbols.expressions.ExpressionTyping;
 import arcomat.symbols.expressions.Typed;

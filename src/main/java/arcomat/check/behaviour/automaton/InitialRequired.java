@@ -2,7 +2,7 @@ package arcomat.check.behaviour.automaton;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.StateSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 
 import java.util.List;
 

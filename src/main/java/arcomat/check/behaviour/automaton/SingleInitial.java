@@ -4,7 +4,7 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.check.law.Check;
 import arcomat.check.naming.InitialDeclaredOnce;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.tree.Name;
 
 import java.util.List;

@@ -2,7 +2,7 @@ package arcomat.check.behaviour.automaton;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.StateSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 
 import java.util.ArrayDeque;

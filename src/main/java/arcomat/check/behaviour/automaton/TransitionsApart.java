@@ -2,8 +2,8 @@ package arcomat.check.behaviour.automaton;
 
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
-import arcomat.symbols.bodies.StateSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.ItemValue;
 

@@ -4,7 +4,7 @@ import arcomat.check.behaviour.item.Items;
 import arcomat.check.facts.Wording;
 import arcomat.check.law.Check;
 import arcomat.symbols.bodies.AutomatonSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.ItemSymbol;
 import arcomat.symbols.bodies.TableSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;

@@ -2,8 +2,8 @@ package arcomat.check.behaviour.total;
 
 import arcomat.check.behaviour.item.Items;
 import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
-import arcomat.symbols.bodies.InitialSymbol;
 import arcomat.symbols.bodies.TransitionSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
