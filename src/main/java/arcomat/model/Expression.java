@@ -2,6 +2,7 @@ package arcomat.model;
 
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -76,6 +77,20 @@ public sealed interface Expression {
             operand.visit(visitor);
         }
         visitor.accept(this);
+    }
+
+    /** The ports whose messages it looks at, from left to right. */
+    default List<Port> ports() {
+        List<Port> found = new ArrayList<>();
+        visit(
+                each -> {
+                    if (each instanceof PortRead read) {
+                        found.add(read.port());
+                    } else if (each instanceof PortMatches matches) {
+                        found.add(matches.port());
+                    }
+                });
+        return found;
     }
 
     /** Whether it, or something that it is made of, is what is asked for. */

@@ -18,6 +18,7 @@ import java.util.BitSet;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -126,8 +127,8 @@ final class Trap extends Analysis {
     }
 
     private static void join(int one, int two, Map<Integer, TreeSet<Integer>> groups) {
-        TreeSet<Integer> first = groups.get(one);
-        TreeSet<Integer> second = groups.get(two);
+        TreeSet<Integer> first = Objects.requireNonNull(groups.get(one));
+        TreeSet<Integer> second = Objects.requireNonNull(groups.get(two));
         if (first != second) {
             first.addAll(second);
             second.forEach(state -> groups.put(state, first));

@@ -45,7 +45,7 @@ record CoverageSearch(
             beginnings.addAll(graph.beginnings());
             givenUp = explore(graph, beginnings, goals, reached);
         } catch (GivenUp inTheMiddle) {
-            givenUp = Optional.of(inTheMiddle.getMessage());
+            givenUp = Optional.of(String.valueOf(inTheMiddle.getMessage()));
         }
         reached.retainAll(goals);
         return new CoverageSearch(graph, goals, reached, beginnings, givenUp);

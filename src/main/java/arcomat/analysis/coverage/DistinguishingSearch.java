@@ -14,6 +14,8 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
@@ -142,7 +144,7 @@ record DistinguishingSearch(
         return new Run(mistake, inputs, expected, promised);
     }
 
-    private static List<Value> messages(Sent sent) {
+    private static List<Value> messages(@Nullable Sent sent) {
         return sent instanceof Sent.Messages messages ? messages.values() : List.of();
     }
 }

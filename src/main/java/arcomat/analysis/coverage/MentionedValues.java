@@ -51,35 +51,25 @@ final class MentionedValues {
                 e -> {
                     if (e instanceof Expression.Constant constant) {
                         values.add(constant.value());
-                    } else if (e instanceof Expression.PortRead read) {
-                        ports.add(read.port().name());
-                    } else if (e instanceof Expression.PortMatches matches) {
-                        ports.add(matches.port().name());
                     }
                 });
+        expression.ports().forEach(port -> ports.add(port.name()));
     }
 
     boolean port(String name) {
         return ports.contains(name);
     }
 
-    /** The mentioned values that are of a type with many values. */
+    /** The mentioned values of a type with many values; of none that are objects. */
     List<Value> of(Type type) {
         return values.stream().filter(value -> isOf(value, type)).toList();
     }
 
     private static boolean isOf(Value value, Type type) {
-        if (type instanceof Type.IntegerType range) {
-            return value instanceof Value.IntegerValue number
-                    && range.low() <= number.value()
-                    && number.value() <= range.high();
-        }
-        if (type instanceof Type.RealType) {
-            return value instanceof Value.RealValue;
-        }
-        if (type instanceof Type.CharacterType) {
-            return value instanceof Value.CharacterValue;
-        }
-        return type instanceof Type.StringType && value instanceof Value.StringValue;
+        return type instanceof Type.IntegerType range
+                ? value instanceof Value.IntegerValue number
+                        && range.low() <= number.value()
+                        && number.value() <= range.high()
+                : !(type instanceof Type.ClassType) && value.getClass() == type.first().getClass();
     }
 }

@@ -13,6 +13,8 @@ import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Output;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -33,7 +35,7 @@ record MissingTransition(
 
     private record Way(Node node, Set<List<Configuration>> places) {}
 
-    private record Arrival(Way way, Arrival before, Step last) {}
+    private record Arrival(Way way, @Nullable Arrival before, @Nullable Step last) {}
 
     /**
      * A short way to go on after a run that shows the absence.
@@ -79,7 +81,7 @@ record MissingTransition(
 
     private static List<Step> steps(Arrival last) {
         Deque<Step> steps = new ArrayDeque<>();
-        for (Arrival arrival = last; arrival.last != null; arrival = arrival.before) {
+        for (Arrival arrival = last; arrival != null && arrival.last != null; arrival = arrival.before) {
             steps.addFirst(arrival.last);
         }
         return List.copyOf(steps);

@@ -178,6 +178,7 @@ public record Mutants(Component component, Automaton automaton) {
         return oneOf.values().size() > 1 ? "alt {" + values + "}" : values;
     }
 
+    @SuppressWarnings("NullAway") // what nobody has written stands nowhere
     private static List<Pattern> others(Match match) {
         List<Pattern> others = new ArrayList<>();
         List<Expression> values = match.pattern().values();

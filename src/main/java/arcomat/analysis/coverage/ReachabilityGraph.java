@@ -16,6 +16,8 @@ import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -44,7 +46,7 @@ final class ReachabilityGraph {
     /** A configuration of each automaton and the latched values. */
     static final class Node {
         private final Key key;
-        private List<Step> steps;
+        private @Nullable List<Step> steps;
 
         private Node(Key key) {
             this.key = key;

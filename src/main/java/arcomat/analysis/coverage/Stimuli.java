@@ -15,7 +15,10 @@ import arcomat.semantics.value.InputAbstraction.Copied;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.InputAbstraction.Unseen;
 import arcomat.semantics.value.InputAbstraction.Whole;
+import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.TooManyMessages;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -50,7 +53,7 @@ final class Stimuli {
     private final List<Port> ports;
     private final boolean timed;
     private final MentionedValues mentions;
-    private String sampled;
+    private @Nullable String sampled;
 
     Stimuli(Behaviour behaviour, List<Value> arguments) {
         this.behaviour = behaviour;
@@ -165,7 +168,7 @@ final class Stimuli {
             try {
                 add(fewer(looks), letters);
             } catch (TooManyMessages still) {
-                sampled = still.getMessage();
+                sampled = String.valueOf(still.getMessage());
             }
         }
     }
@@ -182,11 +185,8 @@ final class Stimuli {
     }
 
     private static boolean isSmall(Type type) {
-        return type instanceof Type.BooleanType
-                || type instanceof Type.EnumType
-                || type instanceof Type.IntegerType range
-                        && range.high() - range.low() >= 0
-                        && range.high() - range.low() < FEW;
+        return type instanceof Type.EnumType
+                || SmallType.values(type).filter(all -> all.size() <= FEW).isPresent();
     }
 
     private PortAbstraction sample(Port port) {

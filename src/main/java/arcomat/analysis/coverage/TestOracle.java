@@ -17,6 +17,7 @@ import arcomat.semantics.expression.Output;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /** Whether an atomic component that works slice by slice allows what a test expects. */
@@ -82,7 +83,7 @@ final class TestOracle {
     }
 
     private static List<Value> at(Map<String, List<List<Value>>> expected, Port port, int slice) {
-        List<List<Value>> stream = expected.get(port.name());
+        List<List<Value>> stream = Objects.requireNonNull(expected.get(port.name()));
         return slice < stream.size() ? stream.get(slice) : List.of();
     }
 }

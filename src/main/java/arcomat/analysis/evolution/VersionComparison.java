@@ -56,7 +56,7 @@ public record VersionComparison(
         try {
             return compareWith(arguments);
         } catch (ModelError argumentsGoWrong) {
-            return Change.unknown(argumentsGoWrong.getMessage());
+            return Change.unknown(String.valueOf(argumentsGoWrong.getMessage()));
         }
     }
 

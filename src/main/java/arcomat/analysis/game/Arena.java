@@ -16,6 +16,8 @@ import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.MessageClasses;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -45,7 +47,7 @@ public final class Arena {
      *
      * @param sent null where the run ends
      */
-    record Option(Output sent, int position) {
+    record Option(@Nullable Output sent, int position) {
         private static final Option ERROR = new Option(null, END);
 
         boolean ends() {
@@ -64,7 +66,7 @@ public final class Arena {
     /** It always matters whether latched ports hold something. */
     private final LetterClasses latchedClasses;
 
-    private List<Option> openings;
+    private @Nullable List<Option> openings;
     private final Numbering<IntKey> positions = new Numbering<>();
     private final Map<List<Integer>, Alphabet> alphabets = new HashMap<>();
 

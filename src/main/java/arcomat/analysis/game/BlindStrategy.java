@@ -5,6 +5,8 @@ import arcomat.analysis.search.IntKey;
 import arcomat.analysis.search.letter.Alphabet;
 import arcomat.model.Value;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashMap;
@@ -27,16 +29,17 @@ final class BlindStrategy {
 
     /**
      * @param positions that the system may be in after the word so far, sorted
+     * @param parent null at the beginning
      * @param letter that led here from the parent; null at the beginning
      */
-    private record Node(Node parent, Value[] letter, int[] positions, int messages) {}
+    private record Node(@Nullable Node parent, Value @Nullable [] letter, int[] positions, int messages) {}
 
     private final Game game;
     private final Arena arena;
     private final Budget budget;
     private final AttractorRanks ranks;
     private final int longest;
-    private Node best;
+    private @Nullable Node best;
 
     /**
      * @param ranks of the positions that have been explored
@@ -133,7 +136,7 @@ final class BlindStrategy {
 
     private static List<Value[]> word(Node last) {
         LinkedList<Value[]> word = new LinkedList<>();
-        for (Node node = last; node.letter != null; node = node.parent) {
+        for (Node node = last; node != null && node.letter != null; node = node.parent) {
             word.addFirst(node.letter);
         }
         return word;

@@ -9,6 +9,8 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
@@ -53,7 +55,7 @@ public final class Choices {
         return ports;
     }
 
-    Output cube(int number) {
+    @Nullable Output cube(int number) {
         return outputs.cube(number);
     }
 
@@ -85,9 +87,9 @@ public final class Choices {
         return outer == inner
                 || outputs.isLetter(outer)
                         && outputs.isLetter(inner)
-                        && outputs.cube(outer)
-                                .meet(outputs.cube(inner))
-                                .equals(Optional.of(outputs.cube(inner)));
+                        && outputs.letter(outer)
+                                .meet(outputs.letter(inner))
+                                .equals(Optional.of(outputs.letter(inner)));
     }
 
     /**
@@ -170,7 +172,7 @@ public final class Choices {
         int[] rest = new int[allowed.length];
         int count = 0;
         for (int position : allowed) {
-            if (outputs.cube(cubes[position]).ports().get(port).meet(option).isPresent()) {
+            if (outputs.letter(cubes[position]).ports().get(port).meet(option).isPresent()) {
                 rest[count++] = position;
             }
         }
@@ -184,7 +186,7 @@ public final class Choices {
         for (int i = 0; i < demands.length; i++) {
             int[] cubes = list(demands[i]);
             for (int position : allowed[i]) {
-                Sent sent = outputs.cube(cubes[position]).ports().get(port);
+                Sent sent = outputs.letter(cubes[position]).ports().get(port);
                 if (sent instanceof Sent.Messages) {
                     options.add(sent);
                 }

@@ -10,11 +10,14 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.Optional;
 
 /**
@@ -70,14 +73,30 @@ public final class CounterStrategy {
     private record Place(int letters, int position) {}
 
     private final Arena arena;
-    private final List<Value[]> word;
-    private final AttractorRanks strategy;
+    private final boolean blind;
+    private final Function<Place, Value[]> inputs;
     private final Numbering<Place> places = new Numbering<>();
 
-    private CounterStrategy(Arena arena, List<Value[]> word, AttractorRanks strategy) {
+    /**
+     * @param blind whether only the letters before a place matter
+     * @param inputs what the environment sends
+     */
+    private CounterStrategy(Arena arena, boolean blind, Function<Place, Value[]> inputs) {
         this.arena = arena;
-        this.word = word;
-        this.strategy = strategy;
+        this.blind = blind;
+        this.inputs = inputs;
+    }
+
+    private static CounterStrategy of(Arena arena, List<Value[]> word) {
+        return new CounterStrategy(arena, true, place -> word.get(place.letters));
+    }
+
+    private static CounterStrategy of(Arena arena, AttractorRanks strategy) {
+        return new CounterStrategy(
+                arena,
+                false,
+                place ->
+                        arena.alphabet(place.position).letter(strategy.letter(place.position)));
     }
 
     /** Tells a game that the environment wins. */
@@ -94,8 +113,8 @@ public final class CounterStrategy {
         }
         CounterStrategy telling =
                 found.word().isPresent()
-                        ? new CounterStrategy(game.arena(), found.word().get(), null)
-                        : new CounterStrategy(game.arena(), null, ranks);
+                        ? of(game.arena(), found.word().get())
+                        : of(game.arena(), ranks);
         return new Won(telling.turns(), found.word().map(telling::letters), found.decided());
     }
 
@@ -114,23 +133,17 @@ public final class CounterStrategy {
 
     private Turn turn(Place place) {
         boolean beginning = place.position == BEGINNING;
-        Value[] input = beginning ? new Value[arena.inputs().size()] : input(place);
+        Value[] input = beginning ? new Value[arena.inputs().size()] : inputs.apply(place);
         List<Arena.Option> options =
                 beginning ? arena.openings() : arena.options(place.position, input);
         List<Turn.Answer> answers = new ArrayList<>();
-        int letters = beginning || word == null ? 0 : place.letters + 1;
+        int letters = beginning || !blind ? 0 : place.letters + 1;
         for (Arena.Option option : options) {
             int next = places.number(new Place(letters, option.position()));
             answers.add(new Turn.Answer(named(option.sent()), next));
         }
         return new Turn(
                 letter(input), answers, answers.isEmpty() ? demands(place, input) : List.of());
-    }
-
-    private Value[] input(Place place) {
-        return word != null
-                ? word.get(place.letters)
-                : arena.alphabet(place.position).letter(strategy.letter(place.position));
     }
 
     private List<Turn.Demand> demands(Place place, Value[] input) {
@@ -166,7 +179,7 @@ public final class CounterStrategy {
         return allowed;
     }
 
-    private Map<String, Sent> named(Output output) {
+    private Map<String, Sent> named(@Nullable Output output) {
         Map<String, Sent> named = new LinkedHashMap<>();
         for (int i = 0; output != null && i < arena.outputs().size(); i++) {
             named.put(arena.outputs().get(i).name(), output.ports().get(i));

@@ -6,6 +6,7 @@ import arcomat.analysis.search.letter.Alphabet;
 import arcomat.semantics.value.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -41,11 +42,11 @@ public final class Game {
     private final List<Demand> demands = new ArrayList<>();
 
     /** What was lost before errors were asked for; null until then. */
-    private BitSet lostUnerring;
+    private @Nullable BitSet lostUnerring;
 
     private final IntArrayList levels = new IntArrayList();
     private int explored = Arena.END + 1;
-    private String stopped;
+    private @Nullable String stopped;
 
     /**
      * @param mostMoves after so many inputs in all positions the search is stopped
@@ -88,13 +89,13 @@ public final class Game {
             }
             return isLost() ? Winner.ENVIRONMENT : stopped == null ? Winner.SYSTEM : Winner.UNKNOWN;
         } catch (GivenUp inTheMiddle) {
-            stopped = inTheMiddle.getMessage();
+            stopped = String.valueOf(inTheMiddle.getMessage());
             return Winner.UNKNOWN;
         }
     }
 
     /** Why not to go on; counts the inputs of the next position. */
-    private String exhausted() {
+    private @Nullable String exhausted() {
         long letters = arena.letters(explored);
         moves += letters;
         if (letters > MOST_LETTERS || moves > mostMoves) {

@@ -17,6 +17,7 @@ import arcomat.semantics.value.InputAbstraction;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongObjectHashMap;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -66,7 +67,7 @@ public final class Requirement {
     private final LetterClasses.OfConfigurations classes;
     private final List<LongObjectHashMap<Reply>> replies = new ArrayList<>();
     private final Map<List<Object>, Integer> contents = new HashMap<>();
-    private Reply opening;
+    private @Nullable Reply opening;
 
     /**
      * @param system what the automaton asks for
@@ -106,7 +107,7 @@ public final class Requirement {
     }
 
     /** An output cube by its number; null where the run ends. */
-    Output sent(int cube) {
+    @Nullable Output sent(int cube) {
         return choices.cube(cube);
     }
 

@@ -15,6 +15,7 @@ import arcomat.semantics.value.MessageClasses;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -153,7 +154,7 @@ public final class Synthesis {
     private Output sent(List<Arena.Option> moves) {
         Output all = Output.anything(outputs.size());
         for (Arena.Option move : moves) {
-            all = all.meet(move.sent()).orElseThrow();
+            all = all.meet(Objects.requireNonNull(move.sent())).orElseThrow();
         }
         List<Sent> letter = new ArrayList<>();
         for (int i = 0; i < outputs.size(); i++) {

@@ -2,6 +2,8 @@ package arcomat.analysis.game;
 
 import arcomat.analysis.search.Budget;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.HashMap;
@@ -35,7 +37,7 @@ public final class UnsatCores {
     private final Map<BitSet, Long> tried = new HashMap<>();
     private final Map<BitSet, Game> won = new HashMap<>();
     private final Map<BitSet, Game> lost = new HashMap<>();
-    private String stopped;
+    private @Nullable String stopped;
     private long explored;
 
     public UnsatCores(

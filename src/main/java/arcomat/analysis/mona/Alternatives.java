@@ -5,6 +5,7 @@ import arcomat.analysis.mona.ExplicitSystem.Step;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * Numbers for steps, such that state, letter and number determine the next state: a greedy
@@ -47,6 +48,7 @@ final class Alternatives {
                 return false;
             }
         }
-        return one.error() || one.sent().meet(two.sent()).isPresent();
+        return one.error() || Objects.requireNonNull(one.sent())
+                        .meet(Objects.requireNonNull(two.sent())).isPresent();
     }
 }

@@ -11,6 +11,8 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.value.MessageClasses;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -43,13 +45,14 @@ record ExplicitSystem(
      *
      * @param inputs per input the codes with which the step is taken
      * @param error whether the run ends here, so that nothing is sent
-     * @param sent on the compared ports; where the run ends, what earlier reactions still show
+     * @param sent on the compared ports; where the run ends, what earlier reactions still show, null for
+     *     nothing
      * @param whole on all ports
      */
     record Step(
             List<Set<Integer>> inputs,
             boolean error,
-            Output sent,
+            @Nullable Output sent,
             Output whole,
             int next,
             List<Trace.Cause> causes) {}

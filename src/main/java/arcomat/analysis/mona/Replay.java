@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
@@ -234,7 +235,7 @@ public final class Replay {
     private Allowed allowed(String before, Step step) {
         Map<String, Sent> sent = new LinkedHashMap<>();
         for (int i = 0; !step.error() && i < question.observed().size(); i++) {
-            sent.put(name(i), step.sent().ports().get(i));
+            sent.put(name(i), Objects.requireNonNull(step.sent()).ports().get(i));
         }
         return new Allowed(before, step.causes(), sent, step.error());
     }

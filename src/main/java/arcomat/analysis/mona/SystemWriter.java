@@ -12,12 +12,15 @@ import arcomat.model.Trace;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Stream;
 
 /** Says with bits at positions what one system does. */
@@ -149,12 +152,12 @@ final class SystemWriter {
      * @param delayed where the reaction of a port with delay 1 is seen
      * @param instant where that of a port with delay 0 is; empty at the start, when there is none
      */
-    private List<Condition> sent(Output output, String delayed, String instant) {
+    private List<Condition> sent(@Nullable Output output, String delayed, String instant) {
         List<Condition> conditions = new ArrayList<>();
         for (int i = 0; i < question.observed().size(); i++) {
             String position = question.delays().get(i) == 1 ? delayed : instant;
             if (!position.isEmpty()) {
-                conditions.addAll(sent(i, output.ports().get(i), position));
+                conditions.addAll(sent(i, Objects.requireNonNull(output).ports().get(i), position));
             }
         }
         return conditions;
@@ -175,7 +178,7 @@ final class SystemWriter {
      *
      * @param output null for nothing
      */
-    private List<Condition> stillSeen(Output output) {
+    private List<Condition> stillSeen(@Nullable Output output) {
         return question.mixed().stream()
                 .boxed()
                 .flatMap(

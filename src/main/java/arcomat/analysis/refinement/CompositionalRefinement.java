@@ -41,7 +41,8 @@ final class CompositionalRefinement {
     private final Network right;
     private final Map<Comparison, Verdict> compared = new HashMap<>();
 
-    private CompositionalRefinement(Promise left, Promise right) {
+    private CompositionalRefinement(Promise left, Promise right, Budget budget) {
+        this.budget = budget;
         this.left = left.network();
         this.right = right.network();
     }
@@ -59,7 +60,7 @@ final class CompositionalRefinement {
                 || left.component().profile() == Component.Profile.EVENT_DRIVEN) {
             return Optional.empty();
         }
-        CompositionalRefinement parts = new CompositionalRefinement(left, right);
+        CompositionalRefinement parts = new CompositionalRefinement(left, right, budget);
         return parts.isSameWiring() && parts.endAlike()
                 ? parts.inTurns(budget, whole)
                 : Optional.empty();
@@ -128,7 +129,7 @@ final class CompositionalRefinement {
             return false;
         }
         for (Network.Instance theirs : right.instances()) {
-            Network.Instance own = mine.get(theirs.path());
+            Network.Instance own = Objects.requireNonNull(mine.get(theirs.path()));
             List<Port> inputs = theirs.component().inputs();
             for (int i = 0; i < inputs.size(); i++) {
                 int position = position(own.component().inputs(), inputs.get(i).name());
@@ -178,7 +179,7 @@ final class CompositionalRefinement {
         Answer all = Answer.HOLDS;
         Map<String, Network.Instance> mine = instances(left);
         for (Network.Instance theirs : right.instances()) {
-            Network.Instance own = mine.get(theirs.path());
+            Network.Instance own = Objects.requireNonNull(mine.get(theirs.path()));
             Comparison comparison =
                     new Comparison(
                             own.component(),

@@ -12,6 +12,7 @@ import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -63,7 +64,8 @@ public final class Interfaces {
             List<Port> inputs = right.component().inputs();
             for (int i = 0; i < inputs.size(); i++) {
                 int position = own.indexOf(inputs.get(i).name());
-                if (mine.get(output.name()).get(position) && !theirs.get(output.name()).get(i)) {
+                if (Objects.requireNonNull(mine.get(output.name())).get(position)
+                        && !Objects.requireNonNull(theirs.get(output.name())).get(i)) {
                     problems.add(
                             Sentence.at(
                                     left.component().port(output.name()).get().span(),

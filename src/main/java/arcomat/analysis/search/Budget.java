@@ -2,6 +2,8 @@ package arcomat.analysis.search;
 
 import arcomat.semantics.value.GivenUp;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
@@ -75,11 +77,11 @@ public record Budget(
     }
 
     /** Why to stop now, or null. */
-    public String exhausted(long explored) {
+    public @Nullable String exhausted(long explored) {
         return explored > states ? "more than " + states + " states" : spent();
     }
 
-    private String spent() {
+    private @Nullable String spent() {
         return timeIsUp.getAsBoolean() ? TIME : memoryIsFull.getAsBoolean() ? MEMORY : null;
     }
 

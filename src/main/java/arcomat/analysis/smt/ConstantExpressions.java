@@ -14,7 +14,7 @@ import java.util.function.Predicate;
 import java.util.stream.LongStream;
 
 /** The expressions of an automaton that have one value, or few, wherever it is. */
-record ConstantExpressions(Subject subject) {
+record ConstantExpressions(Subject subject) implements Expression.Cases<Optional<Long>> {
     private static final long FEW = 64;
 
     /** The argument for a parameter. */
@@ -29,22 +29,68 @@ record ConstantExpressions(Subject subject) {
 
     /** The value of an integer that is written out, perhaps with a sign or by a name. */
     Optional<Long> integer(Expression e) {
-        if (e instanceof Expression.Unary unary
-                && unary.operator() == Expression.UnaryOperator.NEGATE) {
-            return integer(unary.operand()).map(value -> -value).filter(fits(e));
-        }
-        if (e instanceof Expression.Cast cast && Translation.isInteger(cast.type())) {
-            return integer(cast.operand()).filter(fits(e));
-        }
-        if (e instanceof Expression.VariableRead read && isConstant(read.variable())) {
-            return integer(read.variable().initial());
-        }
-        if (e instanceof Expression.ParameterRead read) {
-            return integer(argument(read));
-        }
-        return e instanceof Expression.Constant constant
-                ? integer(constant.value())
+        return e.match(this);
+    }
+
+    @Override
+    public Optional<Long> constant(Expression.Constant constant) {
+        return integer(constant.value());
+    }
+
+    @Override
+    public Optional<Long> parameterRead(Expression.ParameterRead read) {
+        return integer(argument(read));
+    }
+
+    @Override
+    public Optional<Long> variableRead(Expression.VariableRead read) {
+        return isConstant(read.variable())
+                ? integer(read.variable().initial())
                 : Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> unary(Expression.Unary unary) {
+        return unary.operator() == Expression.UnaryOperator.NEGATE
+                ? integer(unary.operand()).map(value -> -value).filter(fits(unary))
+                : Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> cast(Expression.Cast cast) {
+        return Translation.isInteger(cast.type())
+                ? integer(cast.operand()).filter(fits(cast))
+                : Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> portRead(Expression.PortRead portRead) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> attributeRead(Expression.AttributeRead attributeRead) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> portMatches(Expression.PortMatches portMatches) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> binary(Expression.Binary binary) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> conditional(Expression.Conditional conditional) {
+        return Optional.empty();
+    }
+
+    @Override
+    public Optional<Long> isIn(Expression.IsIn isIn) {
+        return Optional.empty();
     }
 
     private static Optional<Long> integer(Value value) {

@@ -8,12 +8,22 @@ import de.uni_freiburg.informatik.ultimate.logic.Term;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * Values as numbers and truth values. Constants of enumerations and characters have their position,
  * texts a number of their own. Reals and objects are numbers of which nothing is known.
  */
-final class Encoding implements Value.Cases<Term> {
+final class Encoding implements Value.Cases<Term>, Type.Cases<Encoding.Codes> {
+    /**
+     * The codes of a type.
+     *
+     * @param range what a code is restricted to
+     * @param meaning the value that an example gives a code
+     */
+    record Codes(UnaryOperator<Term> range, Function<Term, Value> meaning) {}
+
     private final Solver solver;
     private final List<String> texts = new ArrayList<>();
 
@@ -75,33 +85,64 @@ final class Encoding implements Value.Cases<Term> {
 
     /** What the codes of a type are restricted to; true where they are not. */
     Term range(Term code, Type type) {
-        if (type instanceof Type.IntegerType integer) {
-            return solver.between(integer.low(), code, integer.high());
-        }
-        if (type instanceof Type.EnumType enumeration) {
-            return solver.between(0, code, enumeration.constants().size() - 1);
-        }
-        return type instanceof Type.CharacterType
-                ? solver.between(0, code, Character.MAX_VALUE)
-                : solver.of(true);
+        return type.match(this).range().apply(code);
     }
 
     /** The value that an example gives a code. */
     Value decode(Term code, Type type) {
-        if (isTruth(type)) {
-            return new Value.BooleanValue(solver.truthOf(code));
-        }
-        BigInteger number = solver.numberOf(code);
-        if (type instanceof Type.IntegerType) {
-            return new Value.IntegerValue(number.longValue());
-        }
-        if (type instanceof Type.EnumType enumeration) {
-            return new Value.EnumValue(enumeration, number.intValue());
-        }
-        if (type instanceof Type.CharacterType) {
-            return new Value.CharacterValue((char) number.intValue());
-        }
-        return type instanceof Type.StringType ? text(number) : type.first();
+        return type.match(this).meaning().apply(code);
+    }
+
+    @Override
+    public Codes booleanType(Type.BooleanType type) {
+        return any(code -> new Value.BooleanValue(solver.truthOf(code)));
+    }
+
+    @Override
+    public Codes integerType(Type.IntegerType type) {
+        return numbers(
+                type.low(), type.high(), number -> new Value.IntegerValue(number.longValue()));
+    }
+
+    @Override
+    public Codes enumType(Type.EnumType type) {
+        return numbers(
+                0,
+                type.constants().size() - 1,
+                number -> new Value.EnumValue(type, number.intValue()));
+    }
+
+    @Override
+    public Codes characterType(Type.CharacterType type) {
+        return numbers(
+                0,
+                Character.MAX_VALUE,
+                number -> new Value.CharacterValue((char) number.intValue()));
+    }
+
+    @Override
+    public Codes stringType(Type.StringType type) {
+        return any(code -> text(solver.numberOf(code)));
+    }
+
+    @Override
+    public Codes realType(Type.RealType type) {
+        return any(unknown -> type.first());
+    }
+
+    @Override
+    public Codes classType(Type.ClassType type) {
+        return any(unknown -> type.first());
+    }
+
+    private Codes any(Function<Term, Value> meaning) {
+        return new Codes(code -> solver.of(true), meaning);
+    }
+
+    private Codes numbers(long low, long high, Function<BigInteger, Value> meaning) {
+        return new Codes(
+                code -> solver.between(low, code, high),
+                code -> meaning.apply(solver.numberOf(code)));
     }
 
     private Value text(BigInteger number) {

@@ -17,10 +17,11 @@ import java.util.function.UnaryOperator;
  *
  * @param here whether an operation itself does it, where its operands do not
  */
-record Hazard(UnaryOperator<Expression> here) {
+record Hazard(UnaryOperator<Expression> here) implements Expression.Cases<Expression> {
     private static final Type TRUTH = new Type.BooleanType();
 
     /** It never does. */
+    @SuppressWarnings("NullAway") // it stands nowhere
     static final Expression NEVER =
             new Expression.Constant(new Value.BooleanValue(false), TRUTH, null);
 
@@ -32,27 +33,33 @@ record Hazard(UnaryOperator<Expression> here) {
     }
 
     Expression in(Expression e) {
-        if (e instanceof Expression.Binary binary && isLazy(binary.operator())) {
-            Expression left = binary.left();
-            Expression goesOn = binary.operator() == BinaryOperator.OR ? not(left) : left;
-            return or(in(left), and(goesOn, in(binary.right())));
+        return e.match(this);
+    }
+
+    @Override
+    public Expression binary(Expression.Binary binary) {
+        if (!isLazy(binary.operator())) {
+            return inAll(binary);
         }
-        if (e instanceof Expression.Conditional choice) {
-            Expression then = in(choice.then());
-            Expression otherwise = in(choice.otherwise());
-            Expression branch =
-                    isNever(then) && isNever(otherwise)
-                            ? then
-                            : choose(choice.condition(), then, otherwise);
-            return or(in(choice.condition()), branch);
-        }
-        return e instanceof Expression.PortMatches matches
-                ? in(matches)
-                : or(inAny(e.operands()), here.apply(e));
+        Expression left = binary.left();
+        Expression goesOn = binary.operator() == BinaryOperator.OR ? not(left) : left;
+        return or(in(left), and(goesOn, in(binary.right())));
+    }
+
+    @Override
+    public Expression conditional(Expression.Conditional choice) {
+        Expression then = in(choice.then());
+        Expression otherwise = in(choice.otherwise());
+        Expression branch =
+                isNever(then) && isNever(otherwise)
+                        ? then
+                        : choose(choice.condition(), then, otherwise);
+        return or(in(choice.condition()), branch);
     }
 
     /** Nothing is computed where there is no message, and nothing behind a value that fits. */
-    private Expression in(Expression.PortMatches matches) {
+    @Override
+    public Expression portMatches(Expression.PortMatches matches) {
         List<Expression> values = new ArrayList<>(matches.operands());
         Expression any = NEVER;
         for (int i = values.size() - 1; i >= 0; i--) {
@@ -66,6 +73,51 @@ record Hazard(UnaryOperator<Expression> here) {
         Expression present =
                 new Expression.PortMatches(matches.port(), new Automaton.Present(), matches.span());
         return and(present, any);
+    }
+
+    @Override
+    public Expression constant(Expression.Constant constant) {
+        return inAll(constant);
+    }
+
+    @Override
+    public Expression portRead(Expression.PortRead portRead) {
+        return inAll(portRead);
+    }
+
+    @Override
+    public Expression variableRead(Expression.VariableRead variableRead) {
+        return inAll(variableRead);
+    }
+
+    @Override
+    public Expression parameterRead(Expression.ParameterRead parameterRead) {
+        return inAll(parameterRead);
+    }
+
+    @Override
+    public Expression attributeRead(Expression.AttributeRead attributeRead) {
+        return inAll(attributeRead);
+    }
+
+    @Override
+    public Expression unary(Expression.Unary unary) {
+        return inAll(unary);
+    }
+
+    @Override
+    public Expression isIn(Expression.IsIn isIn) {
+        return inAll(isIn);
+    }
+
+    @Override
+    public Expression cast(Expression.Cast cast) {
+        return inAll(cast);
+    }
+
+    /** All operands are evaluated, and then it itself. */
+    private Expression inAll(Expression e) {
+        return or(inAny(e.operands()), here.apply(e));
     }
 
     private static boolean isLazy(BinaryOperator operator) {

@@ -18,6 +18,7 @@ import java.math.BigInteger;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.function.BooleanSupplier;
 
 /** Linear integer arithmetic with Booleans: terms, assertions, and whether they can be true. */
@@ -177,7 +178,7 @@ final class Solver {
     }
 
     private Term value(Term term) {
-        return script.getValue(new Term[] {term}).get(term);
+        return Objects.requireNonNull(script.getValue(new Term[] {term}).get(term));
     }
 
     private static BigInteger number(Term value) {

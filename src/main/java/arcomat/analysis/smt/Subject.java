@@ -7,6 +7,7 @@ import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Behaviour;
 import arcomat.semantics.automaton.StepRelation;
+import arcomat.semantics.value.SmallType;
 
 import java.util.BitSet;
 import java.util.List;
@@ -44,9 +45,9 @@ public record Subject(
     }
 
     private static boolean isNarrow(Type type) {
-        return type instanceof Type.BooleanType
-                || type instanceof Type.EnumType
-                || type instanceof Type.IntegerType integer && integer.ranged();
+        return type instanceof Type.IntegerType integer
+                ? integer.ranged()
+                : SmallType.values(type).isPresent();
     }
 
     /** The states that transitions lead to from a beginning, whatever their guards say. */

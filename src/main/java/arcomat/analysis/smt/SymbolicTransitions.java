@@ -11,6 +11,7 @@ import arcomat.model.Type;
 import arcomat.model.Variable;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -194,7 +195,7 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
     }
 
     /** What a transition says about a port; null for nothing. */
-    private Automaton.Emission emission(int transition, String port) {
+    private Automaton.@Nullable Emission emission(int transition, String port) {
         for (Send send : transitions().get(transition).sends()) {
             if (send.port().name().equals(port)) {
                 return send.emission();
@@ -204,7 +205,8 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
         return silent ? new Automaton.Silence() : null;
     }
 
-    private Term differ(Automaton.Emission one, Automaton.Emission two) {
+    private Term differ(
+            Automaton.@Nullable Emission one, Automaton.@Nullable Emission two) {
         if (!(one instanceof Messages first) || !(two instanceof Messages second)) {
             boolean same = one == null ? two == null : one.equals(two);
             return solver.of(!same);

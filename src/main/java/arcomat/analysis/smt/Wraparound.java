@@ -29,7 +29,7 @@ final class Wraparound {
             return not(equal(wide(cast), wide(cast.operand())));
         }
         if (e instanceof Expression.Unary unary) {
-            return equal(unary.operand(), least(unary.operand().type()));
+            return equal(unary.operand(), least(unary.operand()));
         }
         Expression.Binary binary = (Expression.Binary) e;
         if (binary.operator() == BinaryOperator.DIVIDE) {
@@ -72,16 +72,15 @@ final class Wraparound {
     }
 
     private static Expression isLeastByMinusOne(Expression left, Expression right) {
-        return and(equal(left, least(left.type())), equal(right, number(-1, right)));
+        return and(equal(left, least(left)), equal(right, number(-1, right)));
     }
 
     private static boolean isLong(Type type) {
         return type instanceof Type.IntegerType integer && integer.width() == Type.Width.LONG;
     }
 
-    private static Expression least(Type type) {
-        long low = Interval.ofWidth(type).low().longValueExact();
-        return new Expression.Constant(new Value.IntegerValue(low), type, null);
+    private static Expression least(Expression like) {
+        return number(Interval.ofWidth(like.type()).low().longValueExact(), like);
     }
 
     private static Expression wide(Expression e) {

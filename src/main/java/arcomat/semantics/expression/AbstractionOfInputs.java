@@ -132,7 +132,7 @@ public final class AbstractionOfInputs extends ConditionWalk {
     }
 
     private void compare(Port port, Expression value, boolean ordered) {
-        List<Port> others = reads(value);
+        List<Port> others = value.ports();
         if (others.isEmpty()) {
             Term term = Evaluation.compile(value, scope);
             probes.add(new Probe(port, null, term, ordered, isFixed(value)));
@@ -168,7 +168,7 @@ public final class AbstractionOfInputs extends ConditionWalk {
 
     @Override
     void value(Expression e) {
-        reads(e).forEach(this::whole);
+        e.ports().forEach(this::whole);
     }
 
     private void whole(Port port) {
@@ -182,18 +182,5 @@ public final class AbstractionOfInputs extends ConditionWalk {
 
     private static boolean isTruth(Expression e) {
         return e.type() instanceof arcomat.model.Type.BooleanType;
-    }
-
-    private static List<Port> reads(Expression e) {
-        List<Port> found = new ArrayList<>();
-        e.visit(
-                each -> {
-                    if (each instanceof Expression.PortRead read) {
-                        found.add(read.port());
-                    } else if (each instanceof Expression.PortMatches matches) {
-                        found.add(matches.port());
-                    }
-                });
-        return found;
     }
 }

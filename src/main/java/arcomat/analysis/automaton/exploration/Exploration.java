@@ -12,6 +12,8 @@ import arcomat.semantics.value.GivenUp;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.Unseen;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
@@ -90,7 +92,7 @@ public final class Exploration {
                 }
             }
         } catch (GivenUp stopped) {
-            obstacle = stopped.getMessage();
+            obstacle = String.valueOf(stopped.getMessage());
         }
     }
 
@@ -128,13 +130,13 @@ public final class Exploration {
     }
 
     /** Keeps the better of two ways that are equally long. */
-    private int propose(Place place, Visit before, Value[] letter, Output output) {
+    private int propose(Place place, @Nullable Visit before, Value @Nullable [] letter, Output output) {
         Visit known = visits.get(place);
         if (known != null) {
             return known.number();
         }
         Visit other = next.get(place);
-        int messages = before == null ? 0 : before.messages() + Letters.messages(letter);
+        int messages = before == null || letter == null ? 0 : before.messages() + Letters.messages(letter);
         if (other != null && other.messages() <= messages) {
             return other.number();
         }

@@ -6,6 +6,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Automaton.Transition;
 import arcomat.model.Component;
 import arcomat.model.Expression;
+import arcomat.model.Port;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Guards;
 
@@ -71,12 +72,8 @@ public record SureSending(Knowledge knowledge) {
         Expression condition =
                 new Guards(knowledge.subject().component().profile())
                         .enabledWhen(transitions().get(transition));
-        return condition.contains(
-                e ->
-                        e instanceof Expression.VariableRead
-                                || e instanceof Expression.PortRead read && read.port().latched()
-                                || e instanceof Expression.PortMatches matches
-                                        && matches.port().latched());
+        return condition.contains(Expression.VariableRead.class::isInstance)
+                || condition.ports().stream().anyMatch(Port::latched);
     }
 
     /** Whether a transition may send. */

@@ -6,6 +6,8 @@ import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation.Reaction;
 import arcomat.semantics.expression.Output;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Comparator;
 import java.util.Set;
 
@@ -24,8 +26,8 @@ public record Visit(
         int number,
         Configuration configuration,
         Set<Integer> latched,
-        Visit before,
-        Value[] letter,
+        @Nullable Visit before,
+        Value @Nullable [] letter,
         Output output,
         int length,
         int messages) {

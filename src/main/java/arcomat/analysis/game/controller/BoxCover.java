@@ -59,10 +59,10 @@ final class BoxCover {
             open.sort(Comparator.comparingInt(port -> parts(last, port, settled).size()));
             open.subList(1, open.size()).clear();
         }
-        List<Box> best = null;
-        for (int port : open) {
+        List<Box> best = divideBy(open.get(0), rest, groups, settled);
+        for (int port : open.subList(1, open.size())) {
             List<Box> boxes = divideBy(port, rest, groups, settled);
-            best = best == null || boxes.size() < best.size() ? boxes : best;
+            best = boxes.size() < best.size() ? boxes : best;
         }
         return best;
     }

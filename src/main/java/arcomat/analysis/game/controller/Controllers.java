@@ -166,7 +166,7 @@ public final class Controllers {
     private boolean isLeftOut(MealyMachine.Reaction reaction, int own) {
         return completion() == Completion.IGNORE
                 ? reaction.next() == own
-                        && reaction.sent().ports().stream().allMatch(Sent.SILENCE::equals)
+                        && Objects.requireNonNull(reaction.sent()).ports().stream().allMatch(Sent.SILENCE::equals)
                 : reaction.sent() == null;
     }
 
@@ -189,7 +189,8 @@ public final class Controllers {
                 }
             }
         }
-        return new Branch(matches, Optional.ofNullable(guard), reaction.sent(), reaction.next());
+        Output sent = Objects.requireNonNull(reaction.sent()); // others are left out
+        return new Branch(matches, Optional.ofNullable(guard), sent, reaction.next());
     }
 
     private List<Send> sends(Output output) {

@@ -5,6 +5,8 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 
 /**
@@ -24,7 +26,7 @@ public record MealyMachine(
      *
      * @param sent null where the run ends, because the requirements forbid the input
      */
-    public record Reaction(Output sent, int next) {}
+    public record Reaction(@Nullable Output sent, int next) {}
 
     /**
      * The reactions of one state. Inputs are told apart port by port.

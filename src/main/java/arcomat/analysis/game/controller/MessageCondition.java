@@ -15,6 +15,8 @@ import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.ValueOrder;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -133,6 +135,7 @@ final class MessageCondition {
         return present.stream().filter(each -> !isExact(each)).findFirst().orElseThrow();
     }
 
+    @SuppressWarnings("NullAway") // some messages are wanted, and some are not
     private Expression comparison() {
         if (wanted.size() == present.size()) {
             return isNumber();
@@ -208,6 +211,7 @@ final class MessageCondition {
         return ((Value.IntegerValue) present.get(sample)).value();
     }
 
+    @SuppressWarnings("NullAway") // an interval has an end on one side at least
     private Expression inside(Interval interval) {
         Value low = present.get(interval.first);
         Value high = present.get(interval.last);
@@ -261,7 +265,7 @@ final class MessageCondition {
     /**
      * @param left null for what is always true
      */
-    static Expression and(Expression left, Expression right) {
+    static Expression and(@Nullable Expression left, Expression right) {
         return left == null ? right : binary(BinaryOperator.AND, left, right);
     }
 

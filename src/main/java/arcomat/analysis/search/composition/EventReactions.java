@@ -17,6 +17,8 @@ import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -35,7 +37,7 @@ final class EventReactions {
     /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
     private final int[][] held;
 
-    private String leftOut;
+    private @Nullable String leftOut;
 
     EventReactions(Network network, Wiring wiring, Budget budget) {
         this.budget = budget;
@@ -107,7 +109,7 @@ final class EventReactions {
      *
      * @param looks by external input, widened by what the part looks at; null if nobody asks
      */
-    void react(RunToCompletion run, PortAbstraction[] looks, Branches found) {
+    void react(RunToCompletion run, PortAbstraction @Nullable [] looks, Branches found) {
         int part = run.nextPart();
         RunToCompletion.Event event = run.first(part);
         if (looks != null) {

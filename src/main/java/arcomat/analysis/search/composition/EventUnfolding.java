@@ -12,6 +12,8 @@ import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -178,7 +180,8 @@ public final class EventUnfolding implements Unfolding {
         return run(before, letter, null);
     }
 
-    private List<Unfolding.Step> run(GlobalState before, Value[] letter, PortAbstraction[] looks) {
+    private List<Unfolding.Step> run(
+            GlobalState before, Value[] letter, PortAbstraction @Nullable [] looks) {
         RunToCompletion run = new RunToCompletion(before.parts(), latched(before, letter));
         boolean empty = true;
         for (int i = 0; i < letter.length; i++) {
@@ -218,7 +221,7 @@ public final class EventUnfolding implements Unfolding {
 
     /** Follows runs in all ways until every queue is empty, first alternatives first. */
     private void complete(
-            List<RunToCompletion> runs, PortAbstraction[] looks, List<Unfolding.Step> outcomes) {
+            List<RunToCompletion> runs, PortAbstraction @Nullable [] looks, List<Unfolding.Step> outcomes) {
         Deque<RunToCompletion> open = new ArrayDeque<>(runs);
         int reactions = 0;
         while (!open.isEmpty()) {

@@ -5,6 +5,8 @@ import arcomat.model.Value;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -32,7 +34,7 @@ final class RunToCompletion {
 
     static final int INSIDE = -1;
 
-    private final RunToCompletion before;
+    private final @Nullable RunToCompletion before;
     private final int length;
     private final List<List<Configuration>> parts;
     private final List<List<Event>> queues;
@@ -74,7 +76,7 @@ final class RunToCompletion {
 
     /** The same, one of several; it may go on differently. */
     RunToCompletion twin() {
-        RunToCompletion twin = before.longer();
+        RunToCompletion twin = Objects.requireNonNull(before).longer();
         for (int part = 0; part < latched.length; part++) {
             twin.queues.set(part, queues.get(part));
             twin.latched[part] = latched[part];
@@ -105,7 +107,7 @@ final class RunToCompletion {
     }
 
     /** Null where nothing is latched. */
-    Value latched(int part, int port) {
+    @Nullable Value latched(int part, int port) {
         return latched[part][port];
     }
 
@@ -197,7 +199,7 @@ final class RunToCompletion {
     }
 
     /** The latest time that the run was just here before; null if it never was. */
-    RunToCompletion circleBeginning() {
+    @Nullable RunToCompletion circleBeginning() {
         for (RunToCompletion run = before; run != null; run = run.before) {
             if (isSame(run)) {
                 return run;
@@ -208,7 +210,7 @@ final class RunToCompletion {
 
     /** Whether it might have gone another way since an earlier time. */
     boolean hasAlternativesSince(RunToCompletion earlier) {
-        for (RunToCompletion run = this; run != earlier; run = run.before) {
+        for (RunToCompletion run = this; run != null && run != earlier; run = run.before) {
             if (run.alternative) {
                 return true;
             }
@@ -219,7 +221,7 @@ final class RunToCompletion {
     /** What was put on signals since an earlier time. */
     List<Emission> emissionsSince(RunToCompletion earlier) {
         List<Emission> all = new ArrayList<>();
-        for (RunToCompletion run = this; run != earlier; run = run.before) {
+        for (RunToCompletion run = this; run != null && run != earlier; run = run.before) {
             all.addAll(run.emissions);
         }
         return all;

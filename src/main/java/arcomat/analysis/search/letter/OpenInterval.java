@@ -3,6 +3,8 @@ package arcomat.analysis.search.letter;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.List;
 
@@ -12,7 +14,7 @@ import java.util.List;
  * @param low null where it has no beginning but that of the type
  * @param high null where it has no end but that of the type
  */
-record OpenInterval(Type type, Value low, Value high) {
+record OpenInterval(Type type, @Nullable Value low, @Nullable Value high) {
 
     /**
      * All gaps, perhaps empty.

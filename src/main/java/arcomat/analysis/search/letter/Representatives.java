@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -45,7 +46,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
             int count = atOnce(sorts[port], profile, inputs, open);
             fresh.computeIfAbsent(
                     sorts[port].number(),
-                    sort -> FreshValues.of(sorts[port], held.get(sort), count));
+                    sort -> FreshValues.of(sorts[port], Objects.requireNonNull(held.get(sort)), count));
         }
         List<Value[]> letters =
                 Letters.of(
@@ -108,7 +109,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
         known(sort).stream()
                 .filter(value -> MessageClasses.isIn(port.type(), value))
                 .forEach(samples::add);
-        samples.addAll(fresh.get(sort.number()).in(port.type()));
+        samples.addAll(Objects.requireNonNull(fresh.get(sort.number())).in(port.type()));
         return samples;
     }
 

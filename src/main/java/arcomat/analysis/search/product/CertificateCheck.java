@@ -9,6 +9,8 @@ import arcomat.analysis.search.step.Steps;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -34,7 +36,7 @@ public final class CertificateCheck {
     private final Map<String, List<Set<String>>> entries = new HashMap<>();
     private final Deque<Pair> open = new ArrayDeque<>();
     private final Set<Pair> met = new HashSet<>();
-    private String problem;
+    private @Nullable String problem;
 
     /**
      * @param budget of time and memory

@@ -11,11 +11,14 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -77,7 +80,7 @@ public record Counterexample(List<Moment> moments, Forbidden forbidden) {
                 before = node;
             }
             Value[] letter =
-                    before == Antichain.NONE ? null : failure.alphabet().letter(failure.letter());
+                    before == Antichain.NONE ? null : Objects.requireNonNull(failure.alphabet()).letter(failure.letter());
             moments.add(moment(letter, failure.steps(), failure.step(), failure.sent(), List.of()));
             return moments;
         }
@@ -108,7 +111,7 @@ public record Counterexample(List<Moment> moments, Forbidden forbidden) {
 
         /** The first step with a letter, and as many messages, that leads to a pair. */
         private Optional<Moment> step(
-                Value[] letter, Steps mine, Steps theirs, int messages, int after) {
+                Value @Nullable [] letter, Steps mine, Steps theirs, int messages, int after) {
             for (int step = 0; step < mine.size(); step++) {
                 if (mine.next()[step] != pairs.left(after)) {
                     continue;
@@ -131,7 +134,7 @@ public record Counterexample(List<Moment> moments, Forbidden forbidden) {
         }
 
         private Moment moment(
-                Value[] letter, Steps mine, int step, CubeSplit.Case sent, List<String> right) {
+                Value @Nullable [] letter, Steps mine, int step, CubeSplit.Case sent, List<String> right) {
             return new Moment(
                     letter == null ? Letter.SILENCE : Letter.of(product.left.inputs(), letter),
                     sent(mine.whole().get(step), sent),
@@ -171,10 +174,11 @@ public record Counterexample(List<Moment> moments, Forbidden forbidden) {
             } else {
                 before = product.left.describe(pairs.left(failure.node()));
                 int set = pairs.set(failure.node());
+                Alphabet alphabet = Objects.requireNonNull(failure.alphabet());
                 for (int member : product.sets.members(set)) {
                     addAllowed(
                             product.right.describe(member),
-                            product.answers(set, member, failure.alphabet(), failure.letter()),
+                            product.answers(set, member, alphabet, failure.letter()),
                             allowed);
                 }
             }

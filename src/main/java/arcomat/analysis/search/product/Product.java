@@ -19,6 +19,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 
 import com.carrotsearch.hppc.LongObjectHashMap;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -235,12 +236,12 @@ final class Product {
 
     /** Steps by configuration and alphabet; most configurations meet very few alphabets. */
     private static final class StepTable {
-        private record Row(Alphabet alphabet, Steps[] steps, Row next) {}
+        private record Row(Alphabet alphabet, Steps[] steps, @Nullable Row next) {}
 
         private Row[] first = new Row[64];
 
         /** Null where there are none yet. */
-        Steps[] find(int configuration, Alphabet alphabet) {
+        Steps @Nullable [] find(int configuration, Alphabet alphabet) {
             Row row = configuration < first.length ? first[configuration] : null;
             while (row != null && row.alphabet != alphabet) {
                 row = row.next;

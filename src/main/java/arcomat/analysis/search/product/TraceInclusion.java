@@ -11,6 +11,8 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.semantics.value.GivenUp;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -40,7 +42,7 @@ public final class TraceInclusion {
     private final Antichain pairs;
     private boolean chaosReached;
     private boolean promising;
-    private Failure best;
+    private @Nullable Failure best;
     private final Map<Kind, Failure> failures = new LinkedHashMap<>();
     private boolean goesOn;
     private int level;
@@ -84,12 +86,13 @@ public final class TraceInclusion {
      * The forbidden step.
      *
      * @param node the pair before it, or {@link Antichain#NONE} for a forbidden beginning
+     * @param alphabet null for a forbidden beginning
      * @param step position among the left side's steps
      * @param level its number of inputs
      */
     public record Failure(
             int node,
-            Alphabet alphabet,
+            @Nullable Alphabet alphabet,
             int letter,
             Steps steps,
             int step,
@@ -115,7 +118,7 @@ public final class TraceInclusion {
         try {
             return levels();
         } catch (GivenUp inTheMiddle) {
-            return result(Optional.of(inTheMiddle.getMessage()));
+            return result(Optional.of(String.valueOf(inTheMiddle.getMessage())));
         }
     }
 
@@ -187,7 +190,7 @@ public final class TraceInclusion {
 
     /** One step of the left side, with all that the right side answers. */
     private void follow(
-            int node, Alphabet alphabet, int letter, Steps mine, int step, Steps theirs, int cost) {
+            int node, @Nullable Alphabet alphabet, int letter, Steps mine, int step, Steps theirs, int cost) {
         for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
             int total = cost + sent.messages();
             if (sent.allowed().length == 0) {
@@ -207,7 +210,7 @@ public final class TraceInclusion {
     }
 
     /** The shorter one, then that with fewer messages, then the one that was found first. */
-    private static Failure better(Failure known, Failure found) {
+    private static Failure better(@Nullable Failure known, Failure found) {
         boolean cheaper = known != null && found.level == known.level && found.cost < known.cost;
         return known == null || cheaper ? found : known;
     }

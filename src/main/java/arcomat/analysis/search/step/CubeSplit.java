@@ -137,7 +137,7 @@ public final class CubeSplit {
     }
 
     private Output shown(int number) {
-        return number == OutputCubes.ERROR ? silence : outputs.cube(number);
+        return number == OutputCubes.ERROR ? silence : outputs.letter(number);
     }
 
     private int[] positions(int[] others, Output sample, boolean error) {

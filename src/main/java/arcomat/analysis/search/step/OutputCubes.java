@@ -4,6 +4,10 @@ import arcomat.analysis.search.Numbering;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 
+import org.jspecify.annotations.Nullable;
+
+import java.util.Objects;
+
 /**
  * Numbers for output cubes over the observed ports, and for the ends of runs. Both sides of a
  * comparison share them.
@@ -16,7 +20,7 @@ public final class OutputCubes {
      * @param cube null for the error that shows nothing
      * @param end whether the run ends here
      */
-    private record Shown(Output cube, boolean end) {}
+    private record Shown(@Nullable Output cube, boolean end) {}
 
     private final Numbering<Shown> numbers = new Numbering<>();
 
@@ -35,8 +39,13 @@ public final class OutputCubes {
     }
 
     /** What is sent, or is still seen where the run ends; null for the error that shows nothing. */
-    public Output cube(int number) {
+    public @Nullable Output cube(int number) {
         return numbers.get(number).cube;
+    }
+
+    /** What is sent, where that is known not to be the error that shows nothing. */
+    public Output letter(int number) {
+        return Objects.requireNonNull(cube(number));
     }
 
     /** Whether it is a set of letters, and not the end of the run. */

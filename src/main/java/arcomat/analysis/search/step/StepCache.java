@@ -3,6 +3,7 @@ package arcomat.analysis.search.step;
 import arcomat.model.Trace;
 
 import com.carrotsearch.hppc.LongObjectHashMap;
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -17,10 +18,10 @@ public final class StepCache {
 
     private final LongObjectHashMap<Steps> byKind = new LongObjectHashMap<>(2);
     private final List<Steps> distinct = new ArrayList<>(2);
-    private Map<List<Object>, Steps> byContent;
+    private @Nullable Map<List<Object>, Steps> byContent;
 
     /** Null where they are not known yet. */
-    public Steps find(long kind) {
+    public @Nullable Steps find(long kind) {
         return byKind.get(kind);
     }
 
@@ -46,7 +47,9 @@ public final class StepCache {
     private Steps byContent(Steps computed) {
         if (byContent == null) {
             byContent = new HashMap<>();
-            distinct.forEach(each -> byContent.put(each.content(), each));
+            for (Steps each : distinct) {
+                byContent.put(each.content(), each);
+            }
         }
         Steps known = byContent.putIfAbsent(computed.content(), computed);
         return known == null ? computed : known;

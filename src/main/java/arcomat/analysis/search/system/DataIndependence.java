@@ -9,10 +9,13 @@ import arcomat.semantics.expression.DataSorts.Sort;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.ValueOrder;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -31,8 +34,11 @@ import java.util.TreeSet;
  */
 public final class DataIndependence {
     private final DataSorts sorts = new DataSorts();
-    private final DataPlaces left;
-    private final DataPlaces right;
+    /** Null where no input has data that are worth it. */
+    private final @Nullable DataPlaces left;
+
+    private final @Nullable DataPlaces right;
+
     private final Sort[] ofInputs;
     private final boolean any;
     private final Map<Integer, List<Value>> nothing = new HashMap<>();
@@ -51,19 +57,21 @@ public final class DataIndependence {
         List<Port> inputs = left.inputs();
         ofInputs = new Sort[inputs.size()];
         boolean large = inputs.stream().anyMatch(port -> SmallType.values(port.type()).isEmpty());
-        this.left = large ? left.data(sorts) : null;
-        this.right = large ? right.data(sorts) : null;
-        if (large) {
+        DataPlaces mine = large ? left.data(sorts) : null;
+        DataPlaces theirs = large ? right.data(sorts) : null;
+        if (mine != null && theirs != null) {
             for (Port port : right.inputs()) {
-                join(this.left.input(port.name()), this.right.input(port.name()));
+                join(mine.input(port.name()), theirs.input(port.name()));
             }
             for (int port = 0; port < observed; port++) {
-                join(this.left.outputs().get(port), this.right.outputs().get(port));
+                join(mine.outputs().get(port), theirs.outputs().get(port));
             }
             for (int i = 0; i < ofInputs.length; i++) {
-                ofInputs[i] = free(inputs.get(i));
+                ofInputs[i] = free(mine, inputs.get(i));
             }
         }
+        this.left = mine;
+        this.right = theirs;
         any = !nothing.isEmpty();
     }
 
@@ -73,8 +81,8 @@ public final class DataIndependence {
         }
     }
 
-    private Sort free(Port input) {
-        Sort sort = sorts.sort(left.input(input.name()));
+    private @Nullable Sort free(DataPlaces places, Port input) {
+        Sort sort = sorts.sort(places.input(input.name()));
         if (!sort.free() || SmallType.values(input.type()).isPresent()) {
             return null;
         }
@@ -106,12 +114,13 @@ public final class DataIndependence {
     }
 
     private static void collect(Map<Integer, List<Value>> some, Map<Integer, Set<Value>> all) {
-        some.forEach((sort, values) -> all.get(sort).addAll(values));
+        some.forEach((sort, values) -> Objects.requireNonNull(all.get(sort)).addAll(values));
     }
 
-    private Map<Integer, List<Value>> held(DataPlaces data, int configuration) {
+    private Map<Integer, List<Value>> held(@Nullable DataPlaces data, int configuration) {
         Map<Integer, List<Value>> found = new HashMap<>();
-        data.memory()
+        Objects.requireNonNull(data)
+                .memory()
                 .tell(
                         configuration,
                         (place, value) -> {

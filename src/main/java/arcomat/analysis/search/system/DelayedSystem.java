@@ -18,6 +18,7 @@ import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.IntStream;
 
 /**
@@ -111,7 +112,7 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
         if (held.size() <= slices) {
             return waiting(new int[] {before.inner()}, held);
         }
-        Value[] oldest = letters.get(held.remove(0));
+        Value[] oldest = Objects.requireNonNull(letters.get(held.remove(0)));
         return remembering(system.steps(before.inner(), oldest), held);
     }
 
@@ -127,7 +128,7 @@ public final class DelayedSystem extends HistorySystem<List<Long>> {
     @Override
     void tell(List<Long> kinds, DataPlaces data, DataPlaces.Holding holding) {
         for (long kind : kinds) {
-            Value[] letter = letters.get(kind);
+            Value[] letter = Objects.requireNonNull(letters.get(kind));
             for (int i = 0; i < letter.length; i++) {
                 if (letter[i] != null) {
                     holding.value(data.input(system.inputs().get(i).name()), letter[i]);

@@ -17,6 +17,8 @@ import arcomat.semantics.expression.Output;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -34,7 +36,7 @@ public final class NetworkSystem extends ModelSystem<GlobalState> {
     private final Set<Integer> delayed;
 
     /** Data that the composition itself only passes on and compares, whatever others do. */
-    private DataIndependence own;
+    private @Nullable DataIndependence own;
 
     private NetworkSystem(
             Network network, List<String> observed, OutputCubes cubes, Budget budget) {

@@ -48,9 +48,12 @@ public final class RunErrors {
 
     /** What is written down, or copied from where it had the same type, is never out of range. */
     private static boolean isCalculated(Expression value, Type target) {
-        boolean copied =
-                value instanceof Expression.VariableRead || value instanceof Expression.PortRead;
-        return !(value instanceof Expression.Constant) && !(copied && value.type().equals(target));
+        return !(value instanceof Expression.Constant)
+                && !(isCopied(value) && value.type().equals(target));
+    }
+
+    private static boolean isCopied(Expression value) {
+        return value instanceof Expression.VariableRead || value instanceof Expression.PortRead;
     }
 
     private static boolean divides(Expression e) {

@@ -86,7 +86,7 @@ public final class ShiftedSystem extends HistorySystem<List<Sent>> {
         int[] next = new int[own.size()];
         for (int step = 0; step < sent.length; step++) {
             boolean letter = outputs.isLetter(own.outputs()[step]);
-            List<Sent> made = letter ? outputs.cube(own.outputs()[step]).ports() : silence();
+            List<Sent> made = letter ? outputs.letter(own.outputs()[step]).ports() : silence();
             Output both = new Output(replaced(made, seen));
             sent[step] = letter ? outputs.number(both) : outputs.end(both);
             next[step] = number(own.next()[step], replaced(silence(), made));
