@@ -81,7 +81,9 @@ record MissingTransition(
 
     private static List<Step> steps(Arrival last) {
         Deque<Step> steps = new ArrayDeque<>();
-        for (Arrival arrival = last; arrival != null && arrival.last != null; arrival = arrival.before) {
+        for (Arrival arrival = last;
+                arrival != null && arrival.last != null;
+                arrival = arrival.before) {
             steps.addFirst(arrival.last);
         }
         return List.copyOf(steps);

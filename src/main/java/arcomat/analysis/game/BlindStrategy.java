@@ -32,7 +32,8 @@ final class BlindStrategy {
      * @param parent null at the beginning
      * @param letter that led here from the parent; null at the beginning
      */
-    private record Node(@Nullable Node parent, Value @Nullable [] letter, int[] positions, int messages) {}
+    private record Node(
+            @Nullable Node parent, Value @Nullable [] letter, int[] positions, int messages) {}
 
     private final Game game;
     private final Arena arena;

@@ -17,8 +17,8 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.Function;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * How the environment wins a game, turn by turn: with a single word if there is one, else by
@@ -95,8 +95,7 @@ public final class CounterStrategy {
         return new CounterStrategy(
                 arena,
                 false,
-                place ->
-                        arena.alphabet(place.position).letter(strategy.letter(place.position)));
+                place -> arena.alphabet(place.position).letter(strategy.letter(place.position)));
     }
 
     /** Tells a game that the environment wins. */

@@ -6,6 +6,7 @@ import arcomat.analysis.search.letter.Alphabet;
 import arcomat.semantics.value.GivenUp;
 
 import com.carrotsearch.hppc.IntArrayList;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;

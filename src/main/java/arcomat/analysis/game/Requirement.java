@@ -17,6 +17,7 @@ import arcomat.semantics.value.InputAbstraction;
 
 import com.carrotsearch.hppc.IntArrayList;
 import com.carrotsearch.hppc.LongObjectHashMap;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;

@@ -48,7 +48,9 @@ final class Alternatives {
                 return false;
             }
         }
-        return one.error() || Objects.requireNonNull(one.sent())
-                        .meet(Objects.requireNonNull(two.sent())).isPresent();
+        return one.error()
+                || Objects.requireNonNull(one.sent())
+                        .meet(Objects.requireNonNull(two.sent()))
+                        .isPresent();
     }
 }

@@ -45,8 +45,8 @@ record ExplicitSystem(
      *
      * @param inputs per input the codes with which the step is taken
      * @param error whether the run ends here, so that nothing is sent
-     * @param sent on the compared ports; where the run ends, what earlier reactions still show, null for
-     *     nothing
+     * @param sent on the compared ports; where the run ends, what earlier reactions still show,
+     *     null for nothing
      * @param whole on all ports
      */
     record Step(

@@ -61,7 +61,10 @@ public record MonaRefinement(
                             budget);
             return new MonaRefinement(left, right, Optional.empty(), Optional.of(question));
         } catch (NotForMona problem) {
-            return settled(left, right, Verdict.unknown(String.valueOf(problem.getMessage()), Explored.NOTHING));
+            return settled(
+                    left,
+                    right,
+                    Verdict.unknown(String.valueOf(problem.getMessage()), Explored.NOTHING));
         }
     }
 

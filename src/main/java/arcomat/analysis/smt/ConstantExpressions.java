@@ -44,9 +44,7 @@ record ConstantExpressions(Subject subject) implements Expression.Cases<Optional
 
     @Override
     public Optional<Long> variableRead(Expression.VariableRead read) {
-        return isConstant(read.variable())
-                ? integer(read.variable().initial())
-                : Optional.empty();
+        return isConstant(read.variable()) ? integer(read.variable().initial()) : Optional.empty();
     }
 
     @Override

@@ -11,6 +11,7 @@ import arcomat.model.Type;
 import arcomat.model.Variable;
 
 import de.uni_freiburg.informatik.ultimate.logic.Term;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
@@ -205,8 +206,7 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
         return silent ? new Automaton.Silence() : null;
     }
 
-    private Term differ(
-            Automaton.@Nullable Emission one, Automaton.@Nullable Emission two) {
+    private Term differ(Automaton.@Nullable Emission one, Automaton.@Nullable Emission two) {
         if (!(one instanceof Messages first) || !(two instanceof Messages second)) {
             boolean same = one == null ? two == null : one.equals(two);
             return solver.of(!same);

@@ -10,7 +10,6 @@ import static arcomat.analysis.smt.Hazard.or;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
-import arcomat.model.Value;
 import arcomat.semantics.expression.Interval;
 
 /** When an operation has a result that does not fit its type, and wraps around. */

@@ -130,13 +130,15 @@ public final class Exploration {
     }
 
     /** Keeps the better of two ways that are equally long. */
-    private int propose(Place place, @Nullable Visit before, Value @Nullable [] letter, Output output) {
+    private int propose(
+            Place place, @Nullable Visit before, Value @Nullable [] letter, Output output) {
         Visit known = visits.get(place);
         if (known != null) {
             return known.number();
         }
         Visit other = next.get(place);
-        int messages = before == null || letter == null ? 0 : before.messages() + Letters.messages(letter);
+        int messages =
+                before == null || letter == null ? 0 : before.messages() + Letters.messages(letter);
         if (other != null && other.messages() <= messages) {
             return other.number();
         }

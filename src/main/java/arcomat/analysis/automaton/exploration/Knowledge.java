@@ -87,7 +87,8 @@ public record Knowledge(
     }
 
     private String words(List<RunProperty> open) {
-        Reachability.Unknown first = (Reachability.Unknown) Objects.requireNonNull(answers.get(open.get(0)));
+        Reachability.Unknown first =
+                (Reachability.Unknown) Objects.requireNonNull(answers.get(open.get(0)));
         String more = open.size() == 1 ? "" : ", and " + (open.size() - 1) + " more";
         return "it is open whether %s (%s)%s"
                 .formatted(new RunProperties(subject).words(open.get(0)), first.reason(), more);

@@ -166,7 +166,8 @@ public final class Controllers {
     private boolean isLeftOut(MealyMachine.Reaction reaction, int own) {
         return completion() == Completion.IGNORE
                 ? reaction.next() == own
-                        && Objects.requireNonNull(reaction.sent()).ports().stream().allMatch(Sent.SILENCE::equals)
+                        && Objects.requireNonNull(reaction.sent()).ports().stream()
+                                .allMatch(Sent.SILENCE::equals)
                 : reaction.sent() == null;
     }
 

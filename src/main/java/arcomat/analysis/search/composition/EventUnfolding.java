@@ -221,7 +221,9 @@ public final class EventUnfolding implements Unfolding {
 
     /** Follows runs in all ways until every queue is empty, first alternatives first. */
     private void complete(
-            List<RunToCompletion> runs, PortAbstraction @Nullable [] looks, List<Unfolding.Step> outcomes) {
+            List<RunToCompletion> runs,
+            PortAbstraction @Nullable [] looks,
+            List<Unfolding.Step> outcomes) {
         Deque<RunToCompletion> open = new ArrayDeque<>(runs);
         int reactions = 0;
         while (!open.isEmpty()) {

@@ -46,7 +46,9 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
             int count = atOnce(sorts[port], profile, inputs, open);
             fresh.computeIfAbsent(
                     sorts[port].number(),
-                    sort -> FreshValues.of(sorts[port], Objects.requireNonNull(held.get(sort)), count));
+                    sort ->
+                            FreshValues.of(
+                                    sorts[port], Objects.requireNonNull(held.get(sort)), count));
         }
         List<Value[]> letters =
                 Letters.of(

@@ -80,7 +80,9 @@ public record Counterexample(List<Moment> moments, Forbidden forbidden) {
                 before = node;
             }
             Value[] letter =
-                    before == Antichain.NONE ? null : Objects.requireNonNull(failure.alphabet()).letter(failure.letter());
+                    before == Antichain.NONE
+                            ? null
+                            : Objects.requireNonNull(failure.alphabet()).letter(failure.letter());
             moments.add(moment(letter, failure.steps(), failure.step(), failure.sent(), List.of()));
             return moments;
         }
@@ -134,7 +136,11 @@ public record Counterexample(List<Moment> moments, Forbidden forbidden) {
         }
 
         private Moment moment(
-                Value @Nullable [] letter, Steps mine, int step, CubeSplit.Case sent, List<String> right) {
+                Value @Nullable [] letter,
+                Steps mine,
+                int step,
+                CubeSplit.Case sent,
+                List<String> right) {
             return new Moment(
                     letter == null ? Letter.SILENCE : Letter.of(product.left.inputs(), letter),
                     sent(mine.whole().get(step), sent),

@@ -19,6 +19,7 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 
 import com.carrotsearch.hppc.LongObjectHashMap;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;

@@ -190,7 +190,13 @@ public final class TraceInclusion {
 
     /** One step of the left side, with all that the right side answers. */
     private void follow(
-            int node, @Nullable Alphabet alphabet, int letter, Steps mine, int step, Steps theirs, int cost) {
+            int node,
+            @Nullable Alphabet alphabet,
+            int letter,
+            Steps mine,
+            int step,
+            Steps theirs,
+            int cost) {
         for (CubeSplit.Case sent : product.cases(mine.outputs()[step], theirs)) {
             int total = cost + sent.messages();
             if (sent.allowed().length == 0) {

@@ -3,6 +3,7 @@ package arcomat.analysis.search.step;
 import arcomat.model.Trace;
 
 import com.carrotsearch.hppc.LongObjectHashMap;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;

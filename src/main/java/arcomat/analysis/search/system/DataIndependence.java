@@ -34,6 +34,7 @@ import java.util.TreeSet;
  */
 public final class DataIndependence {
     private final DataSorts sorts = new DataSorts();
+
     /** Null where no input has data that are worth it. */
     private final @Nullable DataPlaces left;
 
