@@ -70,7 +70,7 @@ public record Draft(
         return sockets.stream().filter(each -> !each.input()).toList();
     }
 
-    Draft with(Completion other) {
+    public Draft with(Completion other) {
         return new Draft(sockets, other, free, states, openings, edges);
     }
 

@@ -12,7 +12,7 @@ public enum Edit {
     /** Decides for one of two transitions with the same trigger. */
     DROP_ALTERNATIVE {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             return pick(sketch, random, edge -> alternatives(sketch, edge) > 1)
                     .map(edge -> sketch.replacing(edge));
         }
@@ -20,7 +20,7 @@ public enum Edit {
     /** Leaves open what one trigger does. */
     DROP_ONLY {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             return deep(sketch, random, edge -> alternatives(sketch, edge) == 1)
                     .map(edge -> sketch.replacing(edge));
         }
@@ -28,7 +28,7 @@ public enum Edit {
     /** Some transitions lead to a copy of their target, which does the same. */
     COPY_STATE {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             int old = random.nextInt(sketch.states());
             int copy = sketch.states();
             List<Edge> edges = new ArrayList<>();
@@ -46,7 +46,7 @@ public enum Edit {
      */
     CHOOSE_EARLIER {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             return deep(sketch, random, e -> e.source() > 0 && alternatives(sketch, e) > 1)
                     .map(edge -> chosenEarlier(sketch, edge));
         }
@@ -54,14 +54,14 @@ public enum Edit {
     /** Handles a symbol that was not handled, and stays. */
     ADD_LOOP {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             return unhandled(sketch, random).map(edge -> plus(sketch, edge));
         }
     },
     /** Handles a symbol that was not handled, and goes elsewhere. */
     ADD_MOVE {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             return unhandled(sketch, random)
                     .map(edge -> plus(sketch, edge.to(random.nextInt(sketch.states()))));
         }
@@ -69,7 +69,7 @@ public enum Edit {
     /** Tells inputs apart by a port that the old version did not have. */
     READ_EXTRA {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             return pick(sketch, random, edge -> !edge.input().contains("extra"))
                     .map(
                             edge ->
@@ -84,7 +84,7 @@ public enum Edit {
     /** Sends something else. */
     CHANGE_OUTPUT {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             String output = RandomSketches.answer(sketch.shape(), random);
             return deep(sketch, random, edge -> !edge.output().contains(output))
                     .map(edge -> sketch.replacing(edge, edge.sending(output)));
@@ -93,7 +93,7 @@ public enum Edit {
     /** Leads elsewhere. */
     CHANGE_TARGET {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             int target = random.nextInt(sketch.states());
             return deep(sketch, random, edge -> edge.target() != target)
                     .map(edge -> sketch.replacing(edge, edge.to(target)));
@@ -102,7 +102,7 @@ public enum Edit {
     /** One more possibility for a trigger. */
     ADD_ALTERNATIVE {
         @Override
-        Optional<Sketch> apply(Sketch sketch, Random random) {
+        public Optional<Sketch> apply(Sketch sketch, Random random) {
             String output = RandomSketches.answer(sketch.shape(), random);
             return deep(sketch, random, edge -> true)
                     .map(
@@ -115,7 +115,7 @@ public enum Edit {
     };
 
     /** The changed automaton; empty where there is nothing to change. */
-    abstract Optional<Sketch> apply(Sketch sketch, Random random);
+    public abstract Optional<Sketch> apply(Sketch sketch, Random random);
 
     private interface Wanted {
         boolean test(Edge edge);

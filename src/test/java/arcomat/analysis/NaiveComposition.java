@@ -26,7 +26,7 @@ import java.util.Set;
  * The parts of a composition, one after the other, with every message written out: nothing stays
  * open from one part to the next. For ports of enums and Booleans.
  */
-final class NaiveComposition implements NaiveMachine {
+public final class NaiveComposition implements NaiveMachine {
 
     /**
      * Between two slices.
@@ -34,10 +34,10 @@ final class NaiveComposition implements NaiveMachine {
      * @param parts per part the configurations of its automata; empty after an error
      * @param registers per signal the message of the next slice, null if there is none
      */
-    record State(List<List<Configuration>> parts, List<Value> registers) {}
+    public record State(List<List<Configuration>> parts, List<Value> registers) {}
 
     /** A way through a slice. */
-    record Move(Map<String, Value> output, State next) {}
+    public record Move(Map<String, Value> output, State next) {}
 
     private static final Move FAILURE = new Move(ERROR, new State(List.of(), List.of()));
 
@@ -46,7 +46,7 @@ final class NaiveComposition implements NaiveMachine {
     private final Set<Integer> delayed = new HashSet<>();
     private final Map<State, Map<Map<String, Value>, Set<Move>>> known = new HashMap<>();
 
-    NaiveComposition(Component component, List<Value> arguments) {
+    public NaiveComposition(Component component, List<Value> arguments) {
         network = Network.of(component, arguments);
         for (Network.Instance part : network.instances()) {
             behaviours.add(Behaviour.of(part.component(), part.arguments()));
@@ -65,7 +65,7 @@ final class NaiveComposition implements NaiveMachine {
     }
 
     /** Whether what is seen on a port of the whole comes out of a register. */
-    boolean isDelayed(String output) {
+    public boolean isDelayed(String output) {
         return network.outputs().stream()
                 .anyMatch(each -> each.name().equals(output) && delayed.contains(each.signal()));
     }
@@ -91,7 +91,7 @@ final class NaiveComposition implements NaiveMachine {
         return found;
     }
 
-    Set<Move> starts() {
+    public Set<Move> starts() {
         List<Way> ways = List.of(new Way(network.signals()));
         for (int part = 0; part < behaviours.size(); part++) {
             List<Way> longer = new ArrayList<>();
@@ -107,7 +107,7 @@ final class NaiveComposition implements NaiveMachine {
         return moves(ways);
     }
 
-    Set<Move> moves(State before, Map<String, Value> input) {
+    public Set<Move> moves(State before, Map<String, Value> input) {
         return known.computeIfAbsent(before, key -> new HashMap<>())
                 .computeIfAbsent(input, key -> computed(before, input));
     }

@@ -20,7 +20,7 @@ import java.util.Set;
  * Inclusion of the runs of event-driven sides, event by event and with all that may be sent written
  * out; without the engine.
  */
-final class NaiveEventInclusion {
+public final class NaiveEventInclusion {
 
     /**
      * @param right where the right side may be after what was sent so far
@@ -33,14 +33,14 @@ final class NaiveEventInclusion {
     private final List<Port> compared;
     private final Set<Node> seen = new HashSet<>();
 
-    NaiveEventInclusion(Promise left, Promise right) {
+    public NaiveEventInclusion(Promise left, Promise right) {
         this.left = new NaiveEvents(left);
         this.right = new NaiveEvents(right);
         this.compared = right.component().outputs();
     }
 
     /** The number of events after which the left side may do what the right one forbids. */
-    OptionalInt shortestFailure(int most) {
+    public OptionalInt shortestFailure(int most) {
         List<Node> level = new ArrayList<>();
         if (fails(left.starts(), right.starts(), Map.of(), level)) {
             return OptionalInt.of(0);

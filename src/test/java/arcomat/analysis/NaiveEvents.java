@@ -28,9 +28,9 @@ import java.util.Optional;
  * followed to its end, and an event that it has no port for is left to completions. Nothing of the
  * engine is used, only the steps of single automata.
  */
-final class NaiveEvents {
+public final class NaiveEvents {
     /** Something that may be any number of messages is read inside: not for enumeration. */
-    static final class Unclear extends RuntimeException {
+    public static final class Unclear extends RuntimeException {
         private static final long serialVersionUID = 1;
     }
 

@@ -122,7 +122,7 @@ public final class NaiveInclusion {
     }
 
     /** Every letter; null is silence. */
-    static List<Map<String, Value>> letters(List<Port> ports) {
+    public static List<Map<String, Value>> letters(List<Port> ports) {
         List<Map<String, Value>> letters = List.of(Map.of());
         for (Port port : ports) {
             List<Map<String, Value>> longer = new ArrayList<>();

@@ -21,7 +21,7 @@ import java.util.TreeSet;
  * @param late ports on which this machine sends with delay, and the other one without
  * @param mixed ports on which one of both does
  */
-record NaiveShownMachine(NaiveMachine machine, Set<String> late, Set<String> mixed)
+public record NaiveShownMachine(NaiveMachine machine, Set<String> late, Set<String> mixed)
         implements NaiveMachine {
 
     /**
@@ -30,7 +30,7 @@ record NaiveShownMachine(NaiveMachine machine, Set<String> late, Set<String> mix
     private record State(Object inner, Map<String, Value> made) {}
 
     /** Ports of the right side on which only one of both sends with delay. */
-    static Set<String> late(Promise side, Promise other, List<Port> compared) {
+    public static Set<String> late(Promise side, Promise other, List<Port> compared) {
         Set<String> late = new TreeSet<>();
         for (Port port : compared) {
             if (delay(side, port.name()) == 1 && delay(other, port.name()) == 0) {

@@ -14,7 +14,7 @@ import java.util.Set;
  * Whether one side simulates the other, from its definition: of all pairs within reach, those are
  * crossed out that have a step without an answer, until nothing changes any more.
  */
-final class NaiveSimulation {
+public final class NaiveSimulation {
     private record Pair(Object left, Object right) {}
 
     private final NaiveMachine left;
@@ -23,7 +23,7 @@ final class NaiveSimulation {
     private final List<Map<String, Value>> outputs;
     private final Set<Pair> related = new HashSet<>();
 
-    NaiveSimulation(Promise left, Promise right) {
+    public NaiveSimulation(Promise left, Promise right) {
         NaiveInclusion letters = new NaiveInclusion(left, right);
         this.left = letters.left;
         this.right = letters.right;
@@ -31,7 +31,7 @@ final class NaiveSimulation {
         this.outputs = letters.outputs;
     }
 
-    boolean holds() {
+    public boolean holds() {
         outputs.forEach(output -> reach(left.starts(output), right.starts(output)));
         while (related.removeIf(pair -> !isAnswered(pair))) {
             continue;

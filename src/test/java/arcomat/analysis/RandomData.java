@@ -19,14 +19,14 @@ public final class RandomData {
             List.of("chaos", "output", "ignore", "ignore", "ignore", "error");
 
     /** Data by their number; in the texts of models {@code @0}, {@code @1}. */
-    interface Kind {
+    public interface Kind {
         String type();
 
         String constant(int number);
     }
 
     /** All values of an enumeration. */
-    record Few(int count) implements Kind {
+    public record Few(int count) implements Kind {
         @Override
         public String type() {
             return "D";
@@ -47,8 +47,8 @@ public final class RandomData {
     }
 
     public static final Kind INTEGERS = new Many("Integer", "#");
-    static final Kind LARGE_RANGE = new Many("Integer[-3..9000]", "#");
-    static final Kind STRINGS = new Many("String", "\"#\"");
+    public static final Kind LARGE_RANGE = new Many("Integer[-3..9000]", "#");
+    public static final Kind STRINGS = new Many("String", "\"#\"");
 
     /** The variables and transitions of an automaton, and how it goes on where none fits. */
     private record Sketch(List<String> lines, String completion, String timing) {
@@ -93,7 +93,7 @@ public final class RandomData {
     }
 
     /** The texts of components {@code Left} and {@code Right}, and of what they are made of. */
-    List<String> atoms() {
+    public List<String> atoms() {
         Sketch right = sketch();
         Sketch left = random.nextInt(10) == 0 ? right : edited(right);
         return List.of(left.text("Left"), right.text("Right"));

@@ -38,8 +38,8 @@ public final class RandomNetworks {
     record Connection(String sender, String receiver) {}
 
     /** A composition of drafts. */
-    record Plan(List<Socket> sockets, List<Draft> parts, List<Connection> connections) {
-        Component component(String name) {
+    public record Plan(List<Socket> sockets, List<Draft> parts, List<Connection> connections) {
+        public Component component(String name) {
             ComponentBuilder builder = ComponentBuilder.component(name);
             sockets.forEach(socket -> socket.add(builder));
             for (int i = 0; i < parts.size(); i++) {
@@ -49,7 +49,7 @@ public final class RandomNetworks {
             return builder.build();
         }
 
-        Plan withPart(int position, Draft part) {
+        public Plan withPart(int position, Draft part) {
             List<Draft> changed = new ArrayList<>(parts);
             changed.set(position, part);
             return new Plan(sockets, changed, connections);
@@ -57,7 +57,7 @@ public final class RandomNetworks {
     }
 
     /** A composition without a circle of messages that have no delay. */
-    Plan plan() {
+    public Plan plan() {
         while (true) {
             Plan plan = wired();
             try {

@@ -51,7 +51,7 @@ public final class RandomPairs {
     public record Question(Promise left, Promise right) {}
 
     /** Pairs of conjunctions, each of two automata that leave much open. */
-    static List<Question> conjunctions(long seed, int count) {
+    public static List<Question> conjunctions(long seed, int count) {
         Random random = new Random(seed);
         List<Question> questions = new ArrayList<>();
         while (questions.size() < count) {

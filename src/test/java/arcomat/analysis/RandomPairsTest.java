@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import java.util.List;
 
 /** Pairs are worth comparing: enough of them hold for a reason, enough fail late. */
-class RandomPairsTest {
+public class RandomPairsTest {
     @Test
     void aThirdHoldsForAReasonAndAThirdFailsLate() {
         List<Pair> pairs = RandomPairs.any(1, 300);
@@ -29,7 +29,7 @@ class RandomPairsTest {
     }
 
     /** Whether a verdict holds only because nothing is promised. */
-    static boolean isEmpty(Verdict verdict) {
+    public static boolean isEmpty(Verdict verdict) {
         return verdict.notes().stream().anyMatch(note -> note.startsWith("empty"));
     }
 

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Random;
 
 /** Arbitrary automata of a chosen size at most: not all states need to be within reach. */
-final class RandomSketches {
+public final class RandomSketches {
     private RandomSketches() {}
 
     /**
@@ -18,12 +18,13 @@ final class RandomSketches {
      * @param alternatives percentage of triggers that have two transitions
      * @param gaps percentage of symbols that a state does not handle
      */
-    record Knobs(Shape shape, int states, int alternatives, int gaps, Completion completion) {
+    public record Knobs(
+            Shape shape, int states, int alternatives, int gaps, Completion completion) {
         Knobs withStates(int count) {
             return new Knobs(shape, count, alternatives, gaps, completion);
         }
 
-        Knobs withAlternatives(int percentage) {
+        public Knobs withAlternatives(int percentage) {
             return new Knobs(shape, states, percentage, gaps, completion);
         }
 
@@ -31,7 +32,7 @@ final class RandomSketches {
             return new Knobs(shape, states, alternatives, percentage, completion);
         }
 
-        Knobs withCompletion(Completion other) {
+        public Knobs withCompletion(Completion other) {
             return new Knobs(shape, states, alternatives, gaps, other);
         }
     }
@@ -43,7 +44,7 @@ final class RandomSketches {
     }
 
     /** Any ports, completion and density, of a small automaton. */
-    static Knobs any(Random random) {
+    public static Knobs any(Random random) {
         boolean instant = random.nextInt(3) == 0;
         boolean free = random.nextInt(4) == 0;
         Completion completion = Completion.values()[random.nextInt(4)];
@@ -62,7 +63,7 @@ final class RandomSketches {
                 shape, 3 + random.nextInt(6), random.nextInt(40), random.nextInt(25), completion);
     }
 
-    static Sketch of(Knobs knobs, Random random) {
+    public static Sketch of(Knobs knobs, Random random) {
         List<Edge> edges = new ArrayList<>();
         for (int state = 0; state < knobs.states; state++) {
             for (String symbol : symbols(knobs.shape)) {
@@ -103,7 +104,7 @@ final class RandomSketches {
     }
 
     /** Every symbol that may come, as an input block. */
-    static List<String> symbols(Shape shape) {
+    public static List<String> symbols(Shape shape) {
         List<String> symbols = new ArrayList<>();
         for (int i = 0; i < shape.letters(); i++) {
             symbols.add("in = a" + i);

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Decides run after run, each time in another way; the first alternative where all is new. */
-final class Script implements Choice {
+public final class Script implements Choice {
     private final int most;
     private final List<Integer> picks = new ArrayList<>();
     private final List<Integer> counts = new ArrayList<>();
@@ -21,7 +21,7 @@ final class Script implements Choice {
     /**
      * @param most more choices in one run are taken for a circle
      */
-    Script(int most) {
+    public Script(int most) {
         this.most = most;
     }
 
@@ -49,7 +49,7 @@ final class Script implements Choice {
     }
 
     /** Prepares the next run; false if this was the last. */
-    boolean advance() {
+    public boolean advance() {
         position = 0;
         while (!picks.isEmpty()) {
             int last = picks.size() - 1;

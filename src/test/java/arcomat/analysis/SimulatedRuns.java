@@ -16,7 +16,7 @@ import java.util.Set;
  * All runs of an event-driven component by the simulator: every sequence of choices, one run each.
  * Of a port that is left open, silence and each single message.
  */
-final class SimulatedRuns {
+public final class SimulatedRuns {
     /** So many choices in one run are taken for a circle. */
     private static final int MOST_CHOICES = 60;
 
@@ -26,12 +26,12 @@ final class SimulatedRuns {
      * @param outputs per step and port
      * @param error whether the run ends with an error after these steps
      */
-    record Run(List<Map<String, List<Value>>> outputs, boolean error) {}
+    public record Run(List<Map<String, List<Value>>> outputs, boolean error) {}
 
     private SimulatedRuns() {}
 
     /** The first step is the beginning, without an event. */
-    static Set<Run> of(Component component, List<Value> arguments, List<Letter> letters) {
+    public static Set<Run> of(Component component, List<Value> arguments, List<Letter> letters) {
         Script script = new Script(MOST_CHOICES);
         Set<Run> runs = new LinkedHashSet<>();
         do {

@@ -45,7 +45,7 @@ public record Sketch(
      * @param totalOut whether there is always an answer; only with delay 1
      * @param instant delay 0 of the outputs
      */
-    record Shape(
+    public record Shape(
             int letters,
             int answers,
             boolean totalIn,
@@ -69,7 +69,7 @@ public record Sketch(
 
     /** A transition. */
     public record Edge(int source, int target, String input, String output) {
-        Edge to(int other) {
+        public Edge to(int other) {
             return new Edge(source, other, input, output);
         }
 
@@ -77,7 +77,7 @@ public record Sketch(
             return new Edge(other, target, input, output);
         }
 
-        Edge sending(String other) {
+        public Edge sending(String other) {
             return new Edge(source, target, input, other);
         }
 
@@ -90,12 +90,12 @@ public record Sketch(
             return items.isEmpty() || more.isEmpty() ? items + more : items + ", " + more;
         }
 
-        boolean hasTriggerOf(Edge other) {
+        public boolean hasTriggerOf(Edge other) {
             return source == other.source && input.equals(other.input);
         }
     }
 
-    Sketch withEdges(List<Edge> others) {
+    public Sketch withEdges(List<Edge> others) {
         return new Sketch(shape, completion, extended, states, openings, others);
     }
 
@@ -115,7 +115,7 @@ public record Sketch(
         return new Sketch(shape, completion, true, states, openings, edges);
     }
 
-    Sketch replacing(Edge old, Edge... others) {
+    public Sketch replacing(Edge old, Edge... others) {
         List<Edge> changed = new ArrayList<>(edges);
         int position = changed.indexOf(old);
         changed.remove(position);
@@ -124,7 +124,7 @@ public record Sketch(
     }
 
     /** The length of a shortest path to each state by the edges; a large number where is none. */
-    int[] depths() {
+    public int[] depths() {
         int[] depths = new int[states];
         java.util.Arrays.fill(depths, Integer.MAX_VALUE / 2);
         depths[0] = 0;
@@ -136,7 +136,7 @@ public record Sketch(
         return depths;
     }
 
-    Component component(String name) {
+    public Component component(String name) {
         ComponentBuilder builder = ports(ComponentBuilder.component(name));
         String[] names = IntStream.range(0, states).mapToObj(i -> "s" + i).toArray(String[]::new);
         ComponentBuilder.AutomatonBuilder automaton = builder.automaton(completion, names);

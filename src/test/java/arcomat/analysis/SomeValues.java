@@ -11,10 +11,10 @@ import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
 /** All values of a small type, those at the limits of a large one; without the engine. */
-final class SomeValues {
+public final class SomeValues {
     private SomeValues() {}
 
-    static List<Value> of(Type type) {
+    public static List<Value> of(Type type) {
         if (type instanceof Type.BooleanType) {
             return List.of(new Value.BooleanValue(false), new Value.BooleanValue(true));
         }

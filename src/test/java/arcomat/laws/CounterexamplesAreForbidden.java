@@ -1,6 +1,6 @@
 package arcomat.laws;
 
-import arcomat.analysis.CounterexampleRun;
+import arcomat.analysis.refinement.CounterexampleRun;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Moment;
 import arcomat.laws.draw.Draw;

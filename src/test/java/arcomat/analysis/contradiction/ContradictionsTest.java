@@ -2,12 +2,12 @@ package arcomat.analysis.contradiction;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import arcomat.analysis.ControllerChecks;
-import arcomat.analysis.Outcomes;
 import arcomat.analysis.Sections;
 import arcomat.analysis.Verdicts;
 import arcomat.analysis.contradiction.Consistency.Contradiction;
 import arcomat.analysis.game.CounterStrategy.Turn;
+import arcomat.analysis.game.Outcomes;
+import arcomat.analysis.game.controller.ControllerChecks;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;

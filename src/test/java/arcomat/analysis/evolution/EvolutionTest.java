@@ -3,10 +3,10 @@ package arcomat.analysis.evolution;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Sections;
-import arcomat.analysis.VerdictsTest;
 import arcomat.analysis.evolution.Edits.Edit;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.VerdictsTest;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Model;

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.analysis.RandomPairs;
 import arcomat.analysis.RandomPairs.Pair;
 import arcomat.analysis.Sections;
-import arcomat.analysis.VerdictsTest;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.product.Certificate;

@@ -3,7 +3,6 @@ package arcomat.analysis.refinement;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Sections;
-import arcomat.analysis.VerdictsTest;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.refinement.Verdict.Explored;
 import arcomat.analysis.search.Budget;

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.RandomData;
 import arcomat.analysis.Sections;
-import arcomat.analysis.VerdictsTest;
 import arcomat.analysis.refinement.Difference.Relation;
 import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;

@@ -3,11 +3,11 @@ package arcomat.analysis.search;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.analysis.Sections;
-import arcomat.analysis.VerdictsTest;
 import arcomat.analysis.refinement.Promise;
 import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.analysis.refinement.VerdictsTest;
 import arcomat.model.Model;
 
 import org.junit.jupiter.api.Test;
