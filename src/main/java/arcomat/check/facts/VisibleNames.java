@@ -4,6 +4,7 @@ import arcomat.check.law.Check.Context;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.Names;
 import arcomat.symbols.names.Outline;
 import arcomat.symbols.names.TypeVariable;
 import arcomat.tree.QualifiedName;
@@ -91,8 +92,7 @@ public final class VisibleNames {
     }
 
     private static boolean isReached(String qualifiedName, Context context) {
-        int dot = qualifiedName.lastIndexOf('.');
-        String qualifier = dot < 0 ? "" : qualifiedName.substring(0, dot);
+        String qualifier = Names.qualifier(qualifiedName);
         if (qualifier.equals(context.unit().packageText())) {
             return true;
         }

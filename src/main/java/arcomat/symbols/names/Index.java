@@ -28,8 +28,7 @@ public final class Index {
     public void addQualifier(String name) {
         String current = name;
         while (!current.isEmpty() && qualifiers.add(current)) {
-            int dot = current.lastIndexOf('.');
-            current = dot < 0 ? "" : current.substring(0, dot);
+            current = Names.qualifier(current);
         }
     }
 
@@ -71,31 +70,23 @@ public final class Index {
             return false;
         }
         String current = qualifiedName;
-        while (!current.isEmpty()) {
-            if (isBroken(current)) {
-                return true;
-            }
-            int dot = current.lastIndexOf('.');
-            current = dot < 0 ? "" : current.substring(0, dot);
+        while (!current.isEmpty() && !isBroken(current)) {
+            current = Names.qualifier(current);
         }
-        return false;
+        return !current.isEmpty();
     }
 
     private boolean isBroken(String qualifiedName) {
         String simple = qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1);
-        for (String path : brokenByName.getOrDefault(simple, List.of())) {
-            if (path.equals(qualifiedName) || path.endsWith("." + qualifiedName)) {
-                return true;
-            }
-        }
-        return false;
+        return brokenByName.getOrDefault(simple, List.of()).stream()
+                .anyMatch(path -> path.equals(qualifiedName) || path.endsWith("." + qualifiedName));
     }
 
     /** Whether a file that did not parse should lie in that package. */
     boolean hasBrokenFileIn(String packageName) {
         return brokenByName.values().stream()
                 .flatMap(List::stream)
-                .map(path -> path.contains(".") ? path.substring(0, path.lastIndexOf('.')) : "")
+                .map(Names::qualifier)
                 .anyMatch(
                         folder -> folder.equals(packageName) || folder.endsWith("." + packageName));
     }

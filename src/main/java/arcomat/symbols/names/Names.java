@@ -10,6 +10,11 @@ public final class Names {
         return qualifier.isEmpty() ? name : qualifier + "." + name;
     }
 
+    /** What stands before the last dot; empty for a simple name. */
+    public static String qualifier(String name) {
+        return name.substring(0, Math.max(0, name.lastIndexOf('.')));
+    }
+
     /** The part behind the first name, with its leading dot; empty for a simple name. */
     static String afterFirst(QualifiedName name) {
         return name.isSimple() ? "" : name.text().substring(first(name).length());

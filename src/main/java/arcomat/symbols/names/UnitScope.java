@@ -79,13 +79,7 @@ public final class UnitScope {
      */
     public Resolution<QualifiedName> target(Import imported) {
         String name = imported.name().text();
-        boolean exists =
-                imported.wildcard()
-                        ? index.isQualifier(name)
-                        : !index.types(name).isEmpty()
-                                || !index.components(name).isEmpty()
-                                || index.isQualifier(name);
-        if (exists) {
+        if (imported.wildcard() ? index.isQualifier(name) : exists(name)) {
             return new Resolution.Found<>(imported.name());
         }
         boolean excused =
