@@ -64,7 +64,8 @@ public final class Generator {
             return Generation.failed(findings.missing(e));
         } catch (AutomatonPlan.TooManyChoices e) {
             return Generation.failed(
-                    Diagnostic.error("ARC0805", e.component().span(), e.getMessage()));
+                    Diagnostic.error(
+                            "ARC0805", e.component().span(), String.valueOf(e.getMessage())));
         } catch (TemplateFailure e) {
             return Generation.failed(findings.template(e));
         }

@@ -67,9 +67,12 @@ final class ModelWords {
     private String constant(Expression expression) {
         Expression.Constant constant = (Expression.Constant) expression;
         Value value = constant.value();
-        if (value instanceof Value.EnumValue && ports.contains(value.toString())) {
-            return type(constant.type()) + "." + value;
-        }
+        return value instanceof Value.EnumValue && ports.contains(value.toString())
+                ? type(constant.type()) + "." + value
+                : literal(value, constant.type());
+    }
+
+    private static String literal(Value value, Type type) {
         if (value instanceof Value.IntegerValue number && number.value() != (int) number.value()) {
             return value + "L";
         }
@@ -77,10 +80,8 @@ final class ModelWords {
             // These have no literal.
             return "(" + (Double.isNaN(real.value()) ? 0.0 : Math.signum(real.value())) + " / 0.0)";
         }
-        boolean single = constant.type() instanceof Type.RealType real && real.single();
-        return single
-                ? (float) ((Value.RealValue) constant.value()).value() + "f"
-                : value.toString();
+        boolean single = type instanceof Type.RealType real && real.single();
+        return single ? (float) ((Value.RealValue) value).value() + "f" : value.toString();
     }
 
     /** An item of an input block: a port carries what one of the patterns says. */

@@ -13,4 +13,9 @@ public final class WrongUse extends Exception {
     public WrongUse(String message, Object... arguments) {
         super(arguments.length == 0 ? message : message.formatted(arguments));
     }
+
+    @Override
+    public String getMessage() {
+        return String.valueOf(super.getMessage());
+    }
 }

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.Function;
 import java.util.stream.IntStream;
 
 /**
@@ -98,14 +99,42 @@ public record Recording(
     public sealed interface Event {
         int time();
 
+        /** Takes the sum apart: one answer for each form. */
+        <R> R match(
+                Function<Happened, R> happened, Function<Showed, R> showed, Function<Sent, R> sent);
+
         /** In the world. */
-        record Happened(int time, Happening happening) implements Event {}
+        record Happened(int time, Happening happening) implements Event {
+            @Override
+            public <R> R match(
+                    Function<Happened, R> happened,
+                    Function<Showed, R> showed,
+                    Function<Sent, R> sent) {
+                return happened.apply(this);
+            }
+        }
 
         /** A robot shows another text on the first row of its display. */
-        record Showed(int time, String robot, String text) implements Event {}
+        record Showed(int time, String robot, String text) implements Event {
+            @Override
+            public <R> R match(
+                    Function<Happened, R> happened,
+                    Function<Showed, R> showed,
+                    Function<Sent, R> sent) {
+                return showed.apply(this);
+            }
+        }
 
         /** A robot has sent a packet over Bluetooth; its bytes in hexadecimal. */
-        record Sent(int time, String robot, String bytes) implements Event {}
+        record Sent(int time, String robot, String bytes) implements Event {
+            @Override
+            public <R> R match(
+                    Function<Happened, R> happened,
+                    Function<Showed, R> showed,
+                    Function<Sent, R> sent) {
+                return sent.apply(this);
+            }
+        }
     }
 
     /** Milliseconds from the first frame to the last, or to the last event. */

@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -120,7 +121,8 @@ public final class TargetNames {
 
     /** The names of an enum's constants, by position. */
     public EnumConstant constant(Type.EnumType type, int ordinal) {
-        return constants.computeIfAbsent(type, this::constants).get(ordinal);
+        return Objects.requireNonNull(
+                constants.computeIfAbsent(type, this::constants).get(ordinal));
     }
 
     private Map<Integer, EnumConstant> constants(Type.EnumType type) {

@@ -1,6 +1,7 @@
 package arcomat.generate.monitor;
 
 import arcomat.generate.language.Places;
+import arcomat.generate.language.TargetLanguage;
 import arcomat.generate.language.Text;
 import arcomat.generate.language.TypeName;
 import arcomat.generate.text.ExpressionWriter;
@@ -33,6 +34,10 @@ final class MonitorViews {
 
     /** More names would not fit into one constructor. */
     private static final int MOST_STATE_NAMES = 2000;
+
+    /** Kinds of messages for which a target has nothing to say: the runtime tells them. */
+    private static final Set<String> TOLD_BY_RUNTIME =
+            Set.of("byte", "short", "int", "long", "string", "class");
 
     private final Component watched;
     private final Automaton automaton;
@@ -87,15 +92,12 @@ final class MonitorViews {
         return new EventsView(context.expressions().of(new Formula.Row(false, present)).text());
     }
 
-    /** Whole numbers, strings and objects are told by the runtime. */
     private List<SpeltView> spelt() {
         Text code = Text.primary("message");
         List<SpeltView> spelt = new ArrayList<>();
         for (int port = 0; port < watched.outputs().size(); port++) {
             Type type = watched.outputs().get(port).type();
-            if (!(type instanceof Type.IntegerType
-                    || type instanceof Type.StringType
-                    || type instanceof Type.ClassType)) {
+            if (!TOLD_BY_RUNTIME.contains(TargetLanguage.kind(type))) {
                 String text = context.expressions().express("spelt", type, code).text();
                 spelt.add(new SpeltView(port, text));
             }

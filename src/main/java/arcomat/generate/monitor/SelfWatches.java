@@ -17,6 +17,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** Programs that watch themselves: the classes of their monitors, and what is shown to these. */
 public final class SelfWatches {
@@ -105,7 +106,7 @@ public final class SelfWatches {
         FileContext context = program.context(component);
         Map<String, String> fields = program.arrangement(context).paths();
         for (Composition.Node node : context.composition().orElseThrow().nodes()) {
-            String field = fields.get(node.path());
+            String field = Objects.requireNonNull(fields.get(node.path()));
             if (node.path().equals(path)) {
                 return field;
             }

@@ -11,6 +11,8 @@ import arcomat.model.Parameter;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.network.Composition;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -160,7 +162,7 @@ public final class Arrangement {
     }
 
     /** The array that holds a node; null where it has a field of its own. */
-    public Stretch holder(int node) {
+    public @Nullable Stretch holder(int node) {
         return holders[node];
     }
 

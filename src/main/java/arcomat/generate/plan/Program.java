@@ -13,6 +13,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.Supplier;
@@ -42,7 +43,7 @@ public final class Program {
             if (!known.containsKey(name)) {
                 known.put(name, answer.get());
             }
-            return known.get(name);
+            return Objects.requireNonNull(known.get(name));
         }
     }
 
@@ -110,7 +111,7 @@ public final class Program {
     }
 
     public FileContext context(Component component) {
-        return contexts.get(component.qualifiedName());
+        return Objects.requireNonNull(contexts.get(component.qualifiedName()));
     }
 
     public MemberNames members(Component component) {

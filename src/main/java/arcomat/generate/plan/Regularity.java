@@ -3,9 +3,12 @@ package arcomat.generate.plan;
 import arcomat.semantics.network.Composition;
 import arcomat.semantics.network.Source;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.IntPredicate;
 import java.util.function.IntUnaryOperator;
 
@@ -67,9 +70,10 @@ public final class Regularity {
         return runs;
     }
 
-    private void add(int start, int end, int[] strides, List<Run> runs) {
+    private void add(int start, int end, int @Nullable [] strides, List<Run> runs) {
         if (end - start >= LEAST) {
-            runs.add(new Run(start, end, strides));
+            // What is longer than a node has a pattern.
+            runs.add(new Run(start, end, Objects.requireNonNull(strides)));
             return;
         }
         for (int node = start; node < end; node++) {
@@ -78,7 +82,7 @@ public final class Regularity {
     }
 
     /** From a node to the next one; null where an input follows no pattern. */
-    private int[] strides(int node, Choice choice) {
+    private int @Nullable [] strides(int node, Choice choice) {
         int[] strides = new int[inputs(node)];
         for (int input = 0; input < strides.length; input++) {
             boolean included = choice.includes(node, input);

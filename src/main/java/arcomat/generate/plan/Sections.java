@@ -2,6 +2,8 @@ package arcomat.generate.plan;
 
 import arcomat.generate.text.MemberNames;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -120,7 +122,7 @@ public final class Sections {
     }
 
     /** The section that holds a node; null where the composite does. */
-    public Section of(int node) {
+    public @Nullable Section of(int node) {
         return node < leaves.length ? leaves[node] : null;
     }
 }

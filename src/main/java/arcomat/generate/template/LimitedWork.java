@@ -1,5 +1,7 @@
 package arcomat.generate.template;
 
+import org.jspecify.annotations.Nullable;
+
 import java.time.Duration;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
@@ -17,7 +19,7 @@ final class LimitedWork {
     private static final long STACK_BYTES = 64L << 20;
 
     private final Duration limit;
-    private ThreadPoolExecutor worker;
+    private @Nullable ThreadPoolExecutor worker;
 
     LimitedWork(Duration limit) {
         this.limit = limit;
@@ -30,24 +32,23 @@ final class LimitedWork {
      * @throws ExecutionException where it has failed, with the reason
      */
     <T> T run(Callable<T> work) throws TimeoutException, ExecutionException {
-        if (worker == null) {
-            worker = worker();
-        }
-        Future<T> result = worker.submit(work);
+        ThreadPoolExecutor current = worker == null ? worker() : worker;
+        worker = current;
+        Future<T> result = current.submit(work);
         try {
             return result.get(limit.toMillis(), TimeUnit.MILLISECONDS);
         } catch (TimeoutException e) {
-            leave();
+            leave(current);
             throw e;
         } catch (InterruptedException e) {
-            leave();
+            leave(current);
             Thread.currentThread().interrupt();
             throw new TimeoutException("interrupted");
         }
     }
 
-    private void leave() {
-        worker.shutdownNow();
+    private void leave(ThreadPoolExecutor current) {
+        current.shutdownNow();
         worker = null;
     }
 

@@ -9,6 +9,8 @@ import freemarker.template.TemplateException;
 import freemarker.template.TemplateExceptionHandler;
 import freemarker.template.TemplateNotFoundException;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.IOException;
 import java.time.Duration;
 import java.util.Locale;
@@ -109,16 +111,16 @@ public final class TemplateEngine {
         }
     }
 
-    private static String nameOr(String name, String otherwise) {
+    private static String nameOr(@Nullable String name, String otherwise) {
         return name == null ? otherwise : name;
     }
 
-    private static int orZero(Integer number) {
+    private static int orZero(@Nullable Integer number) {
         return number == null ? 0 : number;
     }
 
     /** What FreeMarker adds after the first paragraph are hints for its own users. */
-    private static String firstParagraph(String message) {
+    private static String firstParagraph(@Nullable String message) {
         String text = message == null ? "" : message.strip();
         int end = text.indexOf("\n\n");
         int hint = text.indexOf("\n----");

@@ -11,6 +11,8 @@ import freemarker.template.TemplateModel;
 import freemarker.template.TemplateModelException;
 import freemarker.template.TemplateSequenceModel;
 
+import org.jspecify.annotations.Nullable;
+
 import java.lang.reflect.RecordComponent;
 import java.util.List;
 
@@ -56,7 +58,7 @@ final class ViewWrapper implements ObjectWrapper {
 
     private record RecordModel(ViewWrapper wrapper, Record view) implements TemplateHashModel {
         @Override
-        public TemplateModel get(String name) throws TemplateModelException {
+        public @Nullable TemplateModel get(String name) throws TemplateModelException {
             for (RecordComponent component : view.getClass().getRecordComponents()) {
                 if (component.getName().equals(name)) {
                     return wrapper.wrap(read(component));

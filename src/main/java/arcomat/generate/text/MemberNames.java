@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -101,12 +102,12 @@ public final class MemberNames {
     }
 
     public String of(Port port) {
-        return ports.get(port.name());
+        return Objects.requireNonNull(ports.get(port.name()));
     }
 
     /** Event-driven: the method that takes or sends the messages of a port. */
     public String method(Port port) {
-        return methods.get(port.name());
+        return Objects.requireNonNull(methods.get(port.name()));
     }
 
     /** The presence flag; empty where the port needs none. */
@@ -115,16 +116,16 @@ public final class MemberNames {
     }
 
     public String of(Parameter parameter) {
-        return parameters.get(parameter.name());
+        return Objects.requireNonNull(parameters.get(parameter.name()));
     }
 
     public String of(Variable variable) {
-        return variables.get(variable.name());
+        return Objects.requireNonNull(variables.get(variable.name()));
     }
 
     /** The field of a node of the composition. */
     public String part(Composition.Node node) {
-        return parts.get(node.path());
+        return Objects.requireNonNull(parts.get(node.path()));
     }
 
     /** The named constant of a state. */

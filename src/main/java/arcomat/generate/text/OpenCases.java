@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -156,7 +157,7 @@ final class OpenCases {
             return;
         }
         String key = open.get(0);
-        for (Object choice : choices.get(key)) {
+        for (Object choice : Objects.requireNonNull(choices.get(key))) {
             chosen.put(key, choice);
             collect(open.subList(1, open.size()), chosen, earlier);
         }
@@ -171,10 +172,10 @@ final class OpenCases {
                 new Formula.Cases<>(
                         carries -> isPresent(carries.port(), in) == carries.something(),
                         is -> {
-                            Object shown = in.get(message(is.port()));
+                            Object shown = Objects.requireNonNull(in.get(message(is.port())));
                             return shown.equals(is.constant().orElseThrow()) == is.equal();
                         },
-                        test -> in.get(fact(test)).equals(test.so()),
+                        test -> Objects.requireNonNull(in.get(fact(test))).equals(test.so()),
                         not -> !holds(not.operand(), in),
                         row ->
                                 row.all()
@@ -185,6 +186,7 @@ final class OpenCases {
     private boolean isPresent(Port port, Map<String, Object> in) {
         return port.type() instanceof Type.EnumType
                 ? in.get(message(port)) != Shown.NOTHING
-                : !mayBeAbsent.test(port) || in.get(presence(port)).equals(true);
+                : !mayBeAbsent.test(port)
+                        || Objects.requireNonNull(in.get(presence(port))).equals(true);
     }
 }

@@ -11,6 +11,7 @@ import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.function.Predicate;
 
@@ -160,7 +161,7 @@ public final class Simplification {
         if (f instanceof Formula.Carries carries
                 && carries.something()
                 && carries.port().type() instanceof Type.EnumType) {
-            return presences.get(carries.port().name()) > 1;
+            return Objects.requireNonNull(presences.get(carries.port().name())) > 1;
         }
         return f instanceof Formula.Is is
                 && !is.equal()

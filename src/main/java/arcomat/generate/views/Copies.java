@@ -13,7 +13,10 @@ import arcomat.model.Port;
 import arcomat.semantics.network.Composition;
 import arcomat.semantics.network.Source;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
+import java.util.Objects;
 
 /** The copies that carry messages from sender to receiver within one composite. */
 final class Copies {
@@ -62,7 +65,7 @@ final class Copies {
         Composition.Node node = composition.nodes().get(run.first());
         Source source = node.inputs().get(input);
         Sections.Section here = arrangement.sections().of(run.first());
-        Stretch receivers = arrangement.holder(run.first());
+        Stretch receivers = Objects.requireNonNull(arrangement.holder(run.first()));
         Port port = node.component().inputs().get(input);
         End receiver = new End(arrangement.element(receivers, index), node.component(), port);
         int stride = run.strides()[input];
@@ -70,7 +73,7 @@ final class Copies {
             return copy(source, here, receiver);
         }
         Source.FromNode from = (Source.FromNode) source;
-        Stretch senders = arrangement.holder(from.node());
+        Stretch senders = Objects.requireNonNull(arrangement.holder(from.node()));
         int start = from.node() - senders.first() - stride * (run.first() - receivers.first());
         String object = arrangement.element(senders, linear(stride, index, start));
         return copy(sender(from, leading(from.node(), here) + object), receiver);
@@ -90,7 +93,7 @@ final class Copies {
         return copy(output.source(), null, new End("", composition.component(), output.port()));
     }
 
-    private Copy copy(Source source, Sections.Section here, End receiver) {
+    private Copy copy(Source source, Sections.@Nullable Section here, End receiver) {
         return source.match(
                 outside -> {
                     String object = here == null ? "" : whole;
@@ -108,7 +111,7 @@ final class Copies {
     }
 
     /** From one section to the place of a node. */
-    private String leading(int node, Sections.Section here) {
+    private String leading(int node, Sections.@Nullable Section here) {
         Sections.Section there = arrangement.sections().of(node);
         if (there == null || there == here) {
             return "";

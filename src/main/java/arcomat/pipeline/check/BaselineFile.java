@@ -16,6 +16,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -66,7 +67,7 @@ public record BaselineFile(String file, PathNames names) {
         try {
             return BaselineText.parse(Files.readString(place));
         } catch (BaselineText.Damaged problem) {
-            throw damaged(problem.getMessage());
+            throw damaged(String.valueOf(problem.getMessage()));
         } catch (CharacterCodingException e) {
             throw damaged("it is not UTF-8");
         } catch (IOException e) {
@@ -81,7 +82,7 @@ public record BaselineFile(String file, PathNames names) {
     }
 
     private Path folder() {
-        return names.resolve(file).toAbsolutePath().normalize().getParent();
+        return Objects.requireNonNull(names.resolve(file).toAbsolutePath().normalize().getParent());
     }
 
     private String path(String shown) {

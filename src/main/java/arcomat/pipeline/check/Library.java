@@ -12,6 +12,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -131,7 +132,8 @@ public final class Library {
 
     /** The name of what a file in a folder of one package defines. */
     private static String qualifiedName(Path file) {
-        Path folder = file.toAbsolutePath().normalize().getParent().getFileName();
+        Path folder =
+                Objects.requireNonNull(file.toAbsolutePath().normalize().getParent()).getFileName();
         String name = file.getFileName().toString();
         return folder + "." + name.substring(0, name.lastIndexOf('.'));
     }
@@ -171,7 +173,8 @@ public final class Library {
     private static String text(String path) {
         String resource = "/" + ROOT + "/" + path;
         try (InputStream stream = Library.class.getResourceAsStream(resource)) {
-            return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+            return new String(
+                    Objects.requireNonNull(stream).readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

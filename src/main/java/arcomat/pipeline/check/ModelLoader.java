@@ -19,6 +19,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Stream;
 
@@ -141,7 +142,7 @@ public final class ModelLoader {
     private List<FileFinder.Found> needed(List<Unit> fresh, ModelRoot roots, Set<Path> folders) {
         List<FileFinder.Found> needed = new ArrayList<>();
         for (Unit unit : fresh) {
-            Path place = places.get(unit.file().path());
+            Path place = Objects.requireNonNull(places.get(unit.file().path()));
             boolean absolute = Path.of(unit.file().path()).isAbsolute();
             ModelRoot.of(unit, place)
                     .filter(root -> folders.stream().noneMatch(PathNames.real(root)::startsWith))

@@ -10,6 +10,7 @@ import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -36,7 +37,7 @@ public final class ModelRoot {
 
     /** The folder above a unit's package; empty where folders and package differ. */
     public static Optional<Path> of(Unit unit, Path file) {
-        Path folder = file.toAbsolutePath().normalize().getParent();
+        Path folder = folderOf(file);
         if (unit.packageText().isEmpty()) {
             return Optional.of(folder);
         }
@@ -46,15 +47,19 @@ public final class ModelRoot {
             if (name == null || !name.toString().equals(packages[i])) {
                 return Optional.empty();
             }
-            folder = folder.getParent();
+            folder = Objects.requireNonNull(folder.getParent());
         }
         return Optional.of(folder);
+    }
+
+    private static Path folderOf(Path file) {
+        return Objects.requireNonNull(file.toAbsolutePath().normalize().getParent());
     }
 
     /** The files that a unit may refer to, in the order of its text. */
     public Set<Path> neededBy(Unit unit, Path file, Path root) {
         Set<Path> needed = new LinkedHashSet<>();
-        Path folder = file.toAbsolutePath().normalize().getParent();
+        Path folder = folderOf(file);
         for (String name : namesIn(unit)) {
             addFilesNamed(name, folder, root, needed);
         }

@@ -1,8 +1,6 @@
 package arcomat.pipeline.check;
 
-import arcomat.tree.Automaton;
-import arcomat.tree.ClassDiagram;
-import arcomat.tree.Component;
+import arcomat.tree.Definition;
 import arcomat.tree.Name;
 import arcomat.tree.Unit;
 
@@ -46,15 +44,13 @@ final class WholeFiles {
 
     /** Of what others can refer to; that is never a test. */
     private static Optional<String> name(Unit unit) {
-        if (unit.definition() instanceof Component component) {
-            return Optional.of(component.name().text());
-        }
-        if (unit.definition() instanceof ClassDiagram diagram) {
-            return Optional.of(diagram.name().text());
-        }
-        return unit.definition() instanceof Automaton automaton
-                ? automaton.name().map(Name::text)
-                : Optional.empty();
+        return unit.definition()
+                .match(
+                        new Definition.Cases<>(
+                                component -> Optional.of(component.name().text()),
+                                automaton -> automaton.name().map(Name::text),
+                                diagram -> Optional.of(diagram.name().text()),
+                                suite -> Optional.empty()));
     }
 
     /** What a file defines, if it keeps to the rules. */

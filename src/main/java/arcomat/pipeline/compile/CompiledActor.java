@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** One instance of compiled code, as a trace shows it. */
 final class CompiledActor {
@@ -38,7 +39,11 @@ final class CompiledActor {
         this.state = new Slot(object, place.state());
         this.taken = new Slot(object, place.taken());
         for (Variable variable : automaton.variables()) {
-            variables.put(variable, new Slot(object, place.variables().get(variable.name())));
+            variables.put(
+                    variable,
+                    new Slot(
+                            object,
+                            Objects.requireNonNull(place.variables().get(variable.name()))));
         }
     }
 
@@ -54,7 +59,7 @@ final class CompiledActor {
                 continue;
             }
             Component.Atomic body = (Component.Atomic) instance.component().body();
-            Object object = parts.get(instance.path()).object();
+            Object object = Objects.requireNonNull(parts.get(instance.path())).object();
             CodeLayout.Place where = model.place(instance.component());
             for (Automaton automaton : body.automata()) {
                 actors.add(new CompiledActor(instance, automaton, object, where, messages));

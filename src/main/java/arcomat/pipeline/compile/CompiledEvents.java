@@ -9,10 +9,13 @@ import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.network.Network;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -36,7 +39,7 @@ final class CompiledEvents extends CompiledExecution.Engine {
         List<CompiledActor> actors = CompiledActor.all(model, network, parts, messages);
         for (int i = 0; i < actors.size(); i++) {
             Component component = network.instances().get(i).component();
-            Object instance = parts.get(actors.get(i).path()).object();
+            Object instance = Objects.requireNonNull(parts.get(actors.get(i).path())).object();
             waiters.add(
                     new Waiter(
                             actors.get(i),
@@ -51,7 +54,7 @@ final class CompiledEvents extends CompiledExecution.Engine {
 
     private void connectInput(Network.External external) {
         CodeLayout.Place place = place(external);
-        String method = place.methods().get(external.port().name());
+        String method = Objects.requireNonNull(place.methods().get(external.port().name()));
         senders.put(external.name(), new Call(part(external).object(), method, 1));
     }
 
@@ -63,7 +66,7 @@ final class CompiledEvents extends CompiledExecution.Engine {
             recorder = new BorderRecorder(messages);
             border.set(recorder);
         }
-        recorder.record(external.port(), shown.get(external.name()));
+        recorder.record(external.port(), Objects.requireNonNull(shown.get(external.name())));
     }
 
     private CodeLayout.Place place(Network.External external) {
@@ -87,7 +90,8 @@ final class CompiledEvents extends CompiledExecution.Engine {
         for (Network.External external : network.inputs()) {
             for (Value message : input.messages(external.name())) {
                 Object held = messages.toJava(message, external.port().type());
-                guarded(null, () -> senders.get(external.name()).with(held));
+                Call sender = Objects.requireNonNull(senders.get(external.name()));
+                guarded(null, () -> sender.with(held));
             }
         }
         runToCompletion(activities);
@@ -121,7 +125,7 @@ final class CompiledEvents extends CompiledExecution.Engine {
     }
 
     /** Puts the path of the instance that went wrong before the message of an error. */
-    private void guarded(Waiter active, Runnable action) {
+    private void guarded(@Nullable Waiter active, Runnable action) {
         try {
             action.run();
         } catch (ModelError problem) {

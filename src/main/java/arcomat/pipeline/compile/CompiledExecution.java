@@ -9,8 +9,11 @@ import arcomat.semantics.Execution;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.run.Surroundings;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /** One run of compiled code, with the same traces as the interpreter's. */
@@ -50,7 +53,8 @@ public final class CompiledExecution implements Execution {
         /** The part that has a port of the network, whose name begins with the part's path. */
         final CompiledModel.Part part(Network.External external) {
             int dot = external.name().lastIndexOf('.');
-            return parts.get(external.name().substring(0, Math.max(0, dot)));
+            return Objects.requireNonNull(
+                    parts.get(external.name().substring(0, Math.max(0, dot))));
         }
     }
 
@@ -58,7 +62,7 @@ public final class CompiledExecution implements Execution {
     private final Network network;
     private final List<Value> arguments;
     private final int seed;
-    private Engine engine;
+    private @Nullable Engine engine;
     private Optional<Trace.End> beginning = Optional.empty();
     private int number;
 

@@ -17,6 +17,7 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /** A component as compiled code, loaded and ready to be instantiated. Compiled once, run often. */
@@ -83,7 +84,7 @@ public record CompiledModel(
     }
 
     CodeLayout.Place place(Component part) {
-        return layout.components().get(part.qualifiedName());
+        return Objects.requireNonNull(layout.components().get(part.qualifiedName()));
     }
 
     /** An instance: its component and its object. */
@@ -104,7 +105,8 @@ public record CompiledModel(
         String prefix = path.isEmpty() ? "" : path + ".";
         for (Composition.Node node : Composition.of(part).nodes()) {
             Object inner = object;
-            for (String field : place(part).parts().get(node.path()).split("\\.")) {
+            for (String field :
+                    Objects.requireNonNull(place(part).parts().get(node.path())).split("\\.")) {
                 inner = member(inner, field);
             }
             collect(prefix + node.path(), node.component(), inner, parts);

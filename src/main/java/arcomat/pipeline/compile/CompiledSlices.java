@@ -10,6 +10,8 @@ import arcomat.semantics.network.Composition;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.network.Source;
 
+import org.jspecify.annotations.Nullable;
+
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
@@ -26,7 +28,7 @@ import java.util.Set;
  * stands in its field before the step; what is sent without delay, after it.
  */
 final class CompiledSlices extends CompiledExecution.Engine {
-    private final MethodHandle sense;
+    private final @Nullable MethodHandle sense;
 
     /** A platform component that is the whole has none: what it would do is not in the model. */
     private final Optional<MethodHandle> step;

@@ -5,6 +5,7 @@ import org.eclipse.jdt.internal.compiler.classfmt.ClassFileReader;
 import org.eclipse.jdt.internal.compiler.classfmt.ClassFormatException;
 import org.eclipse.jdt.internal.compiler.env.INameEnvironment;
 import org.eclipse.jdt.internal.compiler.env.NameEnvironmentAnswer;
+import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
 import java.util.HashSet;
@@ -43,17 +44,17 @@ final class CompilerTypes implements INameEnvironment, AutoCloseable {
     }
 
     @Override
-    public NameEnvironmentAnswer findType(char[][] compoundTypeName) {
+    public @Nullable NameEnvironmentAnswer findType(char[][] compoundTypeName) {
         return find(join(compoundTypeName));
     }
 
     @Override
-    public NameEnvironmentAnswer findType(char[] typeName, char[][] packageName) {
+    public @Nullable NameEnvironmentAnswer findType(char[] typeName, char[][] packageName) {
         String folder = join(packageName);
         return find((folder.isEmpty() ? "" : folder + "/") + new String(typeName));
     }
 
-    private NameEnvironmentAnswer find(String name) {
+    private @Nullable NameEnvironmentAnswer find(String name) {
         return known.computeIfAbsent(name, this::read).orElse(null);
     }
 
@@ -76,7 +77,7 @@ final class CompilerTypes implements INameEnvironment, AutoCloseable {
     }
 
     @Override
-    public boolean isPackage(char[][] parentPackageName, char[] packageName) {
+    public boolean isPackage(char @Nullable [][] parentPackageName, char[] packageName) {
         String parent = parentPackageName == null ? "" : join(parentPackageName);
         String name = (parent.isEmpty() ? "" : parent + "/") + new String(packageName);
         return packages.contains(name) || classes.isPackage().test(name);

@@ -8,6 +8,7 @@ import arcomat.rt.Choice;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /** Values of models as compiled code holds them, and back. */
 final class JavaValues {
@@ -32,25 +33,7 @@ final class JavaValues {
 
     /** Enums become their codes, integers Java's int or long, objects those of their class. */
     Object toJava(Value value, Type type) {
-        if (value instanceof Value.BooleanValue truth) {
-            return truth.value();
-        }
-        if (value instanceof Value.IntegerValue integer) {
-            return isLong(type) ? (Object) integer.value() : (Object) (int) integer.value();
-        }
-        if (value instanceof Value.RealValue real) {
-            return isSingle(type) ? (Object) (float) real.value() : (Object) real.value();
-        }
-        if (value instanceof Value.CharacterValue character) {
-            return character.value();
-        }
-        if (value instanceof Value.StringValue string) {
-            return string.value();
-        }
-        if (value instanceof Value.EnumValue constant) {
-            return constant.ordinal() + 1;
-        }
-        return object((Value.ObjectValue) value);
+        return value.match(new ToJava(type));
     }
 
     private Object object(Value.ObjectValue value) {
@@ -64,29 +47,11 @@ final class JavaValues {
     }
 
     private CodeLayout.MessageClass layout(Type.ClassType type) {
-        return model.layout().classes().get(type.name());
+        return Objects.requireNonNull(model.layout().classes().get(type.name()));
     }
 
     Value fromJava(Object object, Type type) {
-        if (type instanceof Type.BooleanType) {
-            return new Value.BooleanValue((Boolean) object);
-        }
-        if (type instanceof Type.IntegerType) {
-            return new Value.IntegerValue(((Number) object).longValue());
-        }
-        if (type instanceof Type.RealType) {
-            return new Value.RealValue(((Number) object).doubleValue());
-        }
-        if (type instanceof Type.CharacterType) {
-            return new Value.CharacterValue((Character) object);
-        }
-        if (type instanceof Type.StringType) {
-            return new Value.StringValue((String) object);
-        }
-        if (type instanceof Type.EnumType enumeration) {
-            return new Value.EnumValue(enumeration, (Integer) object - 1);
-        }
-        return fromObject(object, (Type.ClassType) type);
+        return type.match(new FromJava(object));
     }
 
     private Value fromObject(Object object, Type.ClassType type) {
@@ -99,11 +64,94 @@ final class JavaValues {
         return new Value.ObjectValue(type, attributes);
     }
 
-    private static boolean isLong(Type type) {
-        return type instanceof Type.IntegerType integer && integer.width() == Type.Width.LONG;
+    /** What Java holds for a value of a type. */
+    private final class ToJava implements Value.Cases<Object> {
+        private final Type type;
+
+        ToJava(Type type) {
+            this.type = type;
+        }
+
+        @Override
+        public Object booleanValue(Value.BooleanValue truth) {
+            return truth.value();
+        }
+
+        @Override
+        public Object integerValue(Value.IntegerValue integer) {
+            boolean isLong =
+                    type instanceof Type.IntegerType whole && whole.width() == Type.Width.LONG;
+            return isLong ? (Object) integer.value() : (Object) (int) integer.value();
+        }
+
+        @Override
+        public Object realValue(Value.RealValue real) {
+            boolean isSingle = type instanceof Type.RealType number && number.single();
+            return isSingle ? (Object) (float) real.value() : (Object) real.value();
+        }
+
+        @Override
+        public Object characterValue(Value.CharacterValue character) {
+            return character.value();
+        }
+
+        @Override
+        public Object stringValue(Value.StringValue string) {
+            return string.value();
+        }
+
+        @Override
+        public Object enumValue(Value.EnumValue constant) {
+            return constant.ordinal() + 1;
+        }
+
+        @Override
+        public Object objectValue(Value.ObjectValue value) {
+            return object(value);
+        }
     }
 
-    private static boolean isSingle(Type type) {
-        return type instanceof Type.RealType real && real.single();
+    /** The value of each type that Java holds as this object. */
+    private final class FromJava implements Type.Cases<Value> {
+        private final Object object;
+
+        FromJava(Object object) {
+            this.object = object;
+        }
+
+        @Override
+        public Value booleanType(Type.BooleanType type) {
+            return new Value.BooleanValue((Boolean) object);
+        }
+
+        @Override
+        public Value integerType(Type.IntegerType type) {
+            return new Value.IntegerValue(((Number) object).longValue());
+        }
+
+        @Override
+        public Value realType(Type.RealType type) {
+            return new Value.RealValue(((Number) object).doubleValue());
+        }
+
+        @Override
+        public Value characterType(Type.CharacterType type) {
+            return new Value.CharacterValue((Character) object);
+        }
+
+        @Override
+        public Value stringType(Type.StringType type) {
+            return new Value.StringValue((String) object);
+        }
+
+        @Override
+        public Value enumType(Type.EnumType type) {
+            return new Value.EnumValue(type, (Integer) object - 1);
+        }
+
+        @Override
+        public Value classType(Type.ClassType type) {
+            return fromObject(object, type);
+        }
     }
 }

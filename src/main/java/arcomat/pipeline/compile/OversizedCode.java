@@ -51,9 +51,9 @@ public final class OversizedCode {
         Compilation compilation = MemoryCompiler.compile(large, others, ClassFiles.RUNTIME);
         OversizedCode code = new OversizedCode(generation.layout());
         Stream<Compilation.Problem> texts =
-                large.keySet().stream()
-                        .filter(path -> StringConstants.longest(large.get(path)) > LONGEST_TEXT)
-                        .map(OversizedCode::longText);
+                large.entrySet().stream()
+                        .filter(each -> StringConstants.longest(each.getValue()) > LONGEST_TEXT)
+                        .map(each -> longText(each.getKey()));
         return Stream.concat(compilation.problems().stream(), texts)
                 .flatMap(each -> code.finding(each).stream())
                 .distinct()

@@ -6,6 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
+import java.util.Objects;
 import java.util.Optional;
 
 /** A port at the border of compiled code: the fields for its message and its presence. */
@@ -22,7 +23,7 @@ final class PortSlot {
     PortSlot(String name, Port port, Object owner, CodeLayout.Place place, JavaValues messages) {
         this.name = name;
         this.port = port;
-        this.message = new Slot(owner, place.messages().get(port.name()));
+        this.message = new Slot(owner, Objects.requireNonNull(place.messages().get(port.name())));
         this.presence =
                 Optional.ofNullable(place.presences().get(port.name()))
                         .map(field -> new Slot(owner, field));

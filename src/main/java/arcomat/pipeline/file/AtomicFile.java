@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermission;
+import java.util.Objects;
 import java.util.Set;
 import java.util.UUID;
 
@@ -51,7 +52,7 @@ public final class AtomicFile {
     public static void write(Path file, byte[] content) throws IOException {
         // A link stays a link; what it leads to gets the content.
         Path target = Files.exists(file) ? file.toRealPath() : file;
-        Path folder = target.toAbsolutePath().getParent();
+        Path folder = Objects.requireNonNull(target.toAbsolutePath().getParent());
         Path fresh = folder.resolve(".arcomat-" + UUID.randomUUID() + ".tmp");
         try {
             Files.write(fresh, content, StandardOpenOption.CREATE_NEW);

@@ -9,6 +9,7 @@ import arcomat.model.Model;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -47,11 +48,11 @@ final class GateCauses {
 
     /** Whether something new was found; the parts of a part may have been looked at later. */
     private boolean find(Component whole) {
-        Gate.Entry entry = entries.get(whole.qualifiedName());
         Optional<Gate.Entry> worst = worst((Component.Composite) whole.body());
         if (worst.isEmpty()) {
             return false;
         }
+        Gate.Entry entry = Objects.requireNonNull(entries.get(whole.qualifiedName()));
         Gate.Entry explained = entry.owedTo(worst.get());
         entries.put(entry.name(), explained);
         return !explained.equals(entry);
@@ -61,8 +62,9 @@ final class GateCauses {
         Optional<Gate.Entry> worst = Optional.empty();
         for (Component.Part part : body.parts()) {
             Gate.Entry entry = entries.get(part.component().qualifiedName());
-            boolean counts = entry != null && entry.change().relation().isDoubtful();
-            if (counts && (worst.isEmpty() || isWorse(entry.answer(), worst.get().answer()))) {
+            if (entry != null
+                    && entry.change().relation().isDoubtful()
+                    && (worst.isEmpty() || isWorse(entry.answer(), worst.get().answer()))) {
                 worst = Optional.of(entry);
             }
         }

@@ -13,6 +13,7 @@ import arcomat.pipeline.analysis.InstanceArguments;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -104,8 +105,8 @@ final class GateComparison {
             add(name, before, after, uninstantiated(before, after));
         }
         for (String each : common) {
-            Component old = before.instantiations().get(each);
-            Component now = after.instantiations().get(each);
+            Component old = Objects.requireNonNull(before.instantiations().get(each));
+            Component now = Objects.requireNonNull(after.instantiations().get(each));
             add(each, before, after, change(old, now));
         }
     }

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** What the gate found, with the places in both models. */
 final class GateFindings {
@@ -122,7 +123,7 @@ final class GateFindings {
 
     private String afterSpent(Gate.Entry entry) {
         String name = entry.name().replaceFirst("<.*", "");
-        return reasons.hasSpent(name, fresh.components().get(name))
+        return reasons.hasSpent(name, Objects.requireNonNull(fresh.components().get(name)))
                 ? "; the reason that it has is in the base, too: it was given for an earlier"
                         + " change"
                 : "";

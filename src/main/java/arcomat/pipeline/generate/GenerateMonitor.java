@@ -20,6 +20,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Writes classes that watch a component, all of them or none.
@@ -66,7 +67,8 @@ public record GenerateMonitor(String component, String out, List<String> paths)
         return CheckedAnswer.of(
                 checked.result(),
                 new Made(
-                        generation.layout().components().get(monitor).className(),
+                        Objects.requireNonNull(generation.layout().components().get(monitor))
+                                .className(),
                         promise.automata().stream().map(a -> requirement(watched, a)).toList(),
                         List.copyOf(files.keySet())));
     }

@@ -21,6 +21,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 
@@ -113,11 +114,11 @@ public final class RobotBuilder {
     private List<RobotClass> classes(String main, Compilation compilation) {
         List<RobotClass> classes = new ArrayList<>();
         for (String name : ReachableClasses.from(main, compilation.classes())) {
-            String path = compilation.sources().get(name);
+            String path = Objects.requireNonNull(compilation.sources().get(name));
             classes.add(
                     new RobotClass(
                             name + ".class",
-                            compilation.classes().get(name),
+                            Objects.requireNonNull(compilation.classes().get(name)),
                             origin(path),
                             source(path)));
         }

@@ -9,6 +9,8 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.semantics.network.Composition;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -146,7 +148,8 @@ public final class WatchedParts {
         }
     }
 
-    private static String nothing(Component required, String part, List<Component> programs) {
+    private static String nothing(
+            Component required, @Nullable String part, List<Component> programs) {
         String name = required.qualifiedName();
         List<String> names = programs.stream().map(Component::qualifiedName).toList();
         String where = names.isEmpty() ? "no program" : String.join(", ", names);

@@ -7,6 +7,7 @@ import arcomat.pipeline.file.AtomicFile;
 
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Objects;
 import java.util.Optional;
 
 /** One picture in a file of its own; its name says the format. */
@@ -28,7 +29,12 @@ public final class DiagramFile {
      */
     public static void write(String file, Graph graph, PathNames names) throws WrongUse {
         Path folder = names.resolve(file).toAbsolutePath().normalize().getParent();
-        byte[] content = format(file).content(graph, new SourceLinks(names, folder.toString())::of);
+        byte[] content =
+                format(file)
+                        .content(
+                                graph,
+                                new SourceLinks(names, Objects.requireNonNull(folder).toString())
+                                        ::of);
         AtomicFile.write(file, content, names);
     }
 

@@ -34,7 +34,7 @@ final class PngImage {
             throw new WrongUse(
                     "this Java cannot paint letters (%s): install fonts, on Debian the package"
                             + " fonts-liberation, and a Java with them; --format svg needs neither",
-                    e.getMessage());
+                    String.valueOf(e.getMessage()));
         }
     }
 

@@ -9,6 +9,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 
 /**
@@ -33,11 +34,13 @@ final class Dependencies {
     Set<String> neededBy(Set<String> paths) {
         Set<String> needed = new HashSet<>(paths);
         for (String path : paths) {
-            files.get(path).claims().forEach(claim -> needed.addAll(claimants.get(claim)));
+            Objects.requireNonNull(files.get(path))
+                    .claims()
+                    .forEach(claim -> needed.addAll(Objects.requireNonNull(claimants.get(claim))));
         }
         Deque<String> open = new ArrayDeque<>(needed);
         while (!open.isEmpty() && needed.size() < files.size()) {
-            Set<String> mentions = files.get(open.remove()).mentions();
+            Set<String> mentions = Objects.requireNonNull(files.get(open.remove())).mentions();
             files.forEach(
                     (path, other) -> {
                         if (!needed.contains(path)
@@ -74,7 +77,7 @@ final class Dependencies {
                             fresh.add(path);
                         }
                     });
-            fresh.forEach(path -> open.add(files.get(path)));
+            fresh.forEach(path -> open.add(Objects.requireNonNull(files.get(path))));
         }
         return affected;
     }

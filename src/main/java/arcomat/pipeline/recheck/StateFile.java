@@ -21,6 +21,8 @@ import com.fasterxml.jackson.databind.deser.ContextualDeserializer;
 import com.fasterxml.jackson.databind.deser.std.StdDeserializer;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.Optional;
@@ -105,9 +107,9 @@ public record StateFile(String file, PathNames names) {
             implements ContextualDeserializer {
         private static final long serialVersionUID = 1L;
 
-        private final JavaType content;
+        private final @Nullable JavaType content;
 
-        OptionalDeserializer(JavaType content) {
+        OptionalDeserializer(@Nullable JavaType content) {
             super(Optional.class);
             this.content = content;
         }

@@ -21,6 +21,8 @@ import arcomat.syntax.Parser;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
+import org.jspecify.annotations.Nullable;
+
 import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -28,6 +30,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -44,6 +47,8 @@ final class Update {
     private final Map<String, SourceFile> others = new HashMap<>();
     private final Map<String, Parsed> parsed = new HashMap<>();
     private final Set<String> affected = new TreeSet<>();
+
+    @SuppressWarnings("NullAway.Init") // what changed is compared before anything is checked
     private Dependencies dependencies;
 
     private Update(
@@ -126,9 +131,9 @@ final class Update {
                 && Files.exists(names.resolve(file.path()));
     }
 
-    private boolean changesSurroundings(File old, File fresh) {
+    private boolean changesSurroundings(@Nullable File old, @Nullable File fresh) {
         if (old == null || fresh == null) {
-            File single = old == null ? fresh : old;
+            File single = Objects.requireNonNull(old == null ? fresh : old);
             return !single.named() || !single.needs().isEmpty() || Library.mayHide(single.path());
         }
         return isAmbiguous(fresh)
@@ -139,7 +144,9 @@ final class Update {
 
     /** Of the files that the user named. */
     List<String> checkedFiles() {
-        return affected.stream().filter(path -> after.get(path).named()).toList();
+        return affected.stream()
+                .filter(path -> Objects.requireNonNull(after.get(path)).named())
+                .toList();
     }
 
     /** Checks what is affected, and returns the state of all files. */
@@ -161,7 +168,7 @@ final class Update {
                         .flatMap(Parsed::recovered)
                         .ifPresent(recovered::add);
             } else if (needed.contains(file.path())) {
-                units.add(parsed.get(file.path()).unit().orElseThrow());
+                units.add(Objects.requireNonNull(parsed.get(file.path())).unit().orElseThrow());
             } else {
                 outlines.add(file.names().get());
             }
@@ -205,7 +212,7 @@ final class Update {
         Map<String, List<Suppressed>> suppressed =
                 StateOfFiles.byFile(review.suppressed(), Suppressed::finding);
         for (String path : affected) {
-            File file = after.get(path);
+            File file = Objects.requireNonNull(after.get(path));
             TreeSet<Diagnostic> found = new TreeSet<>(Diagnostic.ORDER);
             Optional.ofNullable(parsed.get(path)).ifPresent(p -> found.addAll(p.findings()));
             found.addAll(findings.getOrDefault(path, List.of()));

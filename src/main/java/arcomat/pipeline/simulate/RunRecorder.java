@@ -16,6 +16,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * Keeps a run as a file with a stream test.
@@ -37,7 +38,7 @@ record RunRecorder(String written, Path file, String suite) {
         RunRecorder recorder =
                 new RunRecorder(written, file, name.substring(0, name.length() - ".mt".length()));
         try {
-            if (!Files.isDirectory(file.toAbsolutePath().getParent())) {
+            if (!Files.isDirectory(Objects.requireNonNull(file.toAbsolutePath().getParent()))) {
                 throw new NoSuchFileException(written);
             }
             recorder.requireRecorded();

@@ -166,7 +166,8 @@ public record SimulateComponent(
         try {
             network = Network.of(main.component(), main.arguments());
         } catch (ModelError error) {
-            Trace nothing = new Trace(main.component(), List.of(), Optional.of(error.getMessage()));
+            String reason = String.valueOf(error.getMessage());
+            Trace nothing = new Trace(main.component(), List.of(), Optional.of(reason));
             audience.text().begin(main.component(), TraceColumns.of(main.component()));
             audience.text().end(0, nothing);
             return record(recorder, main, nothing, List.of());

@@ -7,23 +7,26 @@ import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
 import arcomat.world.World;
 
+import org.jspecify.annotations.Nullable;
+
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** A world whose robots have their programs: it can run, as often as wanted. */
 public final class PreparedWorld {
     private final List<Diagnostic> findings;
     private final Aside aside;
     private final int files;
-    private final World world;
+    private final @Nullable World world;
     private final Map<String, WorldPrograms.Equipment> equipment;
 
     PreparedWorld(
             List<Diagnostic> findings,
             Aside aside,
             int files,
-            World world,
+            @Nullable World world,
             Map<String, WorldPrograms.Equipment> equipment) {
         this.findings = List.copyOf(findings);
         this.aside = aside;
@@ -69,6 +72,6 @@ public final class PreparedWorld {
         if (!canRun()) {
             throw new IllegalStateException("a world with errors");
         }
-        return WorldRun.run(world, seed, equipment, patience, limits);
+        return WorldRun.run(Objects.requireNonNull(world), seed, equipment, patience, limits);
     }
 }

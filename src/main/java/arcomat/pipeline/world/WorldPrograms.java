@@ -26,6 +26,8 @@ import arcomat.world.Kind;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
 
+import org.jspecify.annotations.Nullable;
+
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumMap;
@@ -33,6 +35,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 
@@ -50,7 +53,7 @@ final class WorldPrograms {
     private final Session session;
     private final Map<String, CheckedModels> checked = new LinkedHashMap<>();
     private final Map<String, LoweredModels> lowered = new HashMap<>();
-    private final Map<Kind.Program, Program> programs = new HashMap<>();
+    private final Map<Kind.Program, @Nullable Program> programs = new HashMap<>();
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
 
     private WorldPrograms(World world, Path folder, boolean runDevices, Session session) {
@@ -61,7 +64,7 @@ final class WorldPrograms {
     }
 
     /** What the brick of a robot is given: its program, and devices that a team has described. */
-    record Equipment(Program program, PluggedDevices devices) {}
+    record Equipment(@Nullable Program program, PluggedDevices devices) {}
 
     /**
      * What came of it.
@@ -98,7 +101,9 @@ final class WorldPrograms {
             }
             byRobot.put(
                     robot.name(),
-                    new Equipment(programs.get(wanted), devices.get(robot.kind().name())));
+                    new Equipment(
+                            programs.get(wanted),
+                            Objects.requireNonNull(devices.get(robot.kind().name()))));
         }
         int files = 0;
         Aside aside = Aside.NOTHING;
@@ -110,7 +115,7 @@ final class WorldPrograms {
     }
 
     /** Null if there is a finding about it. */
-    private Program program(Kind.Program wanted) throws WrongUse {
+    private @Nullable Program program(Kind.Program wanted) throws WrongUse {
         String path =
                 beside(wanted.form() == Kind.Program.Form.JAR ? wanted.name() : wanted.folder());
         try {
@@ -167,7 +172,7 @@ final class WorldPrograms {
     }
 
     /** The jar of a component, the same as {@code generate} writes; null if models are faulty. */
-    private JarReader made(String component, String root) throws WrongUse {
+    private @Nullable JarReader made(String component, String root) throws WrongUse {
         CheckedModels models = checked.get(root);
         if (models == null) {
             models =
@@ -182,7 +187,8 @@ final class WorldPrograms {
         if (models.hasErrors()) {
             return null;
         }
-        return generated(MainComponent.find(component, lowered.get(root)), models);
+        return generated(
+                MainComponent.find(component, Objects.requireNonNull(lowered.get(root))), models);
     }
 
     /** The components of a model root that programs are made of. */
@@ -196,7 +202,8 @@ final class WorldPrograms {
                 .toList();
     }
 
-    private JarReader generated(MainComponent main, CheckedModels models) throws WrongUse {
+    private @Nullable JarReader generated(MainComponent main, CheckedModels models)
+            throws WrongUse {
         String name = main.component().qualifiedName();
         if (!main.component().parameters().isEmpty()) {
             throw new WrongUse(
@@ -219,7 +226,7 @@ final class WorldPrograms {
         }
         String path = built.robots().get(0).jar();
         try {
-            return JarReader.of(path, built.jars().get(path));
+            return JarReader.of(path, Objects.requireNonNull(built.jars().get(path)));
         } catch (IOException e) {
             throw new AssertionError("an archive in memory", e);
         }

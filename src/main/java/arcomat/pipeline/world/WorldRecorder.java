@@ -18,6 +18,8 @@ import arcomat.world.Scene.RobotState;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
@@ -122,7 +124,7 @@ final class WorldRecorder {
         frames.add(new Frame(time, robots, scene.drinkers()));
     }
 
-    private void look(int index, int time, SimulatedBrick brick) {
+    private void look(int index, int time, @Nullable SimulatedBrick brick) {
         String shown = brick == null ? "" : brick.screen().get(0);
         if (!shown.equals(displays[index])) {
             displays[index] = shown;

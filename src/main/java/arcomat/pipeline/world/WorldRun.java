@@ -17,6 +17,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * A world and the bricks of its robots in lock step: each step of the world takes the speeds of the
@@ -40,6 +41,8 @@ final class WorldRun {
     private final double[][] shafts;
     private final int[][] readings;
     private final WorldRecorder recorder;
+
+    @SuppressWarnings("NullAway.Init") // a run begins with it
     private Scene scene;
 
     private WorldRun(World world, long seed, Laboratory laboratory) {
@@ -84,8 +87,9 @@ final class WorldRun {
         for (int i = 0; i < bricks.length; i++) {
             laboratory.runUntil(physics.switchedOn(i));
             String name = world.robots().get(i).name();
-            bricks[i] = laboratory.place(name, equipment.get(name).program());
-            equipment.get(name).devices().plugInto(bricks[i]);
+            WorldPrograms.Equipment own = Objects.requireNonNull(equipment.get(name));
+            bricks[i] = laboratory.place(name, Objects.requireNonNull(own.program()));
+            own.devices().plugInto(bricks[i]);
             bricks[i].observe(recorder.of(world.robots().get(i)));
             expose(i);
         }

@@ -80,28 +80,11 @@ record BrickRows(Set<SensorName> sensors, Set<MotorName> motors, List<Row> rows)
                             Map.copyOf(read),
                             Map.copyOf(told),
                             cycle.events().stream()
-                                    .map(BrickRows::other)
+                                    .map(Event::besides)
                                     .filter(text -> !text.isEmpty())
                                     .toList()));
         }
         return new BrickRows(read.keySet(), told.keySet(), rows);
-    }
-
-    private static String other(Event event) {
-        if (event instanceof Event.ScreenChanged screen) {
-            return "screen: " + String.join(" | ", nonEmpty(screen.rows()));
-        } else if (event instanceof Event.TonePlayed tone) {
-            return "tone: " + tone.hertz() + " Hz, " + tone.milliseconds() + " ms";
-        } else if (event instanceof Event.PacketSent sent) {
-            return "sent: " + sent.bytes();
-        } else if (event instanceof Event.PacketReceived received) {
-            return "received: " + received.bytes();
-        }
-        return "";
-    }
-
-    private static List<String> nonEmpty(List<String> rows) {
-        return rows.stream().filter(row -> !row.isBlank()).toList();
     }
 
     /** Headings of columns. */

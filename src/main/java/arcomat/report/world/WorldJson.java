@@ -85,14 +85,18 @@ public final class WorldJson {
     private static Fields of(Device.Sensor sensor) {
         String type = sensor.getClass().getSimpleName().toLowerCase(Locale.ROOT);
         Fields fields = Fields.of("socket", "S" + sensor.socket()).with("type", type);
-        // Where a holder is shows in its cup.
-        if (sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)) {
-            at(fields, placed.place());
-        }
+        shownAt(sensor).ifPresent(place -> at(fields, place));
         if (sensor instanceof Device.Ultrasonic ultrasonic) {
             fields.with("facing", rounded(Math.toDegrees(ultrasonic.facing())));
         }
         return fields;
+    }
+
+    /** Where a holder is shows in its cup. */
+    private static Optional<Point> shownAt(Device.Sensor sensor) {
+        return sensor instanceof Device.Placed placed && !(sensor instanceof Device.Holder)
+                ? Optional.of(placed.place())
+                : Optional.empty();
     }
 
     /**
@@ -125,17 +129,21 @@ public final class WorldJson {
 
     private static Fields of(Event event) {
         Fields fields = Fields.of("t", event.time());
-        if (event instanceof Event.Happened happened) {
-            Happening happening = happened.happening();
-            fields.with("what", happening.what().name())
-                    .with("who", happening.who())
-                    .with("whom", happening.whom());
-        } else if (event instanceof Event.Showed showed) {
-            fields.with("what", "SHOWED").with("who", showed.robot()).with("text", showed.text());
-        } else if (event instanceof Event.Sent sent) {
-            fields.with("what", "SENT").with("who", sent.robot()).with("text", sent.bytes());
-        }
-        return fields;
+        return event.match(
+                happened -> {
+                    Happening happening = happened.happening();
+                    return fields.with("what", happening.what().name())
+                            .with("who", happening.who())
+                            .with("whom", happening.whom());
+                },
+                showed ->
+                        fields.with("what", "SHOWED")
+                                .with("who", showed.robot())
+                                .with("text", showed.text()),
+                sent ->
+                        fields.with("what", "SENT")
+                                .with("who", sent.robot())
+                                .with("text", sent.bytes()));
     }
 
     private static double rounded(double value) {
