@@ -12,7 +12,7 @@ import java.util.List;
  * Some parts of a large composite, or some sections of them.
  *
  * @param head of the composite
- * @param name of the section's own class
+ * @param self the section's own class
  * @param members parts in the order of their schedule, or sections
  * @param fixed flags of messages that are always there
  * @param sensors members that have a method {@code sense}

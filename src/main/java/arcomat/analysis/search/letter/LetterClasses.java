@@ -131,7 +131,7 @@ public final class LetterClasses {
         }
 
         /**
-         * @param attention of a configuration, asked once for each
+         * @param abstraction of inputs in a configuration, asked once for each
          */
         public LetterClasses of(int configuration, IntFunction<InputAbstraction> abstraction) {
             while (known.size() <= configuration) {
