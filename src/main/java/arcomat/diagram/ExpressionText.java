@@ -9,65 +9,104 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /** Expressions as models write them, with no more parentheses than needed. */
-final class ExpressionText {
+final class ExpressionText implements Expression.Cases<ExpressionText.Written> {
     private static final int CONDITIONAL = 0;
     private static final int UNARY = 9;
     private static final int ATOM = 10;
 
+    private static final ExpressionText FORMS = new ExpressionText();
+
     private ExpressionText() {}
 
-    public static String of(Expression expression) {
-        if (expression instanceof Expression.Constant constant) {
-            return constant.value().toString();
+    /**
+     * An expression in writing.
+     *
+     * @param level how strongly it binds: what binds more weakly than its place asks is in
+     *     parentheses
+     */
+    record Written(String text, int level) {
+        private String within(int least) {
+            return level < least ? "(" + text + ")" : text;
         }
-        if (expression instanceof Expression.PortRead read) {
-            return read.port().name();
-        }
-        if (expression instanceof Expression.VariableRead read) {
-            return read.variable().name();
-        }
-        if (expression instanceof Expression.ParameterRead read) {
-            return read.parameter().name();
-        }
-        if (expression instanceof Expression.AttributeRead read) {
-            return within(read.object(), ATOM) + "." + attribute(read);
-        }
-        if (expression instanceof Expression.PortMatches matches) {
-            return matches(matches);
-        }
-        if (expression instanceof Expression.Unary unary) {
-            return sign(unary.operator()) + within(unary.operand(), UNARY);
-        }
-        if (expression instanceof Expression.Binary binary) {
-            int level = level(binary.operator());
-            String left = within(binary.left(), level);
-            return left + " " + binary.operator().sign() + " " + within(binary.right(), level + 1);
-        }
-        if (expression instanceof Expression.Conditional choice) {
-            return within(choice.condition(), CONDITIONAL + 1)
-                    + " ? "
-                    + of(choice.then())
-                    + " : "
-                    + of(choice.otherwise());
-        }
-        if (expression instanceof Expression.IsIn isIn) {
-            return within(isIn.element(), level(BinaryOperator.EQUAL)) + " isin " + set(isIn.set());
-        }
-        if (expression instanceof Expression.Cast cast) {
-            return of(cast.operand(), cast.type());
-        }
-        throw new AssertionError(expression);
     }
 
-    /** Conversions that nobody wrote are not shown: they lose nothing. */
-    private static String of(Expression operand, Type type) {
-        boolean narrower = !(type instanceof Type.RealType);
-        return narrower ? "(" + type.name() + ") " + within(operand, UNARY) : of(operand);
+    public static String of(Expression expression) {
+        return expression.match(FORMS).text;
     }
 
     private static String within(Expression expression, int level) {
-        String text = of(expression);
-        return levelOf(expression) < level ? "(" + text + ")" : text;
+        return expression.match(FORMS).within(level);
+    }
+
+    private static Written atom(String text) {
+        return new Written(text, ATOM);
+    }
+
+    @Override
+    public Written constant(Expression.Constant constant) {
+        return atom(constant.value().toString());
+    }
+
+    @Override
+    public Written portRead(Expression.PortRead read) {
+        return atom(read.port().name());
+    }
+
+    @Override
+    public Written variableRead(Expression.VariableRead read) {
+        return atom(read.variable().name());
+    }
+
+    @Override
+    public Written parameterRead(Expression.ParameterRead read) {
+        return atom(read.parameter().name());
+    }
+
+    @Override
+    public Written attributeRead(Expression.AttributeRead read) {
+        return atom(within(read.object(), ATOM) + "." + attribute(read));
+    }
+
+    @Override
+    public Written portMatches(Expression.PortMatches matches) {
+        return new Written(
+                item(matches.port().name(), matches.pattern()), level(BinaryOperator.EQUAL));
+    }
+
+    @Override
+    public Written unary(Expression.Unary unary) {
+        return new Written(sign(unary.operator()) + within(unary.operand(), UNARY), UNARY);
+    }
+
+    @Override
+    public Written binary(Expression.Binary binary) {
+        int level = level(binary.operator());
+        String left = within(binary.left(), level);
+        String right = within(binary.right(), level + 1);
+        return new Written(left + " " + binary.operator().sign() + " " + right, level);
+    }
+
+    @Override
+    public Written conditional(Expression.Conditional choice) {
+        String condition = within(choice.condition(), CONDITIONAL + 1);
+        return new Written(
+                condition + " ? " + of(choice.then()) + " : " + of(choice.otherwise()),
+                CONDITIONAL);
+    }
+
+    @Override
+    public Written isIn(Expression.IsIn isIn) {
+        int level = level(BinaryOperator.EQUAL);
+        return new Written(within(isIn.element(), level) + " isin " + set(isIn.set()), level);
+    }
+
+    /** Conversions that nobody wrote are not shown: they lose nothing. */
+    @Override
+    public Written cast(Expression.Cast cast) {
+        return cast.type() instanceof Type.RealType
+                ? cast.operand().match(FORMS)
+                : new Written(
+                        "(" + cast.type().name() + ") " + within(cast.operand(), UNARY), UNARY);
     }
 
     private static String attribute(Expression.AttributeRead read) {
@@ -75,10 +114,6 @@ final class ExpressionText {
         return type instanceof Type.ClassType object
                 ? object.attributes().get(read.index()).name()
                 : String.valueOf(read.index());
-    }
-
-    private static String matches(Expression.PortMatches matches) {
-        return item(matches.port().name(), matches.pattern());
     }
 
     /** What is asked of a port. */
@@ -97,25 +132,6 @@ final class ExpressionText {
 
     private static String set(List<Expression> values) {
         return values.stream().map(ExpressionText::of).collect(Collectors.joining(", ", "{", "}"));
-    }
-
-    private static int levelOf(Expression expression) {
-        if (expression instanceof Expression.Binary binary) {
-            return level(binary.operator());
-        }
-        if (expression instanceof Expression.Conditional) {
-            return CONDITIONAL;
-        }
-        if (expression instanceof Expression.IsIn || expression instanceof Expression.PortMatches) {
-            return level(BinaryOperator.EQUAL);
-        }
-        if (expression instanceof Expression.Unary) {
-            return UNARY;
-        }
-        if (expression instanceof Expression.Cast cast) {
-            return cast.type() instanceof Type.RealType ? levelOf(cast.operand()) : UNARY;
-        }
-        return ATOM;
     }
 
     private static int level(BinaryOperator operator) {

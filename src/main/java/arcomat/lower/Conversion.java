@@ -11,7 +11,7 @@ final class Conversion {
     /** The expression in another type; ranges make no difference, constants convert at once. */
     static Expression to(Type target, Expression expression) {
         Type carrier = carrier(target);
-        if (carrier(expression.type()).equals(carrier) || !isNumber(carrier)) {
+        if (carrier(expression.type()).equals(carrier) || !carrier.isNumber()) {
             return expression;
         }
         if (expression instanceof Expression.Constant constant) {
@@ -26,12 +26,6 @@ final class Conversion {
         return type instanceof Type.IntegerType integer
                 ? Type.IntegerType.of(integer.width())
                 : type;
-    }
-
-    private static boolean isNumber(Type type) {
-        return type instanceof Type.IntegerType
-                || type instanceof Type.RealType
-                || type instanceof Type.CharacterType;
     }
 
     /** A number converted by the rules of Java. */
@@ -53,16 +47,10 @@ final class Conversion {
 
     /** Java rounds reals towards zero, to an int for the narrow types, and saturates. */
     private static long whole(Value value, Type.Width width) {
-        if (value instanceof Value.IntegerValue integer) {
-            return integer.value();
-        }
-        if (value instanceof Value.CharacterValue character) {
-            return character.value();
-        }
         if (value instanceof Value.RealValue real) {
             return width == Type.Width.LONG ? (long) real.value() : (int) real.value();
         }
-        throw new IllegalStateException("no number: " + value);
+        return value.whole();
     }
 
     static long wrap(long value, Type.Width width) {

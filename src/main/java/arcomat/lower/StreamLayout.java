@@ -37,15 +37,12 @@ final class StreamLayout {
     }
 
     private void add(List<TestSuite.StreamElement> elements, Iterator<Value> messages) {
-        for (TestSuite.StreamElement element : elements) {
-            if (element instanceof TestSuite.Tick) {
-                endSlice();
-            } else if (element instanceof TestSuite.Message) {
-                open.add(messages.next());
-            } else if (element instanceof TestSuite.Repeat repeat) {
-                repeat(repeat, messages);
-            }
-        }
+        TestSuite.StreamElement.Cases<Runnable> forms =
+                new TestSuite.StreamElement.Cases<>(
+                        tick -> this::endSlice,
+                        message -> () -> open.add(messages.next()),
+                        repeat -> () -> repeat(repeat, messages));
+        elements.forEach(element -> element.match(forms).run());
     }
 
     private void repeat(TestSuite.Repeat repeat, Iterator<Value> messages) {

@@ -22,6 +22,10 @@ final class TypeLowering {
         if (type instanceof RangeType range) {
             return new Type.IntegerType(width(range.carrier()), range.low(), range.high(), true);
         }
+        return defined(type);
+    }
+
+    private static Type defined(TypeSymbol type) {
         if (type instanceof EnumSymbol enumeration) {
             return enumeration(enumeration);
         }

@@ -60,23 +60,19 @@ record ValueLowering(ExpressionLowering expressions) {
 
     /** What a value on the output side sends; empty for {@code *}, which leaves the port out. */
     Optional<Automaton.Send> send(Port port, ItemValue value) {
-        return emission(port.type(), value).map(e -> new Automaton.Send(port, e));
+        return value.node() instanceof Block.DontCare
+                ? Optional.empty()
+                : Optional.of(new Automaton.Send(port, emission(port.type(), value)));
     }
 
-    private Optional<Automaton.Emission> emission(Type type, ItemValue value) {
-        if (value.node() instanceof Block.DontCare) {
-            return Optional.empty();
-        }
+    private Automaton.Emission emission(Type type, ItemValue value) {
         if (value.node() instanceof Block.NoMessage) {
-            return Optional.of(new Automaton.Silence());
+            return new Automaton.Silence();
         }
         if (value.node() instanceof Block.AnyMessage) {
-            return Optional.of(new Automaton.AnyMessage());
+            return new Automaton.AnyMessage();
         }
-        return Optional.of(
-                new Automaton.Messages(
-                        value.expressions().stream()
-                                .map(e -> expressions.lower(e, type))
-                                .toList()));
+        return new Automaton.Messages(
+                value.expressions().stream().map(e -> expressions.lower(e, type)).toList());
     }
 }

@@ -43,6 +43,72 @@ public sealed interface Expression {
         R cast(Cast cast);
     }
 
+    /**
+     * One answer for some forms, and one for all others: where most of them, and those to come, are
+     * alike.
+     *
+     * @param <R> what is answered
+     */
+    interface SomeCases<R> extends Cases<R> {
+        /** The answer for each form that has none of its own. */
+        R otherwise(Expression expression);
+
+        @Override
+        default R constant(Constant constant) {
+            return otherwise(constant);
+        }
+
+        @Override
+        default R portRead(PortRead portRead) {
+            return otherwise(portRead);
+        }
+
+        @Override
+        default R variableRead(VariableRead variableRead) {
+            return otherwise(variableRead);
+        }
+
+        @Override
+        default R parameterRead(ParameterRead parameterRead) {
+            return otherwise(parameterRead);
+        }
+
+        @Override
+        default R attributeRead(AttributeRead attributeRead) {
+            return otherwise(attributeRead);
+        }
+
+        @Override
+        default R portMatches(PortMatches portMatches) {
+            return otherwise(portMatches);
+        }
+
+        @Override
+        default R unary(Unary unary) {
+            return otherwise(unary);
+        }
+
+        @Override
+        default R binary(Binary binary) {
+            return otherwise(binary);
+        }
+
+        @Override
+        default R conditional(Conditional conditional) {
+            return otherwise(conditional);
+        }
+
+        @Override
+        default R isIn(IsIn isIn) {
+            return otherwise(isIn);
+        }
+
+        @Override
+        default R cast(Cast cast) {
+            return otherwise(cast);
+        }
+    }
+
     Type type();
 
     Span span();

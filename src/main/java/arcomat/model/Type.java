@@ -38,6 +38,16 @@ public sealed interface Type {
      */
     Value first();
 
+    /** Whether Java calculates with its values: whole and real numbers, and characters. */
+    default boolean isNumber() {
+        return false;
+    }
+
+    /** Whether a value is one of the type. */
+    default boolean has(Value value) {
+        return first().getClass() == value.getClass();
+    }
+
     /** The name without its package. */
     default String simpleName() {
         return name();
@@ -85,6 +95,18 @@ public sealed interface Type {
         public Value first() {
             return new Value.IntegerValue(low <= 0 && 0 <= high ? 0 : low);
         }
+
+        @Override
+        public boolean isNumber() {
+            return true;
+        }
+
+        @Override
+        public boolean has(Value value) {
+            return value instanceof Value.IntegerValue number
+                    && low <= number.value()
+                    && number.value() <= high;
+        }
     }
 
     /** Java's integer types; {@code INT} is written {@code Integer} or {@code int}. */
@@ -121,6 +143,17 @@ public sealed interface Type {
         public Value first() {
             return new Value.RealValue(0);
         }
+
+        @Override
+        public boolean isNumber() {
+            return true;
+        }
+
+        @Override
+        public boolean has(Value value) {
+            return value instanceof Value.RealValue number
+                    && (!single || (float) number.value() == number.value());
+        }
     }
 
     record CharacterType() implements Type {
@@ -137,6 +170,11 @@ public sealed interface Type {
         @Override
         public Value first() {
             return new Value.CharacterValue((char) 0);
+        }
+
+        @Override
+        public boolean isNumber() {
+            return true;
         }
     }
 
@@ -177,6 +215,11 @@ public sealed interface Type {
         public Value first() {
             return new Value.EnumValue(this, 0);
         }
+
+        @Override
+        public boolean has(Value value) {
+            return value instanceof Value.EnumValue constant && constant.type().equals(this);
+        }
     }
 
     /** A class of a class diagram; {@code name} is qualified, inherited attributes come first. */
@@ -199,6 +242,11 @@ public sealed interface Type {
         public Value first() {
             return new Value.ObjectValue(
                     this, attributes.stream().map(each -> each.type().first()).toList());
+        }
+
+        @Override
+        public boolean has(Value value) {
+            return value instanceof Value.ObjectValue object && object.type().equals(this);
         }
     }
 

@@ -3,8 +3,11 @@ package arcomat.model;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A message, or what a variable holds. {@code toString} is its text in models and traces. */
-public sealed interface Value {
+/**
+ * A message, or what a variable holds. {@code toString} is its text in models and traces. Values of
+ * one type have an order: numbers by size, constants by declaration, all else by its text.
+ */
+public sealed interface Value extends Comparable<Value> {
     /** Takes the sum apart: one answer for each form, and the compiler asks for all of them. */
     <R> R match(Cases<R> cases);
 
@@ -27,6 +30,20 @@ public sealed interface Value {
         R enumValue(EnumValue enumValue);
 
         R objectValue(ObjectValue objectValue);
+    }
+
+    @Override
+    default int compareTo(Value other) {
+        return toString().compareTo(other.toString());
+    }
+
+    /**
+     * The number that an integer or a character is.
+     *
+     * @throws IllegalStateException for all else
+     */
+    default long whole() {
+        throw new IllegalStateException("no whole number: " + this);
     }
 
     /** As in Java's literals, so that every text stays on one line and can be read again. */
@@ -74,6 +91,18 @@ public sealed interface Value {
         public <R> R match(Cases<R> cases) {
             return cases.integerValue(this);
         }
+
+        @Override
+        public long whole() {
+            return value;
+        }
+
+        @Override
+        public int compareTo(Value other) {
+            return other instanceof IntegerValue number
+                    ? Long.compare(value, number.value)
+                    : Value.super.compareTo(other);
+        }
     }
 
     record RealValue(double value) implements Value {
@@ -86,6 +115,13 @@ public sealed interface Value {
         public <R> R match(Cases<R> cases) {
             return cases.realValue(this);
         }
+
+        @Override
+        public int compareTo(Value other) {
+            return other instanceof RealValue number
+                    ? Double.compare(value, number.value)
+                    : Value.super.compareTo(other);
+        }
     }
 
     record CharacterValue(char value) implements Value {
@@ -97,6 +133,18 @@ public sealed interface Value {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.characterValue(this);
+        }
+
+        @Override
+        public long whole() {
+            return value;
+        }
+
+        @Override
+        public int compareTo(Value other) {
+            return other instanceof CharacterValue character
+                    ? Character.compare(value, character.value)
+                    : Value.super.compareTo(other);
         }
     }
 
@@ -121,6 +169,13 @@ public sealed interface Value {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.enumValue(this);
+        }
+
+        @Override
+        public int compareTo(Value other) {
+            return other instanceof EnumValue constant
+                    ? Integer.compare(ordinal, constant.ordinal)
+                    : Value.super.compareTo(other);
         }
     }
 

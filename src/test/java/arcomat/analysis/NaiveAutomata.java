@@ -4,9 +4,9 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Output;
@@ -18,7 +18,7 @@ import java.util.Map;
 import java.util.Set;
 
 /** One automaton, or a conjunction of some. A state has a configuration of each. */
-record NaiveAutomata(Behaviour behaviour) implements NaiveMachine {
+record NaiveAutomata(ComponentSemantics behaviour) implements NaiveMachine {
     @Override
     public Component component() {
         return behaviour.component();

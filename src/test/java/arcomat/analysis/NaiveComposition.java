@@ -3,10 +3,10 @@ package arcomat.analysis;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Sent;
@@ -42,14 +42,14 @@ public final class NaiveComposition implements NaiveMachine {
     private static final Move FAILURE = new Move(ERROR, new State(List.of(), List.of()));
 
     private final Network network;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<ComponentSemantics> behaviours = new ArrayList<>();
     private final Set<Integer> delayed = new HashSet<>();
     private final Map<State, Map<Map<String, Value>, Set<Move>>> known = new HashMap<>();
 
     public NaiveComposition(Component component, List<Value> arguments) {
         network = Network.of(component, arguments);
         for (Network.Instance part : network.instances()) {
-            behaviours.add(Behaviour.of(part.component(), part.arguments()));
+            behaviours.add(ComponentSemantics.of(part.component(), part.arguments()));
             List<Port> outputs = part.component().outputs();
             for (int i = 0; i < outputs.size(); i++) {
                 if (outputs.get(i).delay() > 0) {

@@ -4,10 +4,10 @@ import arcomat.analysis.refinement.Promise;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -59,13 +59,13 @@ public final class NaiveEvents {
     private static final Object END = "error";
 
     private final Network network;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<ComponentSemantics> behaviours = new ArrayList<>();
 
     /** A side with automata is a network of one. */
     NaiveEvents(Promise promise) {
         network = Network.of(promise.component(), promise.arguments());
         for (Network.Instance part : network.instances()) {
-            behaviours.add(Behaviour.of(part.component(), part.arguments()));
+            behaviours.add(ComponentSemantics.of(part.component(), part.arguments()));
         }
     }
 

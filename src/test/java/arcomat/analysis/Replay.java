@@ -9,10 +9,10 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Output;
@@ -138,7 +138,7 @@ public final class Replay {
         if (side.isComposition()) {
             return simulated(side, trace);
         }
-        Behaviour behaviour = side.behaviour();
+        ComponentSemantics behaviour = side.behaviour();
         List<Port> outputs = behaviour.component().outputs();
         Output silence = new Output(Collections.nCopies(outputs.size(), Sent.SILENCE));
         Set<Place> current = new LinkedHashSet<>();
@@ -164,7 +164,7 @@ public final class Replay {
     }
 
     private static Set<Place> after(
-            Behaviour behaviour, Set<Place> before, Moment moment, Set<String> late) {
+            ComponentSemantics behaviour, Set<Place> before, Moment moment, Set<String> late) {
         List<Port> ports = behaviour.component().outputs();
         Output silence = new Output(Collections.nCopies(ports.size(), Sent.SILENCE));
         Set<Place> next = new LinkedHashSet<>();
@@ -186,7 +186,7 @@ public final class Replay {
         return next;
     }
 
-    private static Input input(Behaviour behaviour, Letter letter) {
+    private static Input input(ComponentSemantics behaviour, Letter letter) {
         return Input.of(behaviour.component(), letter);
     }
 

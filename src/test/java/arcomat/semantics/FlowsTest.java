@@ -9,7 +9,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.DataSorts.Sort;
@@ -43,7 +43,7 @@ class FlowsTest {
 
     private static void check(Model model, String[] line) {
         Component component = model.component("a." + line[0]).orElseThrow();
-        StepRelation relation = Behaviour.of(component, List.of()).relations().get(0);
+        StepRelation relation = ComponentSemantics.of(component, List.of()).relations().get(0);
         assertThat(text(relation)).isEqualTo(line[1]);
     }
 

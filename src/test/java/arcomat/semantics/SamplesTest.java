@@ -12,7 +12,6 @@ import arcomat.semantics.value.MessageClassesTest;
 import arcomat.semantics.value.SmallType;
 import arcomat.semantics.value.TooManyMessages;
 import arcomat.semantics.value.ValueGaps;
-import arcomat.semantics.value.ValueOrder;
 
 import org.junit.jupiter.api.Test;
 
@@ -69,21 +68,16 @@ class SamplesTest {
 
     @Test
     void valuesHaveAnOrder() {
-        assertThat(ValueOrder.NATURAL.compare(value(range(0, 20), "9"), value(range(0, 20), "10")))
+        assertThat(value(range(0, 20), "9").compareTo(value(range(0, 20), "10"))).isNegative();
+        assertThat(
+                        value(ComponentBuilder.BOOLEAN, "false")
+                                .compareTo(value(ComponentBuilder.BOOLEAN, "true")))
+                .isNegative();
+        assertThat(new Value.CharacterValue('\n').compareTo(new Value.CharacterValue('Z')))
                 .isNegative();
         assertThat(
-                        ValueOrder.NATURAL.compare(
-                                value(ComponentBuilder.BOOLEAN, "false"),
-                                value(ComponentBuilder.BOOLEAN, "true")))
-                .isNegative();
-        assertThat(
-                        ValueOrder.NATURAL.compare(
-                                new Value.CharacterValue('\n'), new Value.CharacterValue('Z')))
-                .isNegative();
-        assertThat(
-                        ValueOrder.NATURAL.compare(
-                                value(ComponentBuilder.DISTANCE, "tooClose"),
-                                value(ComponentBuilder.DISTANCE, "clear")))
+                        value(ComponentBuilder.DISTANCE, "tooClose")
+                                .compareTo(value(ComponentBuilder.DISTANCE, "clear")))
                 .isPositive();
     }
 

@@ -5,9 +5,9 @@ import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Sent;
@@ -45,7 +45,7 @@ public final class NaiveRuns {
 
     private final StreamTest test;
     private final Network network;
-    private final List<Behaviour> behaviours = new ArrayList<>();
+    private final List<ComponentSemantics> behaviours = new ArrayList<>();
     private final Set<Integer> delayed;
     private final boolean withChaos;
 
@@ -54,7 +54,10 @@ public final class NaiveRuns {
         this.withChaos = withChaos;
         network = Network.of(test.component(), test.arguments());
         network.instances()
-                .forEach(each -> behaviours.add(Behaviour.of(each.component(), each.arguments())));
+                .forEach(
+                        each ->
+                                behaviours.add(
+                                        ComponentSemantics.of(each.component(), each.arguments())));
         delayed = network.delayed();
     }
 

@@ -21,7 +21,7 @@ import arcomat.analysis.search.system.RunErrors;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -136,7 +136,7 @@ public final class Contradictions {
         List<Port> outputs = promise.component().outputs();
         List<BitSet> decided = new ArrayList<>();
         for (Automaton automaton : promise.automata()) {
-            Set<String> written = Behaviour.written(automaton);
+            Set<String> written = ComponentSemantics.written(automaton);
             BitSet own = new BitSet();
             for (int port = 0; port < outputs.size(); port++) {
                 own.set(port, written.contains(outputs.get(port).name()));

@@ -6,7 +6,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -29,7 +29,7 @@ import java.util.Set;
  * the whole one in a run, and how long to go on until it cannot.
  */
 record MissingTransition(
-        ReachabilityGraph graph, Behaviour behaviour, Goal missing, Budget budget) {
+        ReachabilityGraph graph, ComponentSemantics behaviour, Goal missing, Budget budget) {
     /** So many ways to go on are tried. */
     private static final int MOST_TRIED = 300;
 

@@ -3,7 +3,7 @@ package arcomat.analysis.coverage;
 import arcomat.analysis.coverage.TransitionTests.Uncovered;
 import arcomat.analysis.smt.Subject;
 import arcomat.model.Trace;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -18,14 +18,14 @@ import java.util.Set;
 
 /** What keeps transitions from being taken, as a search meets it. */
 final class Obstacles {
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final Map<Goal, String> wrong = new HashMap<>();
     private final Set<Goal> enabled = new HashSet<>();
     private final Set<Place> states = new HashSet<>();
 
     private record Place(int automaton, int state) {}
 
-    Obstacles(Behaviour behaviour) {
+    Obstacles(ComponentSemantics behaviour) {
         this.behaviour = behaviour;
     }
 

@@ -8,9 +8,9 @@ import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Output;
@@ -71,7 +71,7 @@ final class ReachabilityGraph {
 
     private final Component component;
     private final Budget budget;
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final Stimuli stimuli;
     private final Obstacles obstacles;
     private final Map<Key, Node> nodes = new LinkedHashMap<>();
@@ -80,7 +80,7 @@ final class ReachabilityGraph {
     ReachabilityGraph(Promise promise, Budget budget) {
         this.component = promise.component();
         this.budget = budget;
-        this.behaviour = Behaviour.of(component, promise.arguments());
+        this.behaviour = ComponentSemantics.of(component, promise.arguments());
         this.stimuli = new Stimuli(behaviour, promise.arguments());
         this.obstacles = new Obstacles(behaviour);
     }

@@ -7,7 +7,7 @@ import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.value.InputAbstraction.Compared;
@@ -49,13 +49,13 @@ final class Stimuli {
     /** So many values of each of several ports can be combined. */
     private static final int FEW = 16;
 
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final List<Port> ports;
     private final boolean timed;
     private final MentionedValues mentions;
     private @Nullable String sampled;
 
-    Stimuli(Behaviour behaviour, List<Value> arguments) {
+    Stimuli(ComponentSemantics behaviour, List<Value> arguments) {
         this.behaviour = behaviour;
         this.ports = behaviour.component().inputs();
         this.timed = behaviour.component().profile() == Component.Profile.TIME_SYNCHRONOUS;

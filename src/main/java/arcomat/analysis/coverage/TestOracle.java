@@ -7,9 +7,9 @@ import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.StreamTest;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Output;
@@ -23,12 +23,13 @@ import java.util.Set;
 /** Whether an atomic component that works slice by slice allows what a test expects. */
 final class TestOracle {
     private final Component component;
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final Budget budget;
 
     TestOracle(Promise promise, Budget budget) {
         this.component = promise.component();
-        this.behaviour = Behaviour.of(promise.component(), promise.automata(), promise.arguments());
+        this.behaviour =
+                ComponentSemantics.of(promise.component(), promise.automata(), promise.arguments());
         this.budget = budget;
     }
 

@@ -10,7 +10,7 @@ import arcomat.analysis.search.system.AutomataSystem;
 import arcomat.analysis.search.system.ShiftedSystem;
 import arcomat.analysis.search.system.TransitionSystem;
 import arcomat.model.Port;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 
 import java.util.ArrayList;
 import java.util.BitSet;
@@ -52,7 +52,7 @@ public record InclusionProblem(
     }
 
     /** A side with its name. */
-    public record Named(String title, Behaviour behaviour) {}
+    public record Named(String title, ComponentSemantics behaviour) {}
 
     /**
      * @param rights one per automaton of the right side, of one component, whose ports the left

@@ -14,7 +14,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.invariant.InvariantWatch;
@@ -66,8 +66,8 @@ public final class InvariantProof {
         if (asked.isComposition() || !watch.mentionsNoPort()) {
             return Optional.empty();
         }
-        Behaviour behaviour = asked.behaviour();
-        for (Behaviour.JointStart start : behaviour.starts(budget::insist)) {
+        ComponentSemantics behaviour = asked.behaviour();
+        for (ComponentSemantics.JointStart start : behaviour.starts(budget::insist)) {
             List<Value> values = new ArrayList<>();
             for (InvariantWatch.Seen each : watch.seen()) {
                 values.add(value(behaviour, start.configurations(), each.input().name()));
@@ -86,7 +86,7 @@ public final class InvariantProof {
     }
 
     private static Value value(
-            Behaviour behaviour, List<Configuration> configurations, String variable) {
+            ComponentSemantics behaviour, List<Configuration> configurations, String variable) {
         for (int i = 0; i < configurations.size(); i++) {
             StepRelation relation = behaviour.relations().get(i);
             List<Variable> variables = relation.automaton().variables();

@@ -4,7 +4,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.network.Network;
 
@@ -154,9 +154,11 @@ public record Promise(
      */
     Optional<String> obstacle(Runnable goOn) {
         try {
-            List<Behaviour> all =
-                    isComposition() ? Behaviour.ofParts(network(), goOn) : List.of(behaviour());
-            all.forEach(Behaviour::starts);
+            List<ComponentSemantics> all =
+                    isComposition()
+                            ? ComponentSemantics.ofParts(network(), goOn)
+                            : List.of(behaviour());
+            all.forEach(ComponentSemantics::starts);
             return Optional.empty();
         } catch (Fault fault) {
             return Optional.of(
@@ -164,8 +166,8 @@ public record Promise(
         }
     }
 
-    public Behaviour behaviour() {
-        return Behaviour.of(component, automata, arguments);
+    public ComponentSemantics behaviour() {
+        return ComponentSemantics.of(component, automata, arguments);
     }
 
     /**

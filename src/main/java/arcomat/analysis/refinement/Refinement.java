@@ -9,7 +9,7 @@ import arcomat.analysis.search.product.Certificate;
 import arcomat.analysis.search.product.Counterexample;
 import arcomat.analysis.search.product.TraceInclusion;
 import arcomat.analysis.search.system.NetworkSystem;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -237,7 +237,7 @@ public final class Refinement {
         return !right.component().isComposite()
                 || right.isComposition()
                 || right.automata().stream()
-                        .anyMatch(each -> Behaviour.written(each).contains(port));
+                        .anyMatch(each -> ComponentSemantics.written(each).contains(port));
     }
 
     /** A step pairs an input with its reaction; not where the delays of both sides differ. */

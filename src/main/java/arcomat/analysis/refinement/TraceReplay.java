@@ -5,7 +5,7 @@ import arcomat.analysis.search.system.ConfigurationText;
 import arcomat.model.Automaton;
 import arcomat.model.Letter;
 import arcomat.model.Trace;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -32,7 +32,7 @@ import java.util.function.Function;
 public final class TraceReplay {
     private final Promise side;
     private final Set<String> late;
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final StepRelation relation;
 
     /**
@@ -77,7 +77,7 @@ public final class TraceReplay {
     private TraceReplay(Promise side, Automaton automaton, Set<String> late) {
         this.side = side;
         this.late = late;
-        behaviour = Behaviour.of(side.component(), List.of(automaton), side.arguments());
+        behaviour = ComponentSemantics.of(side.component(), List.of(automaton), side.arguments());
         relation = behaviour.relations().get(0);
     }
 

@@ -5,7 +5,7 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.value.SmallType;
 
@@ -30,7 +30,8 @@ public record Subject(
      * @throws arcomat.semantics.expression.Fault where constants or initial values go wrong
      */
     public static Subject of(Component component, Automaton automaton, List<Value> arguments) {
-        Behaviour behaviour = Behaviour.of(component, List.of(automaton), arguments);
+        ComponentSemantics behaviour =
+                ComponentSemantics.of(component, List.of(automaton), arguments);
         return new Subject(
                 component,
                 automaton,

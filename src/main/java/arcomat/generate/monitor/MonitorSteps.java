@@ -23,7 +23,7 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Variable;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Guards;
 import arcomat.source.Span;
@@ -55,7 +55,7 @@ final class MonitorSteps {
     MonitorSteps(Component watched, Automaton automaton, FileContext context) {
         this.watched = watched;
         this.automaton = automaton;
-        this.owned = Behaviour.owned(watched, automaton);
+        this.owned = ComponentSemantics.owned(watched, automaton);
         this.context = context;
         this.guards = new Guards(watched.profile());
     }

@@ -13,6 +13,7 @@ import arcomat.semantics.expression.Sent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /**
  * Puts the values of an automaton's variables after a step on the ports that show them. Of ports
@@ -72,7 +73,8 @@ final class ShownVariables {
     void tellFlow(DataSorts sorts, Map<String, Integer> ports, int[] variables) {
         for (Window window : windows) {
             if (window.slot >= 0) {
-                sorts.join(ports.get(window.name), variables[window.slot]);
+                int port = Objects.requireNonNull(ports.get(window.name));
+                sorts.join(port, variables[window.slot]);
             }
         }
     }

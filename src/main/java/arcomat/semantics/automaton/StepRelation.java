@@ -23,6 +23,7 @@ import arcomat.semantics.value.InputAbstraction;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.BiPredicate;
@@ -179,7 +180,8 @@ public final class StepRelation {
         new DataFlow(sorts, scope, ports, variables).tell(automaton);
         shown.tellFlow(sorts, ports, variables);
         for (Port port : component.inputs()) {
-            port.first().ifPresent(value -> sorts.mention(ports.get(port.name()), value));
+            int place = Objects.requireNonNull(ports.get(port.name()));
+            port.first().ifPresent(value -> sorts.mention(place, value));
         }
         return variables;
     }
@@ -218,7 +220,10 @@ public final class StepRelation {
                     reactions.add(take(each, before, messages));
                 }
             } catch (Fault fault) {
-                errors = plus(errors, new RunError(each.cause(), fault.getMessage()));
+                errors =
+                        plus(
+                                errors,
+                                new RunError(each.cause(), String.valueOf(fault.getMessage())));
             }
         }
         if (reactions.isEmpty() && errors.isEmpty()) {

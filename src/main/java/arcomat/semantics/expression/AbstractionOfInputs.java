@@ -13,9 +13,14 @@ import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.InputAbstraction.Unseen;
 import arcomat.semantics.value.InputAbstraction.Whole;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * Reads off the transitions out of one state what they look at. Comparisons of a port with a value
@@ -24,24 +29,24 @@ import java.util.Optional;
 public final class AbstractionOfInputs extends ConditionWalk {
 
     /**
-     * What a port is compared with.
+     * What is done with a port.
      *
-     * @param always how the port is looked at whatever the variables are; null where it is compared
-     * @param value that it is compared with
-     * @param fixed whether the value is the same in all configurations
+     * @param look how the port is looked at with certain values of the variables
+     * @param fixed whether that is the same in all configurations
      */
-    private record Probe(
-            Port port, PortAbstraction always, Term value, boolean ordered, boolean fixed) {}
+    private record Probe(Port port, Function<Value[], PortAbstraction> look, boolean fixed) {}
 
     private final Scope scope;
     private final int ports;
+    private final Value[] nothing;
     private final List<Probe> probes = new ArrayList<>();
     private final List<Integer> seen = new ArrayList<>();
-    private InputAbstraction constant;
+    private @Nullable InputAbstraction constant;
 
     public AbstractionOfInputs(Component component, Scope scope) {
         this.scope = scope;
         this.ports = component.inputs().size();
+        this.nothing = new Value[ports];
     }
 
     /** Adds what a transition looks at. */
@@ -59,16 +64,15 @@ public final class AbstractionOfInputs extends ConditionWalk {
             return constant;
         }
         PortAbstraction[] looks = new PortAbstraction[ports];
-        java.util.Arrays.fill(looks, new Unseen());
+        Arrays.fill(looks, new Unseen());
         for (int port : seen) {
             looks[port] = new Compared(List.of(), false);
         }
         boolean fixed = true;
-        Value[] nothing = new Value[ports];
         for (Probe probe : probes) {
             fixed &= probe.fixed;
             int port = scope.port(probe.port);
-            looks[port] = looks[port].and(look(probe, nothing, variables));
+            looks[port] = looks[port].and(probe.look.apply(variables));
         }
         InputAbstraction abstraction = new InputAbstraction(List.of(looks));
         if (fixed || variables.length == 0) {
@@ -77,13 +81,11 @@ public final class AbstractionOfInputs extends ConditionWalk {
         return abstraction;
     }
 
-    private static PortAbstraction look(Probe probe, Value[] nothing, Value[] variables) {
-        if (probe.always != null) {
-            return probe.always;
-        }
+    /** A value that reads no port is defined. */
+    private PortAbstraction compared(Type type, Term term, boolean ordered, Value[] variables) {
         try {
-            Value value = probe.value.evaluate(nothing, variables);
-            return new Compared(Comparand.in(probe.port.type(), value), probe.ordered);
+            Value value = Objects.requireNonNull(term.evaluate(nothing, variables));
+            return new Compared(Comparand.in(type, value), ordered);
         } catch (Fault divisionByZero) {
             return new Whole();
         }
@@ -120,8 +122,8 @@ public final class AbstractionOfInputs extends ConditionWalk {
     private void withItself(Port port) {
         seen.add(scope.port(port));
         if (port.type() instanceof Type.RealType) {
-            Value zero = new Value.RealValue(0);
-            probes.add(new Probe(port, null, (ports, variables) -> zero, true, true));
+            PortAbstraction withZero = new Compared(List.of(new Value.RealValue(0)), true);
+            probes.add(new Probe(port, variables -> withZero, true));
         }
     }
 
@@ -135,7 +137,12 @@ public final class AbstractionOfInputs extends ConditionWalk {
         List<Port> others = value.ports();
         if (others.isEmpty()) {
             Term term = Evaluation.compile(value, scope);
-            probes.add(new Probe(port, null, term, ordered, isFixed(value)));
+            Type type = port.type();
+            probes.add(
+                    new Probe(
+                            port,
+                            variables -> compared(type, term, ordered, variables),
+                            isFixed(value)));
         } else if (ordered) {
             whole(port);
             others.forEach(this::whole);
@@ -149,8 +156,8 @@ public final class AbstractionOfInputs extends ConditionWalk {
     private void copy(Expression e) {
         if (e instanceof Expression.PortRead read) {
             copy(read.port());
-        } else if (e instanceof Expression.Cast cast && Comparand.isCopy(cast)) {
-            copy(cast.operand());
+        } else if (Comparand.isCopy(e)) {
+            e.operands().forEach(this::copy);
         } else if (e instanceof Expression.Conditional choice && !isTruth(choice)) {
             condition(choice.condition());
             copy(choice.then());
@@ -163,7 +170,7 @@ public final class AbstractionOfInputs extends ConditionWalk {
     }
 
     private void copy(Port port) {
-        probes.add(new Probe(port, new Copied(), null, false, true));
+        probes.add(new Probe(port, variables -> new Copied(), true));
     }
 
     @Override
@@ -172,7 +179,7 @@ public final class AbstractionOfInputs extends ConditionWalk {
     }
 
     private void whole(Port port) {
-        probes.add(new Probe(port, new Whole(), null, false, true));
+        probes.add(new Probe(port, variables -> new Whole(), true));
     }
 
     /** Whether a value is the same in all configurations. */
@@ -181,6 +188,6 @@ public final class AbstractionOfInputs extends ConditionWalk {
     }
 
     private static boolean isTruth(Expression e) {
-        return e.type() instanceof arcomat.model.Type.BooleanType;
+        return e.type() instanceof Type.BooleanType;
     }
 }

@@ -20,14 +20,8 @@ final class Arithmetic {
         return type instanceof Type.RealType real && real.single();
     }
 
-    static long integer(Value value) {
-        return value instanceof Value.CharacterValue character
-                ? character.value()
-                : ((Value.IntegerValue) value).value();
-    }
-
     static double real(Value value) {
-        return value instanceof Value.RealValue real ? real.value() : integer(value);
+        return value instanceof Value.RealValue real ? real.value() : value.whole();
     }
 
     static Value calculate(BinaryOperator operator, Value left, Value right, Type type) {
@@ -38,7 +32,7 @@ final class Arithmetic {
                             ? (float) onReals(operator, (float) real(left), (float) real(right))
                             : onReals(operator, real(left), real(right)));
         }
-        long result = onIntegers(operator, integer(left), integer(right));
+        long result = onIntegers(operator, left.whole(), right.whole());
         return new Value.IntegerValue(isLong(type) ? result : (int) result);
     }
 
@@ -77,7 +71,7 @@ final class Arithmetic {
             double b = real(right);
             return compare(operator, a < b, a == b, a > b); // none of them holds of NaN
         }
-        int order = Long.compare(integer(left), integer(right));
+        int order = Long.compare(left.whole(), right.whole());
         return compare(operator, order < 0, order == 0, order > 0);
     }
 
@@ -98,7 +92,7 @@ final class Arithmetic {
             return real(left) == real(right);
         }
         if (left instanceof Value.CharacterValue || right instanceof Value.CharacterValue) {
-            return integer(left) == integer(right);
+            return left.whole() == right.whole();
         }
         return left.equals(right);
     }
@@ -107,38 +101,37 @@ final class Arithmetic {
         if (value instanceof Value.RealValue real) {
             return new Value.RealValue(-real.value());
         }
-        long negated = -integer(value);
+        long negated = -value.whole();
         return new Value.IntegerValue(isLong(type) ? negated : (int) negated);
     }
 
     static Value complement(Value value) {
-        return new Value.IntegerValue(~integer(value));
+        return new Value.IntegerValue(~value.whole());
     }
 
     /** A numeric conversion with Java's rules; a range does not narrow. */
     static Value cast(Value value, Type target) {
+        if (!target.isNumber()) {
+            return value;
+        }
         if (target instanceof Type.RealType real) {
             if (value instanceof Value.RealValue from) {
                 return new Value.RealValue(real.single() ? (float) from.value() : from.value());
             }
-            long whole = integer(value);
+            long whole = value.whole();
             return new Value.RealValue(real.single() ? (float) whole : (double) whole);
         }
-        if (target instanceof Type.CharacterType) {
-            return new Value.CharacterValue((char) whole(value, Type.Width.INT));
-        }
-        if (target instanceof Type.IntegerType integer) {
-            return new Value.IntegerValue(whole(value, integer.width()));
-        }
-        return value;
+        return target instanceof Type.IntegerType integer
+                ? new Value.IntegerValue(whole(value, integer.width()))
+                : new Value.CharacterValue((char) whole(value, Type.Width.INT));
     }
 
     private static long whole(Value value, Type.Width width) {
         if (width == Type.Width.LONG) {
-            return value instanceof Value.RealValue real ? (long) real.value() : integer(value);
+            return value instanceof Value.RealValue real ? (long) real.value() : value.whole();
         }
         int number =
-                value instanceof Value.RealValue real ? (int) real.value() : (int) integer(value);
+                value instanceof Value.RealValue real ? (int) real.value() : (int) value.whole();
         return switch (width) {
             case BYTE -> (byte) number;
             case SHORT -> (short) number;

@@ -30,9 +30,13 @@ final class Comparand {
                 : e;
     }
 
-    /** Whether a conversion gives the same value, as values of messages and variables are kept. */
-    static boolean isCopy(Expression.Cast cast) {
-        return cast.operand().type() instanceof Type.IntegerType
+    /**
+     * Whether an expression is a conversion that gives the same value, as values of messages and
+     * variables are kept.
+     */
+    static boolean isCopy(Expression e) {
+        return e instanceof Expression.Cast cast
+                && cast.operand().type() instanceof Type.IntegerType
                 && cast.type() instanceof Type.IntegerType
                 && isExact(cast.operand().type(), cast.type());
     }
@@ -64,18 +68,27 @@ final class Comparand {
             // There is only one zero: -0.0 equals 0.0.
             return Double.isNaN(rounded) ? List.of() : List.of(new Value.RealValue(rounded + 0.0));
         }
-        if (type instanceof Type.IntegerType && !(value instanceof Value.IntegerValue)) {
-            double number = Math.floor(Arithmetic.real(value));
+        return isKept(type, value) ? List.of(value) : below(type, Arithmetic.real(value));
+    }
+
+    /** Whether values of a type that is not of real numbers are kept as this one is. */
+    private static boolean isKept(Type type, Value value) {
+        return !type.isNumber()
+                || (type instanceof Type.IntegerType
+                        ? value instanceof Value.IntegerValue
+                        : value instanceof Value.CharacterValue);
+    }
+
+    /** The greatest integer or character that is not greater. */
+    private static List<Value> below(Type type, double real) {
+        double number = Math.floor(real);
+        if (type instanceof Type.IntegerType) {
             return Double.isNaN(number)
                     ? List.of()
                     : List.of(new Value.IntegerValue((long) number));
         }
-        if (type instanceof Type.CharacterType && !(value instanceof Value.CharacterValue)) {
-            double number = Math.floor(Arithmetic.real(value));
-            return Character.MIN_VALUE <= number && number <= Character.MAX_VALUE
-                    ? List.of(new Value.CharacterValue((char) number))
-                    : List.of();
-        }
-        return List.of(value);
+        return Character.MIN_VALUE <= number && number <= Character.MAX_VALUE
+                ? List.of(new Value.CharacterValue((char) number))
+                : List.of();
     }
 }

@@ -4,18 +4,42 @@ import arcomat.model.Expression;
 
 /** Takes a condition apart into what its connectives join. */
 abstract class ConditionWalk {
+    private final Forms forms = new Forms();
+
     /** Walks over a condition. */
     public final void condition(Expression e) {
-        if (e instanceof Expression.PortMatches matches) {
-            matches(matches);
-        } else if (e instanceof Expression.IsIn isIn) {
-            isIn(isIn);
-        } else if (e instanceof Expression.Binary binary) {
-            binary(binary);
-        } else if (e instanceof Expression.Unary || e instanceof Expression.Conditional) {
-            e.operands().forEach(this::condition);
-        } else {
-            value(e);
+        e.match(forms).run();
+    }
+
+    private final class Forms implements Expression.SomeCases<Runnable> {
+        @Override
+        public Runnable portMatches(Expression.PortMatches portMatches) {
+            return () -> matches(portMatches);
+        }
+
+        @Override
+        public Runnable isIn(Expression.IsIn isIn) {
+            return () -> ConditionWalk.this.isIn(isIn);
+        }
+
+        @Override
+        public Runnable binary(Expression.Binary binary) {
+            return () -> ConditionWalk.this.binary(binary);
+        }
+
+        @Override
+        public Runnable unary(Expression.Unary unary) {
+            return () -> condition(unary.operand());
+        }
+
+        @Override
+        public Runnable conditional(Expression.Conditional conditional) {
+            return () -> conditional.operands().forEach(ConditionWalk.this::condition);
+        }
+
+        @Override
+        public Runnable otherwise(Expression e) {
+            return () -> value(e);
         }
     }
 

@@ -9,7 +9,9 @@ import arcomat.model.Value;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.OptionalInt;
 
 /** Tells where the data of one automaton flow, and what it does with them. */
 public final class DataFlow extends ConditionWalk {
@@ -79,7 +81,7 @@ public final class DataFlow extends ConditionWalk {
     }
 
     private int place(Port port) {
-        return ports.get(port.name());
+        return Objects.requireNonNull(ports.get(port.name()));
     }
 
     /** The value of an expression gets to a place, or is compared with what is there. */
@@ -107,18 +109,16 @@ public final class DataFlow extends ConditionWalk {
                     .map(value -> new Data(List.of(), List.of(value), false))
                     .orElse(Data.CALCULATED);
         }
-        if (e instanceof Expression.PortRead read) {
-            return Data.of(place(read.port()));
-        }
-        if (e instanceof Expression.VariableRead read) {
-            return Data.of(variables[scope.variable(read.variable())]);
+        OptionalInt read = place(e);
+        if (read.isPresent()) {
+            return Data.of(read.getAsInt());
         }
         if (e instanceof Expression.Conditional choice) {
             condition(choice.condition());
             return data(choice.then()).or(data(choice.otherwise()));
         }
-        if (e instanceof Expression.Cast cast && Comparand.isCopy(cast)) {
-            return data(cast.operand());
+        if (Comparand.isCopy(e)) {
+            return data(e.operands().get(0));
         }
         if (e.type() instanceof Type.BooleanType && !(e instanceof Expression.AttributeRead)) {
             condition(e);
@@ -126,6 +126,16 @@ public final class DataFlow extends ConditionWalk {
             calculate(e);
         }
         return Data.CALCULATED;
+    }
+
+    /** The place that an expression reads as it is. */
+    private OptionalInt place(Expression e) {
+        if (e instanceof Expression.PortRead read) {
+            return OptionalInt.of(place(read.port()));
+        }
+        return e instanceof Expression.VariableRead read
+                ? OptionalInt.of(variables[scope.variable(read.variable())])
+                : OptionalInt.empty();
     }
 
     private void calculate(Expression e) {

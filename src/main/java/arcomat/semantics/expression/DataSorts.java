@@ -2,7 +2,8 @@ package arcomat.semantics.expression;
 
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.value.ValueOrder;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -26,10 +27,10 @@ public final class DataSorts {
 
     /** What is known of a place; that of its sort is with the last one of the chain. */
     private static final class Facts {
-        private Facts joined;
+        private @Nullable Facts joined;
         private final int number;
         private final Set<Type> types = new LinkedHashSet<>();
-        private final Set<Value> constants = new TreeSet<>(ValueOrder.NATURAL);
+        private final Set<Value> constants = new TreeSet<>();
         private boolean ordered;
         private boolean calculated;
 
@@ -134,7 +135,7 @@ public final class DataSorts {
         List<Type.IntegerType> types =
                 facts.types.stream().map(Type.IntegerType.class::cast).toList();
         Type.IntegerType widest = types.stream().reduce(DataSorts::widest).orElseThrow();
-        Set<Value> constants = new TreeSet<>(ValueOrder.NATURAL);
+        Set<Value> constants = new TreeSet<>();
         constants.addAll(facts.constants);
         boolean ordered = facts.ordered;
         for (Type.IntegerType each : types) {

@@ -9,8 +9,11 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 
 /** The right-hand side of a transition or initial clause, ready to be carried out. */
@@ -25,7 +28,7 @@ public final class Effect {
     private final List<Sent> fixed = new ArrayList<>();
 
     private final List<Emission> computed = new ArrayList<>();
-    private final Output constantOutput;
+    private final @Nullable Output constantOutput;
 
     /**
      * @param owned names of the output ports that the automaton decides about
@@ -61,7 +64,7 @@ public final class Effect {
         return port.total() ? new Sent.AnyMessage() : new Sent.Anything();
     }
 
-    private static Send send(Port port, List<Send> sends) {
+    private static @Nullable Send send(Port port, List<Send> sends) {
         for (Send send : sends) {
             if (send.port().name().equals(port.name())) {
                 return send;
@@ -70,7 +73,7 @@ public final class Effect {
         return null;
     }
 
-    private static Sent fixed(Port port, List<Send> sends, Automaton automaton) {
+    private static @Nullable Sent fixed(Port port, List<Send> sends, Automaton automaton) {
         Send send = send(port, sends);
         if (send == null) {
             return automaton.omitted() == Automaton.Omitted.SILENT ? Sent.SILENCE : anything(port);
@@ -82,7 +85,7 @@ public final class Effect {
                         Sent.AnyMessage::new);
     }
 
-    private static Sent constants(Automaton.Messages messages, Port port) {
+    private static @Nullable Sent constants(Automaton.Messages messages, Port port) {
         List<Value> values = new ArrayList<>();
         for (Expression value : messages.values()) {
             if (!(value instanceof Expression.Constant constant)
@@ -96,12 +99,13 @@ public final class Effect {
 
     private static Emission emission(Port port, List<Send> sends, Scope scope) {
         List<Term> values =
-                send(port, sends).emission().values().stream()
+                Objects.requireNonNull(send(port, sends)).emission().values().stream()
                         .map(v -> Evaluation.compile(v, scope))
                         .toList();
         return new Emission(port.name(), port.type(), values);
     }
 
+    @SuppressWarnings("NullAway") // who may be carried out has defined values
     public Output output(Value[] ports, Value[] variables) {
         if (constantOutput != null) {
             return constantOutput;
@@ -122,6 +126,7 @@ public final class Effect {
     }
 
     /** All right-hand sides are evaluated before any variable changes. */
+    @SuppressWarnings("NullAway") // who may be carried out has defined values
     public Value[] variables(Value[] ports, Value[] before) {
         if (updates.isEmpty()) {
             return before;
@@ -141,7 +146,7 @@ public final class Effect {
      */
     public static Value inRange(String name, Type type, Value value) {
         if (type instanceof Type.IntegerType integer && integer.ranged()) {
-            long number = Arithmetic.integer(value);
+            long number = value.whole();
             if (number < integer.low() || number > integer.high()) {
                 throw Fault.outsideRange(name, value, type.name());
             }

@@ -5,6 +5,8 @@ import arcomat.model.Expression.BinaryOperator;
 import arcomat.model.Type;
 import arcomat.model.Value;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 
 /**
@@ -29,11 +31,11 @@ public final class Evaluation implements Expression.Cases<Term> {
         return value ? TRUE : FALSE;
     }
 
-    private static boolean isTrue(Value value) {
+    private static boolean isTrue(@Nullable Value value) {
         return value != null && ((Value.BooleanValue) value).value();
     }
 
-    private static boolean isFalse(Value value) {
+    private static boolean isFalse(@Nullable Value value) {
         return value != null && !((Value.BooleanValue) value).value();
     }
 
@@ -105,7 +107,7 @@ public final class Evaluation implements Expression.Cases<Term> {
     }
 
     private static boolean isAmong(
-            Value found, List<Term> values, Value[] ports, Value[] variables) {
+            @Nullable Value found, List<Term> values, Value[] ports, Value[] variables) {
         if (found != null) {
             for (Term value : values) {
                 if (equals(found, value, ports, variables)) {
@@ -189,11 +191,11 @@ public final class Evaluation implements Expression.Cases<Term> {
         };
     }
 
-    private static Value negation(Value value) {
+    private static @Nullable Value negation(@Nullable Value value) {
         return value == null ? null : truth(isFalse(value));
     }
 
-    private static Value and(Term left, Term right, Value[] ports, Value[] variables) {
+    private static @Nullable Value and(Term left, Term right, Value[] ports, Value[] variables) {
         Value first = left.evaluate(ports, variables);
         if (isFalse(first)) {
             return FALSE;
@@ -202,7 +204,7 @@ public final class Evaluation implements Expression.Cases<Term> {
         return isFalse(second) ? FALSE : first == null ? null : second;
     }
 
-    private static Value or(Term left, Term right, Value[] ports, Value[] variables) {
+    private static @Nullable Value or(Term left, Term right, Value[] ports, Value[] variables) {
         Value first = left.evaluate(ports, variables);
         if (isTrue(first)) {
             return TRUE;

@@ -7,6 +7,8 @@ import arcomat.model.Variable;
 import arcomat.rt.ModelError;
 import arcomat.source.Span;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.Optional;
 
 /**
@@ -25,9 +27,9 @@ public final class Fault extends ModelError {
 
     private final Kind kind;
     private final String problem;
-    private final transient Trace.Taken taken;
+    private final transient Trace.@Nullable Taken taken;
 
-    private Fault(Kind kind, String problem, String message, Trace.Taken taken) {
+    private Fault(Kind kind, String problem, String message, Trace.@Nullable Taken taken) {
         super(message);
         this.kind = kind;
         this.problem = problem;
@@ -92,7 +94,7 @@ public final class Fault extends ModelError {
         return component.name() + ", arguments of " + part;
     }
 
-    public static String line(Span span) {
+    public static String line(@Nullable Span span) {
         return span == null ? "" : " (line " + span.startPosition().line() + ")";
     }
 }

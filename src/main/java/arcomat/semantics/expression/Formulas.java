@@ -26,6 +26,7 @@ public final class Formulas {
         totalPortsAlwaysPresent = profile == Component.Profile.TIME_SYNCHRONOUS;
     }
 
+    @SuppressWarnings("NullAway") // it stands nowhere in the text
     private static Expression constant(boolean value) {
         return new Expression.Constant(new Value.BooleanValue(value), BOOLEAN, null);
     }
@@ -51,11 +52,11 @@ public final class Formulas {
     }
 
     static Expression not(Expression e) {
-        if (e instanceof Expression.Constant) {
+        if (isConstant(e, true) || isConstant(e, false)) {
             return isConstant(e, true) ? FALSE : TRUE;
         }
-        if (e instanceof Expression.Unary unary && unary.operator() == UnaryOperator.NOT) {
-            return unary.operand();
+        if (isNegation(e)) {
+            return e.operands().get(0);
         }
         if (e instanceof Expression.PortMatches matches) {
             if (matches.pattern() instanceof Automaton.Absent) {
@@ -79,9 +80,11 @@ public final class Formulas {
 
     /** The same, with a negation at the top carried out. */
     static Expression folded(Expression e) {
-        boolean negation =
-                e instanceof Expression.Unary unary && unary.operator() == UnaryOperator.NOT;
-        return negation ? not(((Expression.Unary) e).operand()) : e;
+        return isNegation(e) ? not(e.operands().get(0)) : e;
+    }
+
+    static boolean isNegation(Expression e) {
+        return e instanceof Expression.Unary unary && unary.operator() == UnaryOperator.NOT;
     }
 
     private static Expression with(Expression.Binary binary, BinaryOperator operator) {
@@ -101,9 +104,7 @@ public final class Formulas {
                     || binary.operator() == BinaryOperator.OR
                     || binary.operator() == BinaryOperator.IMPLIES;
         }
-        return e instanceof Expression.Unary unary
-                && unary.operator() == UnaryOperator.NOT
-                && isLazy(unary.operand());
+        return isNegation(e) && isLazy(e.operands().get(0));
     }
 
     /** Whether an expression has a value just where all ports that it reads carry a message. */
@@ -113,8 +114,12 @@ public final class Formulas {
                                 isLazy(e)
                                         || e instanceof Expression.Conditional
                                         || e instanceof Expression.PortMatches)
-                || !expression.contains(
-                        e -> e instanceof Expression.PortRead read && mayBeAbsent(read.port()));
+                || !expression.contains(this::mayBeUndefined);
+    }
+
+    /** Whether an expression reads a port that may carry no message. */
+    private boolean mayBeUndefined(Expression e) {
+        return e instanceof Expression.PortRead read && mayBeAbsent(read.port());
     }
 
     /** That all ports that an expression reads carry a message. */

@@ -65,8 +65,8 @@ public final class Guards {
         if (formulas.isStrict(e)) {
             return and(formulas.present(e), truth ? Formulas.folded(e) : not(e));
         }
-        if (e instanceof Expression.Unary unary) {
-            return certainly(!truth, unary.operand());
+        if (Formulas.isNegation(e)) {
+            return certainly(!truth, e.operands().get(0));
         }
         if (e instanceof Expression.Conditional choice) {
             return or(
@@ -75,7 +75,8 @@ public final class Guards {
                             certainly(false, choice.condition()),
                             certainly(truth, choice.otherwise())));
         }
-        if (e instanceof Expression.Binary binary && Formulas.isLazy(e)) {
+        if (Formulas.isLazy(e)) {
+            Expression.Binary binary = (Expression.Binary) e;
             boolean or = binary.operator() != BinaryOperator.AND;
             boolean implies = binary.operator() == BinaryOperator.IMPLIES;
             Expression left = certainly(truth != implies, binary.left());

@@ -26,9 +26,8 @@ public record Interval(BigInteger low, BigInteger high) {
     /** Whether an expression makes an integer of other numbers. */
     public static boolean computes(Expression e) {
         return isInteger(e.type())
-                && (e instanceof Expression.Binary
-                        || e instanceof Expression.Unary
-                        || e instanceof Expression.Cast);
+                && !e.operands().isEmpty()
+                && !(e instanceof Expression.Conditional || e instanceof Expression.AttributeRead);
     }
 
     private static boolean isInteger(Type type) {
@@ -58,23 +57,39 @@ public record Interval(BigInteger low, BigInteger high) {
     }
 
     private static Interval unwrapped(Expression e, Function<Expression, Interval> read) {
-        if (e instanceof Expression.Constant constant) {
+        return e.match(new Unwrapped(read));
+    }
+
+    private record Unwrapped(Function<Expression, Interval> read)
+            implements Expression.SomeCases<Interval> {
+        @Override
+        public Interval constant(Expression.Constant constant) {
             return ofConstant(constant);
         }
-        if (e instanceof Expression.Cast cast && isInteger(cast.operand().type())) {
-            return of(cast.operand(), read);
+
+        @Override
+        public Interval cast(Expression.Cast cast) {
+            return isInteger(cast.operand().type()) ? of(cast.operand(), read) : read.apply(cast);
         }
-        if (e instanceof Expression.Unary unary) {
+
+        @Override
+        public Interval unary(Expression.Unary unary) {
             Interval operand = of(unary.operand(), read);
             Interval negated = new Interval(operand.high.negate(), operand.low.negate());
             return unary.operator() == Expression.UnaryOperator.NEGATE
                     ? negated
                     : negated.plus(ofConstant(-1));
         }
-        if (e instanceof Expression.Binary binary) {
+
+        @Override
+        public Interval binary(Expression.Binary binary) {
             return ofResult(binary, of(binary.left(), read), of(binary.right(), read));
         }
-        return read.apply(e);
+
+        @Override
+        public Interval otherwise(Expression e) {
+            return read.apply(e);
+        }
     }
 
     /** Of what may be read, by its type. */

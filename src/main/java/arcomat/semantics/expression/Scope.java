@@ -8,6 +8,8 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -73,6 +75,7 @@ public final class Scope {
     }
 
     /** The value of an expression that reads neither ports nor variables. */
+    @SuppressWarnings("NullAway") // what reads no port is defined
     public Value constant(Expression expression) {
         return Evaluation.compile(expression, this).evaluate(NOTHING, NOTHING);
     }
@@ -85,7 +88,8 @@ public final class Scope {
         return index;
     }
 
-    Value parameter(Parameter parameter) {
+    /** Null where only the first parameters are known. */
+    @Nullable Value parameter(Parameter parameter) {
         return parameters.get(parameter.name());
     }
 
@@ -99,7 +103,8 @@ public final class Scope {
         return e instanceof Expression.VariableRead read && variable(read.variable()) >= 0;
     }
 
-    Value constantOf(Variable variable) {
+    /** Null where the constant has no value yet. */
+    @Nullable Value constantOf(Variable variable) {
         return fixed.get(variable.name());
     }
 }

@@ -2,6 +2,8 @@ package arcomat.semantics.expression;
 
 import arcomat.model.Value;
 
+import org.jspecify.annotations.Nullable;
+
 /** An expression that is ready to be evaluated. */
 @FunctionalInterface
 public interface Term {
@@ -13,7 +15,7 @@ public interface Term {
      * @return null where undefined, since an absent port is read
      * @throws Fault for a division by zero
      */
-    Value evaluate(Value[] ports, Value[] variables);
+    @Nullable Value evaluate(Value[] ports, Value[] variables);
 
     /** Whether a condition is true; it may be undefined. */
     default boolean isTrue(Value[] ports, Value[] variables) {
@@ -22,6 +24,7 @@ public interface Term {
     }
 
     /** Whether a two-valued condition holds. */
+    @SuppressWarnings("NullAway") // it is always defined
     default boolean holds(Value[] ports, Value[] variables) {
         return ((Value.BooleanValue) evaluate(ports, variables)).value();
     }

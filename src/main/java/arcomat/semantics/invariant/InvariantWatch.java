@@ -10,7 +10,7 @@ import arcomat.model.Trace;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.model.Variable;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Reaction;
@@ -68,25 +68,42 @@ public final class InvariantWatch {
     public InvariantWatch(Component watched, Invariant invariant) {
         this.watched = watched;
         this.invariant = invariant;
-        Expression condition = invariant.condition().rewritten(this::asSeen);
+        Expression condition = invariant.condition().rewritten(e -> e.match(new AsSeen()));
         this.observer = observer(condition);
     }
 
-    private Expression asSeen(Expression e) {
-        if (e instanceof Expression.PortRead read) {
-            return new Expression.PortRead(port(read.port()), e.span());
+    /** What the observer asks instead of what the invariant asks. */
+    private final class AsSeen implements Expression.SomeCases<Expression> {
+        @Override
+        public Expression portRead(Expression.PortRead read) {
+            return new Expression.PortRead(port(read.port()), read.span());
         }
-        if (e instanceof Expression.PortMatches matches) {
-            return new Expression.PortMatches(port(matches.port()), matches.pattern(), e.span());
+
+        @Override
+        public Expression portMatches(Expression.PortMatches matches) {
+            return new Expression.PortMatches(
+                    port(matches.port()), matches.pattern(), matches.span());
         }
-        if (e instanceof Expression.VariableRead read && isKept(read.variable())) {
+
+        @Override
+        public Expression variableRead(Expression.VariableRead read) {
+            if (!isKept(read.variable())) {
+                return read;
+            }
             Port input = input(read.variable().name(), read.variable().type(), true);
             seen.putIfAbsent(input.name(), new SeenVariable(input));
-            return new Expression.PortRead(input, e.span());
+            return new Expression.PortRead(input, read.span());
         }
-        return e instanceof Expression.Binary binary && mayDivideByZero(binary)
-                ? divided(binary)
-                : e;
+
+        @Override
+        public Expression binary(Expression.Binary binary) {
+            return mayDivideByZero(binary) ? divided(binary) : binary;
+        }
+
+        @Override
+        public Expression otherwise(Expression e) {
+            return e;
+        }
     }
 
     private boolean isKept(Variable variable) {
@@ -115,6 +132,7 @@ public final class InvariantWatch {
                 || WatchedComponent.sender(composite, output.name()).isPresent();
     }
 
+    @SuppressWarnings("NullAway") // the port stands nowhere in the text
     private static Port input(String name, Type type, boolean total) {
         return new Port(name, Port.Direction.IN, type, total, 0, false, null);
     }
@@ -228,7 +246,7 @@ public final class InvariantWatch {
         for (int i = 0; i < values.size(); i++) {
             slots[i] = values.get(i);
         }
-        StepRelation relation = Behaviour.of(observer, arguments).relations().get(0);
+        StepRelation relation = ComponentSemantics.of(observer, arguments).relations().get(0);
         Reaction reaction =
                 relation.prospect(relation.starts().get(0).configuration(), Input.of(slots))
                         .reactions()

@@ -5,7 +5,6 @@ import arcomat.model.Component.Endpoint;
 import arcomat.model.Expression;
 import arcomat.model.Invariant;
 import arcomat.model.Port;
-import arcomat.model.Type;
 import arcomat.semantics.invariant.InvariantWatch.Seen;
 
 import java.util.ArrayList;
@@ -101,8 +100,16 @@ final class WatchedComponent {
         for (Seen each : seen) {
             if (each instanceof InvariantWatch.SeenVariable variable) {
                 String window = window(variable.input().name());
-                Type type = variable.input().type();
-                ports.add(new Port(window, Port.Direction.OUT, type, true, 0, false, null));
+                Port input = variable.input();
+                ports.add(
+                        new Port(
+                                window,
+                                Port.Direction.OUT,
+                                input.type(),
+                                true,
+                                0,
+                                false,
+                                input.span()));
                 shown.add(new Component.Shown(variable.input().name(), window));
             }
         }
@@ -114,6 +121,7 @@ final class WatchedComponent {
     }
 
     /** A part with the arguments of the whole. */
+    @SuppressWarnings("NullAway") // they stand nowhere in the text
     private Component.Part part(String name, Component component) {
         List<Expression> arguments = new ArrayList<>();
         component

@@ -6,12 +6,15 @@ import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.semantics.expression.Substitution;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
 
@@ -53,7 +56,7 @@ final class Composer {
      * @param sender null for a port of the whole and for none
      * @param port null for none
      */
-    record Wire(Draft sender, Port port, boolean fresh) {
+    record Wire(@Nullable Draft sender, @Nullable Port port, boolean fresh) {
         static final Wire NONE = new Wire(null, null, false);
     }
 
@@ -103,7 +106,7 @@ final class Composer {
             if (source.part().isEmpty()) {
                 return new Wire(null, component.port(source.port()).orElseThrow(), false);
             }
-            Draft draft = parts.get(source.part().get());
+            Draft draft = Objects.requireNonNull(parts.get(source.part().get()));
             Port port = draft.component.port(source.port()).orElseThrow();
             if (draft.inside.isEmpty()) {
                 boolean fresh = timed && port.delay() == 0 && !draft.component.platform();
@@ -178,6 +181,7 @@ final class Composer {
                 () -> Wire.NONE);
     }
 
+    @SuppressWarnings("NullAway") // what has a sender has its port
     private static Wire redirect(Wire wire) {
         if (wire.sender == null || wire.sender.dissolved.isEmpty()) {
             return wire;
@@ -213,6 +217,7 @@ final class Composer {
         }
         return wire.sender == null
                 ? new Source.FromOutside(wire.port)
-                : new Source.FromNode(positions.get(wire.sender), wire.port, wire.fresh);
+                : new Source.FromNode(
+                        Objects.requireNonNull(positions.get(wire.sender)), wire.port, wire.fresh);
     }
 }

@@ -14,6 +14,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 
 /** Takes a component apart: first every sender gets its signal, then every receiver. */
 final class Elaboration {
@@ -122,7 +123,7 @@ final class Elaboration {
             positions.put(component, fresh);
             known = fresh;
         }
-        return known.get(port.name());
+        return Objects.requireNonNull(known.get(port.name()));
     }
 
     private void connect(String prefix, Composition composition, Signals own, Scope scope) {

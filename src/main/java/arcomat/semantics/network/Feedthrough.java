@@ -8,6 +8,7 @@ import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -84,7 +85,7 @@ public final class Feedthrough {
 
         private BitSet ofSource(Source source) {
             return source.match(
-                    outside -> single(inputs.get(outside.port().name())),
+                    outside -> single(Objects.requireNonNull(inputs.get(outside.port().name()))),
                     from -> ofNode(from.node(), from.port().name()),
                     BitSet::new);
         }
@@ -103,7 +104,7 @@ public final class Feedthrough {
                 List<Source> sources = node.inputs();
                 BitSet paths = new BitSet();
                 if (!node.component().platform()) {
-                    through(node.component()).get(output).stream()
+                    Objects.requireNonNull(through(node.component()).get(output)).stream()
                             .forEach(input -> paths.or(ofSource(sources.get(input))));
                 }
                 found = paths;

@@ -39,6 +39,7 @@ final class Schedule {
     }
 
     /** From every draft to those that read one of its fresh messages; also numbers the drafts. */
+    @SuppressWarnings("NullAway") // a fresh message has a sender
     private static Digraph readers(List<Draft> drafts) {
         for (int i = 0; i < drafts.size(); i++) {
             drafts.get(i).position = i;

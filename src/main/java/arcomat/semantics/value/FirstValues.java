@@ -9,29 +9,51 @@ import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
 
-/** The simplest values of a type: its first value, and then those near to it. */
-public final class FirstValues {
-    private FirstValues() {}
+/**
+ * The simplest values of a type: its first value, and then those near to it.
+ *
+ * @param count how many
+ */
+public record FirstValues(int count) implements Type.Cases<List<Value>> {
 
     /** As many different values; fewer where the type has no more. */
     public static List<Value> of(Type type, int count) {
-        if (type instanceof Type.IntegerType integer) {
-            return numbers(integer).limit(count).<Value>mapToObj(Value.IntegerValue::new).toList();
-        }
-        if (type instanceof Type.RealType) {
-            return upTo(count).<Value>mapToObj(Value.RealValue::new).toList();
-        }
-        if (type instanceof Type.CharacterType) {
-            return upTo(Math.min(count, Character.MAX_VALUE + 1))
-                    .<Value>mapToObj(code -> new Value.CharacterValue((char) code))
-                    .toList();
-        }
-        if (type instanceof Type.StringType) {
-            return upTo(count).<Value>mapToObj(n -> new Value.StringValue("a".repeat(n))).toList();
-        }
-        if (type instanceof Type.ClassType object) {
-            return objects(object, count);
-        }
+        return type.match(new FirstValues(count));
+    }
+
+    @Override
+    public List<Value> booleanType(Type.BooleanType booleanType) {
+        return small(booleanType);
+    }
+
+    @Override
+    public List<Value> integerType(Type.IntegerType integerType) {
+        return numbers(integerType).limit(count).<Value>mapToObj(Value.IntegerValue::new).toList();
+    }
+
+    @Override
+    public List<Value> realType(Type.RealType realType) {
+        return upTo(count).<Value>mapToObj(Value.RealValue::new).toList();
+    }
+
+    @Override
+    public List<Value> characterType(Type.CharacterType characterType) {
+        return upTo(Math.min(count, Character.MAX_VALUE + 1))
+                .<Value>mapToObj(code -> new Value.CharacterValue((char) code))
+                .toList();
+    }
+
+    @Override
+    public List<Value> stringType(Type.StringType stringType) {
+        return upTo(count).<Value>mapToObj(n -> new Value.StringValue("a".repeat(n))).toList();
+    }
+
+    @Override
+    public List<Value> enumType(Type.EnumType enumType) {
+        return small(enumType);
+    }
+
+    private List<Value> small(Type type) {
         return SmallType.values(type).orElseThrow().stream().limit(count).toList();
     }
 
@@ -49,7 +71,8 @@ public final class FirstValues {
                         upwards, LongStream.iterate(first - 1, n -> n >= type.low(), n -> n - 1));
     }
 
-    private static List<Value> objects(Type.ClassType type, int count) {
+    @Override
+    public List<Value> classType(Type.ClassType type) {
         List<List<Value>> rows = List.of(List.of());
         for (Type.Attribute attribute : type.attributes()) {
             List<List<Value>> longer = new ArrayList<>();

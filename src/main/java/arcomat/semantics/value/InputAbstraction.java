@@ -35,27 +35,22 @@ public record InputAbstraction(List<PortAbstraction> looks) {
 
     /** How one port is looked at. */
     public sealed interface PortAbstraction {
+        /** How closely: what looks more closely tells apart all that the others do. */
+        int closeness();
+
         /** What looks as closely as both. */
         default PortAbstraction and(PortAbstraction other) {
-            if (this instanceof Unseen || other instanceof Whole) {
-                return other;
-            }
-            if (other instanceof Unseen || this instanceof Whole) {
-                return this;
-            }
-            if (this instanceof Copied || other instanceof Copied) {
-                return new Copied();
-            }
-            Compared one = (Compared) this;
-            Compared two = (Compared) other;
-            List<Value> values = new ArrayList<>(one.values);
-            values.addAll(two.values);
-            return new Compared(values, one.ordered || two.ordered);
+            return closeness() < other.closeness() ? other : this;
         }
     }
 
     /** Message or none, whichever: it is the same. */
-    public record Unseen() implements PortAbstraction {}
+    public record Unseen() implements PortAbstraction {
+        @Override
+        public int closeness() {
+            return 0;
+        }
+    }
 
     /**
      * Whether there is a message, and how it compares with some values.
@@ -65,9 +60,24 @@ public record InputAbstraction(List<PortAbstraction> looks) {
      */
     public record Compared(List<Value> values, boolean ordered) implements PortAbstraction {
         public Compared {
-            TreeSet<Value> sorted = new TreeSet<>(ValueOrder.NATURAL);
+            TreeSet<Value> sorted = new TreeSet<>();
             sorted.addAll(values);
             values = List.copyOf(sorted);
+        }
+
+        @Override
+        public int closeness() {
+            return 1;
+        }
+
+        @Override
+        public PortAbstraction and(PortAbstraction other) {
+            if (!(other instanceof Compared compared)) {
+                return PortAbstraction.super.and(other);
+            }
+            List<Value> both = new ArrayList<>(values);
+            both.addAll(compared.values);
+            return new Compared(both, ordered || compared.ordered);
         }
     }
 
@@ -75,8 +85,18 @@ public record InputAbstraction(List<PortAbstraction> looks) {
      * Stored, sent on as it is, or compared for equality with another message: every value makes a
      * difference, but perhaps only whether it is the same as others ({@link DataSorts}).
      */
-    public record Copied() implements PortAbstraction {}
+    public record Copied() implements PortAbstraction {
+        @Override
+        public int closeness() {
+            return 2;
+        }
+    }
 
     /** Every value may make a difference: it is calculated with. */
-    public record Whole() implements PortAbstraction {}
+    public record Whole() implements PortAbstraction {
+        @Override
+        public int closeness() {
+            return 3;
+        }
+    }
 }

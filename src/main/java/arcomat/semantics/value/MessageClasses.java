@@ -106,7 +106,7 @@ public final class MessageClasses {
         if (ordered && message.equals(NOT_A_NUMBER)) {
             return count - 1;
         }
-        int found = Collections.binarySearch(values, compared(message), ValueOrder.NATURAL);
+        int found = Collections.binarySearch(values, compared(message));
         if (found >= 0) {
             return 2 * found + 2;
         }

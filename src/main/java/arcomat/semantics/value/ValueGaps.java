@@ -33,24 +33,26 @@ public record ValueGaps(Type type, List<Value> values) {
         if (values.isEmpty()) {
             return List.of(type.first());
         }
-        if (type instanceof Type.IntegerType integer) {
-            return wholeGaps(integer.low(), integer.high());
+        if (!type.isNumber()) {
+            return any();
         }
-        if (type instanceof Type.CharacterType) {
-            return wholeGaps(Character.MIN_VALUE, Character.MAX_VALUE);
+        if (type instanceof Type.RealType real) {
+            return new RealGaps(real, values).samples();
         }
-        return type instanceof Type.RealType real ? new RealGaps(real, values).samples() : any();
+        return type instanceof Type.IntegerType integer
+                ? wholeGaps(integer.low(), integer.high())
+                : wholeGaps(Character.MIN_VALUE, Character.MAX_VALUE);
     }
 
     private List<Value> wholeGaps(long low, long high) {
         List<Value> gaps = new ArrayList<>();
-        long first = number(values.get(0));
+        long first = values.get(0).whole();
         if (low < first) {
             gaps.add(value(first - 1));
         }
         long last = first;
         for (Value value : values.subList(1, values.size())) {
-            long next = number(value);
+            long next = value.whole();
             if (last < next - 1) {
                 gaps.add(value(next - 1));
             }
@@ -60,12 +62,6 @@ public record ValueGaps(Type type, List<Value> values) {
             gaps.add(value(last + 1));
         }
         return gaps;
-    }
-
-    private static long number(Value value) {
-        return value instanceof Value.CharacterValue character
-                ? character.value()
-                : ((Value.IntegerValue) value).value();
     }
 
     private Value value(long number) {

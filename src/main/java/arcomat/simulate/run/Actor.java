@@ -5,10 +5,10 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -26,13 +26,13 @@ import java.util.function.Function;
 /** One instance as it runs: where its automata are, and how they go on. */
 final class Actor {
     private final Network.Instance instance;
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final List<StepRelation> relations;
     private final List<Port> outputs;
     private final Choice choice;
     private List<Configuration> configurations = List.of();
 
-    Actor(Network.Instance instance, Behaviour behaviour, Choice choice) {
+    Actor(Network.Instance instance, ComponentSemantics behaviour, Choice choice) {
         this.instance = instance;
         this.behaviour = behaviour;
         this.relations = behaviour.relations();
@@ -83,7 +83,7 @@ final class Actor {
 
     /** A problem, with the path of the instance that has it. */
     static ModelError at(Network.Instance instance, ModelError problem) {
-        String message = instance.with(problem.getMessage());
+        String message = instance.with(String.valueOf(problem.getMessage()));
         return problem instanceof Impasse ? new Impasse(message) : new ModelError(message);
     }
 

@@ -131,6 +131,7 @@ public final class Events implements Interpreter.Engine {
         }
     }
 
+    @SuppressWarnings("NullAway") // each name that is shown has its list
     private void send(int signal, Value message) {
         shown.get(signal).forEach(name -> outputs.get(name).add(message));
         for (Receiver receiver : receivers.get(signal)) {

@@ -6,9 +6,11 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.run.Actor.Impasse;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -35,7 +37,7 @@ public final class Interpreter implements Execution {
 
     private final Network network;
     private final Choice choice;
-    private Engine engine;
+    private @Nullable Engine engine;
     private Optional<Trace.End> end = Optional.empty();
     private final List<String> decisions = new ArrayList<>();
 
@@ -80,15 +82,15 @@ public final class Interpreter implements Execution {
     }
 
     private static List<Actor> actors(Network network, Choice choice) {
-        Map<Component, Map<List<Value>, Behaviour>> behaviours = new IdentityHashMap<>();
+        Map<Component, Map<List<Value>, ComponentSemantics>> behaviours = new IdentityHashMap<>();
         List<Actor> actors = new ArrayList<>(network.instances().size());
         for (Network.Instance instance : network.instances()) {
-            Behaviour behaviour =
+            ComponentSemantics behaviour =
                     behaviours
                             .computeIfAbsent(instance.component(), c -> new HashMap<>())
                             .computeIfAbsent(
                                     instance.arguments(),
-                                    a -> Behaviour.of(instance.component(), a));
+                                    a -> ComponentSemantics.of(instance.component(), a));
             actors.add(new Actor(instance, behaviour, choice));
         }
         return actors;

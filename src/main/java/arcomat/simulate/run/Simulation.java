@@ -47,7 +47,7 @@ public final class Simulation {
             try {
                 wanted = seen.test(execution.step(letters.next()));
             } catch (ModelError error) {
-                failure = Optional.of(error.getMessage());
+                failure = Optional.of(String.valueOf(error.getMessage()));
             }
         }
         return new Trace(

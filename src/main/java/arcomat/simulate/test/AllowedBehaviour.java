@@ -1,11 +1,13 @@
 package arcomat.simulate.test;
 
 import arcomat.model.Automaton;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.network.Network;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -14,12 +16,12 @@ import java.util.Optional;
 /** What the instances of a network may do, and why some run could not go on. */
 abstract class AllowedBehaviour {
     final Network network;
-    final List<Behaviour> behaviours;
-    String lastProblem;
+    final List<ComponentSemantics> behaviours;
+    @Nullable String lastProblem;
 
     AllowedBehaviour(Network network) {
         this.network = network;
-        this.behaviours = Behaviour.ofParts(network);
+        this.behaviours = ComponentSemantics.ofParts(network);
     }
 
     /** Why the last run that could not go on could not. */

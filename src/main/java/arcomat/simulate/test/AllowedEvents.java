@@ -4,12 +4,14 @@ import arcomat.model.Letter;
 import arcomat.model.StreamTest;
 import arcomat.model.Value;
 import arcomat.semantics.Execution;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Collection;
@@ -32,7 +34,7 @@ final class AllowedEvents extends AllowedBehaviour {
 
     private final Posts posts;
     private int event;
-    private String gaveUp;
+    private @Nullable String gaveUp;
 
     AllowedEvents(Network network, StreamTest test, Collection<Value> mentioned) {
         super(network);

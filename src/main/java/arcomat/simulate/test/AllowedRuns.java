@@ -3,14 +3,16 @@ package arcomat.simulate.test;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.test.Possibility.NetworkState;
+
+import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -19,6 +21,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -37,8 +40,8 @@ final class AllowedRuns extends AllowedBehaviour {
 
     private final Wires wires;
     private final Division division;
-    private String tooMany;
-    private String untried;
+    private @Nullable String tooMany;
+    private @Nullable String untried;
 
     /**
      * @param mentioned values that may matter where not all can be tried
@@ -69,7 +72,7 @@ final class AllowedRuns extends AllowedBehaviour {
 
     /** What a loose run is about. */
     String untried() {
-        return untried;
+        return Objects.requireNonNull(untried);
     }
 
     /** Between two slices, with what each world stands for. */

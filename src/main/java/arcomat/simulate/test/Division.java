@@ -1,9 +1,8 @@
 package arcomat.simulate.test;
 
 import arcomat.model.Port;
-import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.value.InputAbstraction.Compared;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
@@ -33,13 +32,13 @@ final class Division {
     record Options(List<Sent> samples, boolean complete) {}
 
     private final Wires wires;
-    private final List<Behaviour> behaviours;
+    private final List<ComponentSemantics> behaviours;
     private final Set<Value> mentioned;
 
     /**
      * @param mentioned values that may matter: those that the test speaks of
      */
-    Division(Wires wires, List<Behaviour> behaviours, Collection<Value> mentioned) {
+    Division(Wires wires, List<ComponentSemantics> behaviours, Collection<Value> mentioned) {
         this.wires = wires;
         this.behaviours = behaviours;
         this.mentioned = new LinkedHashSet<>(mentioned);
@@ -82,30 +81,10 @@ final class Division {
     /** Those that the test speaks of, the simplest one, and some between them. */
     private static Options some(Port port, boolean required, Collection<Value> mentioned) {
         List<Value> values = new ArrayList<>();
-        mentioned.stream().filter(v -> isOf(port.type(), v)).limit(SOME).forEach(values::add);
+        mentioned.stream().filter(v -> port.type().has(v)).limit(SOME).forEach(values::add);
         values.add(port.type().first());
         List<Value> samples =
                 MessageClasses.of(port, required, new Compared(values, true)).samples();
         return new Options(samples.stream().map(Sent::of).toList(), false);
-    }
-
-    /** Whether a value is one of a type. */
-    static boolean isOf(Type type, Value value) {
-        if (type instanceof Type.IntegerType integer) {
-            return value instanceof Value.IntegerValue number
-                    && integer.low() <= number.value()
-                    && number.value() <= integer.high();
-        }
-        if (type instanceof Type.RealType real) {
-            return value instanceof Value.RealValue number
-                    && (!real.single() || (float) number.value() == number.value());
-        }
-        if (type instanceof Type.EnumType) {
-            return value instanceof Value.EnumValue constant && constant.type().equals(type);
-        }
-        if (type instanceof Type.ClassType) {
-            return value instanceof Value.ObjectValue object && object.type().equals(type);
-        }
-        return type.first().getClass() == value.getClass();
     }
 }

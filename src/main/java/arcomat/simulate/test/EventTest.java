@@ -35,7 +35,7 @@ final class EventTest {
                             .reduce((one, two) -> two.isBetterThan(one) ? two : one);
             gaveUp = allowed.gaveUp();
         } catch (ModelError problem) {
-            return failed(Optional.of(problem.getMessage()));
+            return failed(Optional.of(String.valueOf(problem.getMessage())));
         }
         if (best.isEmpty()) {
             return gaveUp.isPresent() ? passing(Verdict.UNKNOWN, gaveUp) : failed(problem());

@@ -6,10 +6,13 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 
 /**
@@ -53,7 +56,8 @@ final class Expected {
             String port, int slice, StreamTest test, Wires wires, boolean evaluated) {
         int signal = wires.output(port);
         boolean delayed = signal != Network.UNCONNECTED && wires.isDelayed(signal);
-        return slice < test.expected().get(port).size() && (evaluated || delayed);
+        return slice < Objects.requireNonNull(test.expected().get(port)).size()
+                && (evaluated || delayed);
     }
 
     private void add(int signal, List<Value> expected) {
@@ -65,7 +69,7 @@ final class Expected {
      *
      * @param sender the port that sends it; null where a port has no sender
      */
-    Optional<Sent> settle(int signal, Sent sent, Port sender) {
+    Optional<Sent> settle(int signal, Sent sent, @Nullable Port sender) {
         Sent left = sent;
         for (List<Value> expected : messages.getOrDefault(signal, List.of())) {
             if (!left.allows(expected)) {
@@ -73,7 +77,8 @@ final class Expected {
             }
             if (!(left instanceof Sent.Messages)) {
                 // An output of the whole may have a wider range than the port that feeds it.
-                if (!expected.stream().allMatch(value -> Division.isOf(sender.type(), value))) {
+                if (!expected.stream()
+                        .allMatch(value -> Objects.requireNonNull(sender).type().has(value))) {
                     return Optional.empty();
                 }
                 left = new Sent.Messages(expected);

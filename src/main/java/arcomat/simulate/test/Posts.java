@@ -7,6 +7,8 @@ import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
 import arcomat.simulate.run.Events;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -30,8 +32,8 @@ final class Posts {
     private final Wires wires;
     private final List<List<Stream>> streams = new ArrayList<>();
     private final List<Stream> all = new ArrayList<>();
-    private String problem;
-    private String untried;
+    private @Nullable String problem;
+    private @Nullable String untried;
 
     Posts(Network network, StreamTest test, Collection<Value> mentioned) {
         this.network = network;
@@ -129,8 +131,7 @@ final class Posts {
         for (int to = from; to <= stream.expected.size(); to++) {
             List<Value> messages = stream.expected.subList(from, to);
             if (sent.allows(messages)
-                    && messages.stream()
-                            .allMatch(v -> Division.isOf(wires.port(signal).type(), v))) {
+                    && messages.stream().allMatch(v -> wires.port(signal).type().has(v))) {
                 options.add(messages);
             }
         }

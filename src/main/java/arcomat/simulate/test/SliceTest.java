@@ -24,7 +24,10 @@ import java.util.stream.Stream;
 /** A stream test of a time-synchronous component against all that its model allows. */
 final class SliceTest {
     private final StreamTest test;
+
+    @SuppressWarnings("NullAway.Init") // built in the run, which reports what goes wrong then
     private Network network;
+
     private List<Map<String, List<String>>> allowed = List.of();
     private OptionalInt difference = OptionalInt.empty();
     private OptionalInt vacuousFrom = OptionalInt.empty();
@@ -41,9 +44,9 @@ final class SliceTest {
             network = Network.of(test.component(), test.arguments());
             explore(new AllowedRuns(network, StreamTests.mentioned(test)));
         } catch (ModelError problem) {
-            failure = Optional.of(problem.getMessage());
+            failure = Optional.of(String.valueOf(problem.getMessage()));
         } catch (GivenUp tooMuch) {
-            undecided = Optional.of(tooMuch.getMessage());
+            undecided = Optional.of(String.valueOf(tooMuch.getMessage()));
         }
         Verdict verdict = verdict();
         return new StreamTestResult(

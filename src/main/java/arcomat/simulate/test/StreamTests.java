@@ -55,7 +55,8 @@ public final class StreamTests {
                     new Interpreter(test.component(), test.arguments(), Choice.first());
             return Simulation.run(interpreter, letters(test, test.component()));
         } catch (ModelError error) {
-            return new Trace(test.component(), List.of(), Optional.of(error.getMessage()));
+            return new Trace(
+                    test.component(), List.of(), Optional.of(String.valueOf(error.getMessage())));
         }
     }
 

@@ -10,6 +10,7 @@ import arcomat.semantics.network.Network;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -111,6 +112,10 @@ public final class SuiteText {
             }
             return object.type().name() + "(" + String.join(", ", attributes) + ")";
         }
+        return literal(value, type);
+    }
+
+    private static String literal(Value value, Type type) {
         if (value instanceof Value.IntegerValue number && number.value() != (int) number.value()) {
             return number + "L";
         }
@@ -137,7 +142,12 @@ public final class SuiteText {
                 "expect",
                 network.outputs().stream()
                         .filter(output -> entry.expected().containsKey(output.name()))
-                        .map(output -> stream(output, entry.expected().get(output.name()))));
+                        .map(
+                                output ->
+                                        stream(
+                                                output,
+                                                Objects.requireNonNull(
+                                                        entry.expected().get(output.name())))));
     }
 
     private void block(String head, Stream<String> lines) {

@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.OptionalInt;
 
 /** Who sends and who reads each signal of a network. */
@@ -97,6 +98,6 @@ final class Wires {
 
     /** The signal of an output of the whole, or {@link Network#UNCONNECTED}. */
     int output(String name) {
-        return outputs.get(name);
+        return Objects.requireNonNull(outputs.get(name));
     }
 }

@@ -6,7 +6,7 @@ import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Prospect;
@@ -74,7 +74,7 @@ public final class Watch {
     public Watch(
             Component component, Automaton automaton, List<Value> arguments, Component running) {
         Component asked = component.asPromised();
-        relation = Behaviour.of(asked, List.of(automaton), arguments).relations().get(0);
+        relation = ComponentSemantics.of(asked, List.of(automaton), arguments).relations().get(0);
         int line = automaton.span().startPosition().line();
         requirement = component.title(automaton) + " (line " + line + ")";
         outputs = asked.outputs();

@@ -6,6 +6,8 @@ import arcomat.model.Port;
 import arcomat.model.Value;
 import arcomat.semantics.automaton.Input;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -59,7 +61,7 @@ final class WatchedInputs {
     }
 
     /** Latches what is to be; null where no port of the requirement has an event. */
-    private Value[] messages(Letter letter) {
+    private Value @Nullable [] messages(Letter letter) {
         List<Port> ports = component.inputs();
         int event = -1;
         for (int i = 0; i < held.length; i++) {

@@ -6,7 +6,7 @@ import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Type;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -46,7 +46,7 @@ final class NaiveExploration {
     private final Map<String, Integer> divisions = new TreeMap<>();
 
     private NaiveExploration(Component component) {
-        relation = Behaviour.of(component, List.of()).relations().get(0);
+        relation = ComponentSemantics.of(component, List.of()).relations().get(0);
         automaton = relation.automaton();
         fill(component.inputs(), new Value[component.inputs().size()], 0);
     }

@@ -8,7 +8,7 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Trace;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -38,7 +38,8 @@ final class Replay {
         automaton = examination.automaton();
         component = examination.component();
         relation =
-                Behaviour.of(component, List.of(automaton), examination.promise().arguments())
+                ComponentSemantics.of(
+                                component, List.of(automaton), examination.promise().arguments())
                         .relations()
                         .get(0);
     }

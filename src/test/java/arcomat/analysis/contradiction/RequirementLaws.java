@@ -14,7 +14,7 @@ import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -85,7 +85,7 @@ final class RequirementLaws {
     }
 
     private static boolean mayErr(Component controller) {
-        StepRelation relation = Behaviour.of(controller, List.of()).relations().get(0);
+        StepRelation relation = ComponentSemantics.of(controller, List.of()).relations().get(0);
         List<Configuration> open =
                 new ArrayList<>(List.of(relation.starts().get(0).configuration()));
         for (int i = 0; i < open.size(); i++) {

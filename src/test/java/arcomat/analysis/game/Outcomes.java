@@ -6,7 +6,7 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -59,7 +59,8 @@ public final class Outcomes {
         component = requirements.get(0).component();
         for (Promise each : requirements) {
             relations.addAll(
-                    Behaviour.of(component, each.automata(), each.arguments()).relations());
+                    ComponentSemantics.of(component, each.automata(), each.arguments())
+                            .relations());
         }
         outputs = everyOutput();
         inputs = letters(component.inputs()).stream().filter(this::mayCome).toList();

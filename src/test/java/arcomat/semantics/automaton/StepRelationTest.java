@@ -33,7 +33,7 @@ import java.util.stream.Stream;
 
 class StepRelationTest {
     private static StepRelation sole(Component component) {
-        return Behaviour.of(component, List.of()).relations().get(0);
+        return ComponentSemantics.of(component, List.of()).relations().get(0);
     }
 
     private static List<String> reactions(Component component, String port, String message) {
@@ -173,7 +173,7 @@ class StepRelationTest {
                         .on("b", "i = ?", "right = stop")
                         .on("b", "i = 2", "right = fwd")
                         .build();
-        Behaviour behaviour = Behaviour.of(both, List.of());
+        ComponentSemantics behaviour = ComponentSemantics.of(both, List.of());
         List<Configuration> start =
                 behaviour.starts().get(0).starts().stream().map(Start::configuration).toList();
         assertThat(behaviour.prospect(start, input(both, "i", "1")).reactions())
@@ -198,7 +198,7 @@ class StepRelationTest {
                         .initial("b", "cmd = fwd")
                         .on("b", "i = 1", "cmd = fwd")
                         .build();
-        Behaviour behaviour = Behaviour.of(both, List.of());
+        ComponentSemantics behaviour = ComponentSemantics.of(both, List.of());
         List<Configuration> start =
                 behaviour.starts().get(0).starts().stream().map(Start::configuration).toList();
         assertThat(behaviour.prospect(start, input(both, "i", "1")).reactions()).isEmpty();

@@ -8,7 +8,7 @@ import arcomat.model.Component.Profile;
 import arcomat.model.Expression;
 import arcomat.model.Value;
 import arcomat.semantics.Expressions;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.expression.AbstractionOfInputs;
@@ -86,9 +86,7 @@ class InputAbstractionTest {
             return message;
         }
         return compared.ordered()
-                ? compared.values().stream()
-                        .filter(value -> ValueOrder.NATURAL.compare(value, message) < 0)
-                        .count()
+                ? compared.values().stream().filter(value -> value.compareTo(message) < 0).count()
                 : "another";
     }
 
@@ -116,7 +114,7 @@ class InputAbstractionTest {
         Scenario scenario = Scenario.read(LOOKS);
         Component component =
                 Lowering.lower(scenario.workspace()).component("a.Looks").orElseThrow();
-        StepRelation relation = Behaviour.of(component, List.of()).relations().get(0);
+        StepRelation relation = ComponentSemantics.of(component, List.of()).relations().get(0);
         return scenario.expected()
                 .lines()
                 .map(line -> line.split(" *->"))

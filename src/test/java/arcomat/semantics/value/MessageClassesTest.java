@@ -184,7 +184,7 @@ public class MessageClassesTest {
                     + (left.value() == right.value() ? "=" : "")
                     + (left.value() > right.value() ? ">" : "");
         }
-        int order = ValueOrder.NATURAL.compare(one, other);
+        int order = one.compareTo(other);
         return order < 0 ? "<" : order == 0 ? "=" : ">";
     }
 

@@ -1,6 +1,5 @@
 package arcomat.sim;
 
-import arcomat.sim.script.Action;
 import arcomat.sim.script.Step;
 import arcomat.sim.time.Timetable;
 import arcomat.sim.time.VirtualTime;
@@ -29,20 +28,8 @@ final class ScriptPlayer extends Timetable {
     protected long act() {
         long now = due();
         while (due() == now && now != VirtualTime.NEVER) {
-            perform(steps.get(next++).action());
+            steps.get(next++).action().perform(brick);
         }
         return due();
-    }
-
-    private void perform(Action action) {
-        if (action instanceof Action.Expose expose) {
-            brick.expose(expose.socket(), expose.stimulus());
-        } else if (action instanceof Action.Press press) {
-            brick.press(press.key());
-        } else if (action instanceof Action.Release release) {
-            brick.release(release.key());
-        } else {
-            brick.stop();
-        }
     }
 }

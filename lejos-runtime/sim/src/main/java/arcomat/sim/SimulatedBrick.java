@@ -12,6 +12,7 @@ import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.BrickLoader;
 import arcomat.sim.load.Program;
 import arcomat.sim.radio.Ether;
+import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
 import arcomat.sim.time.VirtualTime;
 
@@ -23,7 +24,7 @@ import java.util.List;
  * A brick with a program, in a {@link Laboratory}. Everything here acts at the moment at which the
  * laboratory's time stands, and takes no time itself.
  */
-public final class SimulatedBrick {
+public final class SimulatedBrick implements Action.Receiver {
     private final Hardware hardware;
     private final ProgramThreads threads;
 
@@ -87,14 +88,17 @@ public final class SimulatedBrick {
         hardware.socket(socket.ordinal()).bus().plug(device);
     }
 
+    @Override
     public void expose(SensorName socket, Stimulus stimulus) {
         hardware.socket(socket.ordinal()).expose(stimulus);
     }
 
+    @Override
     public void press(Key key) {
         hardware.keypad().press(key);
     }
 
+    @Override
     public void release(Key key) {
         hardware.keypad().release(key);
     }
@@ -114,6 +118,7 @@ public final class SimulatedBrick {
     }
 
     /** Switches the brick off. What the program still tries to do has no effect. */
+    @Override
     public void stop() {
         hardware.observe(Observer.NONE);
         threads.end(Outcome.of(Outcome.Kind.STOPPED));

@@ -13,11 +13,11 @@ import arcomat.model.Value;
 import arcomat.semantics.value.InputAbstraction.Compared;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.SmallType;
-import arcomat.semantics.value.ValueOrder;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 
@@ -50,7 +50,7 @@ final class MessageCondition {
         this.noNumberPossible = samples.stream().anyMatch(MessageCondition::isNoNumber);
         samples.stream()
                 .filter(sample -> sample != null && !isNoNumber(sample))
-                .sorted(ValueOrder.NATURAL)
+                .sorted()
                 .forEach(present::add);
         for (int position : group) {
             Value sample = samples.get(position);
@@ -62,7 +62,7 @@ final class MessageCondition {
                 wanted.add(sample);
             }
         }
-        wanted.sort(ValueOrder.NATURAL);
+        wanted.sort(Comparator.naturalOrder());
     }
 
     private static boolean isNoNumber(Value sample) {

@@ -4,11 +4,11 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.step.CubeSplit;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointError;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointError;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -32,7 +32,7 @@ final class EventReactions {
     private final Budget budget;
     private final Network network;
     private final Wiring wiring;
-    private final List<Behaviour> behaviours;
+    private final List<ComponentSemantics> behaviours;
 
     /** By part and port the latched external input that feeds it, else {@code INSIDE}. */
     private final int[][] held;
@@ -43,7 +43,7 @@ final class EventReactions {
         this.budget = budget;
         this.network = network;
         this.wiring = wiring;
-        this.behaviours = Behaviour.ofParts(network, budget::insist);
+        this.behaviours = ComponentSemantics.ofParts(network, budget::insist);
         this.held = new int[network.instances().size()][];
         int[] latchedInputs = latchedInputs(network);
         for (int part = 0; part < held.length; part++) {
@@ -66,7 +66,7 @@ final class EventReactions {
         return positions;
     }
 
-    List<Behaviour> behaviours() {
+    List<ComponentSemantics> behaviours() {
         return behaviours;
     }
 

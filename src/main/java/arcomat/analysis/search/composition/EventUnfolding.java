@@ -6,7 +6,7 @@ import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Component;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
 import arcomat.semantics.value.InputAbstraction;
@@ -107,7 +107,7 @@ public final class EventUnfolding implements Unfolding {
     }
 
     @Override
-    public List<Behaviour> behaviours() {
+    public List<ComponentSemantics> behaviours() {
         return parts.behaviours();
     }
 

@@ -4,11 +4,11 @@ import arcomat.analysis.search.Budget;
 import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointError;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointError;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -35,7 +35,7 @@ public final class SliceUnfolding implements Unfolding {
     private final Network network;
     private final Wiring wiring;
     private final Budget budget;
-    private final List<Behaviour> behaviours;
+    private final List<ComponentSemantics> behaviours;
 
     /** Whether a message has been divided a slice after it was sent. */
     private boolean postpones;
@@ -79,11 +79,11 @@ public final class SliceUnfolding implements Unfolding {
         this.network = network;
         this.wiring = new Wiring(network, compared);
         this.budget = budget;
-        this.behaviours = Behaviour.ofParts(network, budget::insist);
+        this.behaviours = ComponentSemantics.ofParts(network, budget::insist);
     }
 
     @Override
-    public List<Behaviour> behaviours() {
+    public List<ComponentSemantics> behaviours() {
         return behaviours;
     }
 

@@ -3,7 +3,7 @@ package arcomat.analysis.search.composition;
 import arcomat.analysis.search.letter.Representatives;
 import arcomat.model.Trace;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.value.InputAbstraction;
 
@@ -36,7 +36,7 @@ public interface Unfolding {
     }
 
     /** One per instance of the network. */
-    List<Behaviour> behaviours();
+    List<ComponentSemantics> behaviours();
 
     /** All ways to begin. */
     List<Step> beginnings();

@@ -8,7 +8,6 @@ import arcomat.semantics.value.InputAbstraction.Compared;
 import arcomat.semantics.value.InputAbstraction.Copied;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.MessageClasses;
-import arcomat.semantics.value.ValueOrder;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -79,7 +78,7 @@ public record Representatives(Sort[] sorts, Map<Integer, List<Value>> held) {
     }
 
     private Set<Value> known(Sort sort) {
-        Set<Value> known = new TreeSet<>(ValueOrder.NATURAL);
+        Set<Value> known = new TreeSet<>();
         known.addAll(sort.constants());
         known.addAll(held.get(sort.number()));
         return known;

@@ -125,10 +125,7 @@ public final class CubeSplit {
     }
 
     private static List<Value> sorted(List<Value> values) {
-        return values.stream()
-                .distinct()
-                .sorted(arcomat.semantics.value.ValueOrder.NATURAL)
-                .toList();
+        return values.stream().distinct().sorted().toList();
     }
 
     /** Those that end the run, or those that do not. */

@@ -5,11 +5,11 @@ import arcomat.analysis.search.step.OutputCubes;
 import arcomat.analysis.search.step.Steps;
 import arcomat.model.Port;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
-import arcomat.semantics.automaton.Behaviour.JointError;
-import arcomat.semantics.automaton.Behaviour.JointReaction;
-import arcomat.semantics.automaton.Behaviour.JointStart;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.ComponentSemantics.JointError;
+import arcomat.semantics.automaton.ComponentSemantics.JointReaction;
+import arcomat.semantics.automaton.ComponentSemantics.JointStart;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation.Reaction;
@@ -24,7 +24,7 @@ import java.util.Map;
 
 /** An atomic component, or the requirements on a component: a conjunction of automata. */
 public final class AutomataSystem extends ModelSystem<List<Configuration>> {
-    private final Behaviour behaviour;
+    private final ComponentSemantics behaviour;
     private final Budget budget;
     private final BitSet chaotic = new BitSet();
 
@@ -32,7 +32,7 @@ public final class AutomataSystem extends ModelSystem<List<Configuration>> {
      * @param observed names of the output ports that are compared
      */
     public AutomataSystem(
-            Behaviour behaviour, List<String> observed, OutputCubes cubes, Budget budget) {
+            ComponentSemantics behaviour, List<String> observed, OutputCubes cubes, Budget budget) {
         super(
                 behaviour.component(),
                 behaviour.component().inputs(),

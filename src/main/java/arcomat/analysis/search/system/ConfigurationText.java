@@ -2,7 +2,7 @@ package arcomat.analysis.search.system;
 
 import arcomat.model.Automaton;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 
 import java.util.ArrayList;
@@ -13,7 +13,7 @@ public final class ConfigurationText {
     private ConfigurationText() {}
 
     /** One configuration per automaton of the behaviour. */
-    public static String of(Behaviour behaviour, List<Configuration> configurations) {
+    public static String of(ComponentSemantics behaviour, List<Configuration> configurations) {
         List<String> words = new ArrayList<>();
         for (int i = 0; i < configurations.size(); i++) {
             Configuration configuration = configurations.get(i);

@@ -7,7 +7,6 @@ import arcomat.model.Value;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.expression.DataSorts.Sort;
 import arcomat.semantics.value.SmallType;
-import arcomat.semantics.value.ValueOrder;
 
 import org.jspecify.annotations.Nullable;
 
@@ -99,7 +98,7 @@ public final class DataIndependence {
     /** The number of what a pair holds. */
     public int held(int configuration, int[] members) {
         Map<Integer, Set<Value>> all = new HashMap<>();
-        nothing.keySet().forEach(sort -> all.put(sort, new TreeSet<>(ValueOrder.NATURAL)));
+        nothing.keySet().forEach(sort -> all.put(sort, new TreeSet<>()));
         collect(heldLeft.computeIfAbsent(configuration, each -> held(left, each)), all);
         for (int member : members) {
             collect(heldRight.computeIfAbsent(member, each -> held(right, each)), all);

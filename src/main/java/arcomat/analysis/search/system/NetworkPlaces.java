@@ -1,7 +1,7 @@
 package arcomat.analysis.search.system;
 
 import arcomat.model.Port;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.expression.DataSorts;
 import arcomat.semantics.network.Network;
 
@@ -21,7 +21,7 @@ final class NetworkPlaces {
     /**
      * @param behaviours one per instance
      */
-    NetworkPlaces(Network network, List<Behaviour> behaviours, DataSorts sorts) {
+    NetworkPlaces(Network network, List<ComponentSemantics> behaviours, DataSorts sorts) {
         this.sorts = sorts;
         signals = new int[network.signals()];
         java.util.Arrays.fill(signals, DataPlaces.NOWHERE);

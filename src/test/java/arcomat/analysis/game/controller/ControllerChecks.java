@@ -11,7 +11,7 @@ import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -61,7 +61,7 @@ public final class ControllerChecks {
 
     /** One reaction to every input, and no transition for the completion to make up. */
     private static void isDeterministic(Component controller) {
-        StepRelation relation = Behaviour.of(controller, List.of()).relations().get(0);
+        StepRelation relation = ComponentSemantics.of(controller, List.of()).relations().get(0);
         assertThat(relation.starts()).hasSize(1);
         Deque<Configuration> open =
                 new ArrayDeque<>(List.of(relation.starts().get(0).configuration()));

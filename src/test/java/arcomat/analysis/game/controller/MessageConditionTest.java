@@ -8,7 +8,7 @@ import arcomat.model.Port;
 import arcomat.model.Type;
 import arcomat.model.Value;
 import arcomat.semantics.ComponentBuilder;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.value.InputAbstraction.Compared;
@@ -88,7 +88,7 @@ class MessageConditionTest {
                         List.of(transition),
                         ComponentBuilder.NOWHERE);
         StepRelation relation =
-                Behaviour.of(component, List.of(automaton), List.of()).relations().get(0);
+                ComponentSemantics.of(component, List.of(automaton), List.of()).relations().get(0);
         for (int i = 0; i < samples.size(); i++) {
             Input input = Input.of(new Value[] {samples.get(i)});
             boolean enabled =

@@ -3,7 +3,7 @@ package arcomat.analysis.game.controller;
 import arcomat.analysis.game.Outcomes;
 import arcomat.model.Component;
 import arcomat.model.Value;
-import arcomat.semantics.automaton.Behaviour;
+import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
@@ -41,7 +41,8 @@ public final class Walk {
      */
     private static Optional<String> broken(
             Outcomes outcomes, Component machine, Set<Integer> avoided) {
-        StepRelation relation = Behaviour.of(machine, java.util.List.of()).relations().get(0);
+        StepRelation relation =
+                ComponentSemantics.of(machine, java.util.List.of()).relations().get(0);
         Start start = relation.starts().get(0);
         Deque<Pair> open = new ArrayDeque<>();
         Set<Pair> met = new HashSet<>();

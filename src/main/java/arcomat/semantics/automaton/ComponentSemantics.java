@@ -25,14 +25,14 @@ import java.util.stream.Collectors;
  * step of each of them with one output that all of them allow. Without an automaton nothing is
  * promised. Pure, like the relations that it is made of.
  */
-public final class Behaviour {
+public final class ComponentSemantics {
     private final Component component;
     private final List<StepRelation> relations = new ArrayList<>();
 
     /** A search that counts how often it asks shall not end where networks are of usual size. */
     private static final int PARTS_AT_ONCE = 256;
 
-    private Behaviour(Component component) {
+    private ComponentSemantics(Component component) {
         this.component = component;
     }
 
@@ -42,7 +42,7 @@ public final class Behaviour {
      *
      * @param arguments one per parameter
      */
-    public static Behaviour of(Component component, List<Value> arguments) {
+    public static ComponentSemantics of(Component component, List<Value> arguments) {
         List<Automaton> automata =
                 component.body() instanceof Component.Atomic atomic && !component.platform()
                         ? atomic.automata()
@@ -51,7 +51,7 @@ public final class Behaviour {
     }
 
     /** Those of the instances of a network, in their order. */
-    public static List<Behaviour> ofParts(Network network) {
+    public static List<ComponentSemantics> ofParts(Network network) {
         return ofParts(network, () -> {});
     }
 
@@ -60,8 +60,8 @@ public final class Behaviour {
      *
      * @param goOn asked after every few hundred of them; it may throw what ends the work
      */
-    public static List<Behaviour> ofParts(Network network, Runnable goOn) {
-        List<Behaviour> behaviours = new ArrayList<>(network.instances().size());
+    public static List<ComponentSemantics> ofParts(Network network, Runnable goOn) {
+        List<ComponentSemantics> behaviours = new ArrayList<>(network.instances().size());
         for (Network.Instance part : network.instances()) {
             behaviours.add(of(part.component(), part.arguments()));
             if (behaviours.size() % PARTS_AT_ONCE == 0) {
@@ -76,9 +76,9 @@ public final class Behaviour {
      *
      * @param automata of the component, or made from them
      */
-    public static Behaviour of(
+    public static ComponentSemantics of(
             Component component, List<Automaton> automata, List<Value> arguments) {
-        Behaviour behaviour = new Behaviour(component);
+        ComponentSemantics behaviour = new ComponentSemantics(component);
         for (Automaton automaton : automata) {
             Set<String> owned = owned(component, automaton);
             behaviour.relations.add(new StepRelation(component, automaton, owned, arguments));

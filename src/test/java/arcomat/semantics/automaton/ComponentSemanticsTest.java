@@ -11,8 +11,8 @@ import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Value;
 import arcomat.semantics.ComponentBuilder;
-import arcomat.semantics.automaton.Behaviour.JointError;
-import arcomat.semantics.automaton.Behaviour.Prospect;
+import arcomat.semantics.automaton.ComponentSemantics.JointError;
+import arcomat.semantics.automaton.ComponentSemantics.Prospect;
 
 import org.junit.jupiter.api.Test;
 
@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Map;
 
 /** What several automata of one component do together. */
-class BehaviourTest {
+class ComponentSemanticsTest {
 
     /** The first one has two alternatives to begin with, and two for each input. */
     private static Component both(Completion one, Completion two) {
@@ -42,7 +42,7 @@ class BehaviourTest {
     }
 
     private static Prospect atSilence(Component component) {
-        Behaviour behaviour = Behaviour.of(component, List.of());
+        ComponentSemantics behaviour = ComponentSemantics.of(component, List.of());
         return behaviour.prospect(
                 behaviour.starts().get(0).configurations(), Input.of(component, Letter.SILENCE));
     }
@@ -70,7 +70,7 @@ class BehaviourTest {
     @Test
     void eachCombinationAsksWhetherToGoOn() {
         Component component = both(Completion.IGNORE, Completion.IGNORE);
-        Behaviour behaviour = Behaviour.of(component, List.of());
+        ComponentSemantics behaviour = ComponentSemantics.of(component, List.of());
         int[] asked = {0};
         assertThat(behaviour.starts(() -> asked[0]++)).hasSize(4);
         assertThat(asked[0]).isEqualTo(2 + 4);
@@ -98,7 +98,7 @@ class BehaviourTest {
     @Test
     void aSoleAutomatonDecidesAboutAllPorts() {
         Component atomic = writing(1).build();
-        assertThat(Behaviour.owned(atomic, atomic.automata().get(0)))
+        assertThat(ComponentSemantics.owned(atomic, atomic.automata().get(0)))
                 .containsExactlyInAnyOrder("o", "p");
     }
 
@@ -106,7 +106,8 @@ class BehaviourTest {
     @Test
     void aSoleRequirementDecidesAboutWhatItWrites() {
         Component decomposed = decomposed(1);
-        assertThat(Behaviour.owned(decomposed, decomposed.automata().get(0))).containsExactly("o");
+        assertThat(ComponentSemantics.owned(decomposed, decomposed.automata().get(0)))
+                .containsExactly("o");
     }
 
     @Test
@@ -115,7 +116,7 @@ class BehaviourTest {
         assertThat(decomposed.automata())
                 .allSatisfy(
                         automaton ->
-                                assertThat(Behaviour.owned(decomposed, automaton))
+                                assertThat(ComponentSemantics.owned(decomposed, automaton))
                                         .containsExactlyInAnyOrder("o", "p"));
     }
 }
