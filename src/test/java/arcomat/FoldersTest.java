@@ -66,7 +66,7 @@ class FoldersTest {
         assertThat(named)
                 .as(
                         "what was written (tree) and what is meant (model) are called the same,"
-                            + " nothing else")
+                                + " nothing else")
                 .allSatisfy((name, folders) -> assertThat(Set.copyOf(folders)).isEqualTo(pair));
     }
 

@@ -2,7 +2,6 @@ package arcomat.generate;
 
 import static java.util.stream.Collectors.joining;
 
-import arcomat.generate.OutputFiles.Kind;
 import arcomat.generate.language.TargetLanguage;
 import arcomat.generate.template.TemplateFailure;
 import arcomat.model.Component;

@@ -21,7 +21,8 @@ public final class WrittenExpressions {
     public static Stream<Expression> of(Automaton.Transition transition) {
         Stream<Expression> asked =
                 Stream.concat(
-                        transition.matches().stream().flatMap(match -> match.pattern().values().stream()),
+                        transition.matches().stream()
+                                .flatMap(match -> match.pattern().values().stream()),
                         transition.guard().stream());
         Stream<Expression> done =
                 Stream.concat(of(transition.sends()), ofAssigned(transition.assignments()));

@@ -28,6 +28,7 @@ public final class VerdictText {
     private VerdictText() {}
 
     /** Of a refinement. */
+    @SuppressWarnings("NullAway") // a text shows no place
     static String render(String left, String right, Verdict verdict, Style style) {
         return render(new Answered(left, right, null, verdict), style);
     }

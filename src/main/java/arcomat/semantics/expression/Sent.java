@@ -2,6 +2,8 @@ package arcomat.semantics.expression;
 
 import arcomat.model.Value;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -12,7 +14,7 @@ public sealed interface Sent {
     Sent SILENCE = new Messages(List.of());
 
     /** One message, or none where it is null. */
-    static Sent of(Value message) {
+    static Sent of(@Nullable Value message) {
         return message == null ? SILENCE : new Messages(List.of(message));
     }
 

@@ -7,6 +7,8 @@ import arcomat.semantics.value.InputAbstraction.Compared;
 import arcomat.semantics.value.InputAbstraction.PortAbstraction;
 import arcomat.semantics.value.InputAbstraction.Unseen;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -99,7 +101,7 @@ public final class MessageClasses {
     }
 
     /** The kind of a message; null is silence. */
-    public int of(Value message) {
+    public int of(@Nullable Value message) {
         if (!seen || message == null) {
             return 0;
         }
