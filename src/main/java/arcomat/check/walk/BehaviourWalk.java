@@ -1,7 +1,9 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Carrier;
+import arcomat.check.law.Check;
 import arcomat.check.law.Check.Context;
+import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
@@ -26,7 +28,9 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
         Context context = around.in(automaton);
         stereotypes.visit(
                 automaton.node().stereotypes(), Carrier.AUTOMATON, automaton.node(), context);
-        listeners.onAutomaton.ask((check, found) -> check.check(automaton, context, found));
+        for (Listener<Check.OnAutomaton> each : listeners.onAutomaton) {
+            each.check().check(automaton, context, each.findings());
+        }
         declarations(automaton, context);
         for (StateSymbol state : automaton.states()) {
             stereotypes.visit(state.node().stereotypes(), Carrier.STATE, state.node(), context);
@@ -42,7 +46,9 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
             expressions.type(declaration.type(), context);
         }
         for (PortSymbol port : automaton.declaredPorts()) {
-            listeners.onPort.ask((check, found) -> check.check(port, context, found));
+            for (Listener<Check.OnPort> each : listeners.onPort) {
+                each.check().check(port, context, each.findings());
+            }
         }
         for (VariableSymbol variable : automaton.variables()) {
             expressions.variable(variable, context);
@@ -63,7 +69,9 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
 
     private void transition(TransitionSymbol transition, Context around) {
         Context context = around.in(transition);
-        listeners.onTransition.ask((check, found) -> check.check(transition, context, found));
+        for (Listener<Check.OnTransition> each : listeners.onTransition) {
+            each.check().check(transition, context, each.findings());
+        }
         transition.guard().ifPresent(guard -> expressions.one(guard, context));
         if (transition.node().input().isPresent()) {
             block(transition.node().input().get(), transition.input(), context.in(Side.INPUT));
@@ -74,9 +82,13 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
     }
 
     private void block(Block block, List<ItemSymbol> items, Context context) {
-        listeners.onBlock.ask((check, found) -> check.check(block, items, context, found));
+        for (Listener<Check.OnBlock> each : listeners.onBlock) {
+            each.check().check(block, items, context, each.findings());
+        }
         for (ItemSymbol item : items) {
-            listeners.onItem.ask((check, found) -> check.check(item, context, found));
+            for (Listener<Check.OnItem> each : listeners.onItem) {
+                each.check().check(item, context, each.findings());
+            }
             List<Typed> values = item.value().expressions();
             item.target()
                     .found()
@@ -88,7 +100,9 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
 
     void table(TableSymbol table, Context context) {
         stereotypes.visit(table.node().stereotypes(), Carrier.TABLE, table.node(), context);
-        listeners.onTable.ask((check, found) -> check.check(table, context, found));
+        for (Listener<Check.OnTable> each : listeners.onTable) {
+            each.check().check(table, context, each.findings());
+        }
         for (TableSymbol.Row row : table.rows()) {
             cells(row.inputs(), table.inputs(), context.in(Side.INPUT));
             cells(row.outputs(), table.outputs(), context.in(Side.OUTPUT));
@@ -101,7 +115,9 @@ record BehaviourWalk(Listeners listeners, StereotypeWalk stereotypes, Expression
             ItemValue cell = cells.get(i);
             if (i < columns.size()) {
                 TableSymbol.Column column = columns.get(i);
-                listeners.onCell.ask((check, found) -> check.check(cell, column, context, found));
+                for (Listener<Check.OnCell> each : listeners.onCell) {
+                    each.check().check(cell, column, context, each.findings());
+                }
                 expressions.values(cell.expressions(), column.type(), context);
             } else {
                 expressions.all(cell.expressions(), context);

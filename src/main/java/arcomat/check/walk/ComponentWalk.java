@@ -3,8 +3,10 @@ package arcomat.check.walk;
 import arcomat.check.facts.Connections;
 import arcomat.check.facts.OpenPorts;
 import arcomat.check.law.Carrier;
+import arcomat.check.law.Check;
 import arcomat.check.law.Check.ComponentUse;
 import arcomat.check.law.Check.Context;
+import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
@@ -34,7 +36,9 @@ record ComponentWalk(
     void component(ComponentSymbol component, Context around) {
         Context context = around.in(component);
         stereotypes.visit(component.stereotypes(), Carrier.COMPONENT, component.node(), context);
-        listeners.onComponent.ask((check, found) -> check.check(component, context, found));
+        for (Listener<Check.OnComponent> each : listeners.onComponent) {
+            each.check().check(component, context, each.findings());
+        }
         head(component, context);
         ElementWalk elements = new ElementWalk(stereotypes, expressions, context);
         component.node().elements().forEach(element -> element.accept(elements));
@@ -67,14 +71,18 @@ record ComponentWalk(
 
     private void members(ComponentSymbol component, Context context) {
         for (PortSymbol port : component.signature().ownPorts()) {
-            listeners.onPort.ask((check, found) -> check.check(port, context, found));
+            for (Listener<Check.OnPort> each : listeners.onPort) {
+                each.check().check(port, context, each.findings());
+            }
         }
         for (VariableSymbol variable : component.signature().ownVariables()) {
             expressions.variable(variable, context);
         }
         parts(component, context);
         for (ConnectorSymbol connector : Connections.own(component)) {
-            listeners.onConnector.ask((check, found) -> check.check(connector, context, found));
+            for (Listener<Check.OnConnector> each : listeners.onConnector) {
+                each.check().check(connector, context, each.findings());
+            }
         }
         for (InvariantSymbol invariant : component.ownInvariants()) {
             invariant.condition().ifPresent(condition -> expressions.mentioned(condition, context));
@@ -98,8 +106,12 @@ record ComponentWalk(
         Node last = null;
         for (InstanceSymbol part : component.ownInstances()) {
             List<PortSymbol> ports = open.of(part);
-            listeners.onInstance.ask((check, found) -> check.check(part, context, found));
-            listeners.onOpenPorts.ask((check, found) -> check.check(part, ports, context, found));
+            for (Listener<Check.OnInstance> each : listeners.onInstance) {
+                each.check().check(part, context, each.findings());
+            }
+            for (Listener<Check.OnOpenPorts> each : listeners.onOpenPorts) {
+                each.check().check(part, ports, context, each.findings());
+            }
             expressions.arguments(
                     part.arguments(),
                     part.component().map(ComponentSymbol::parameters).orElse(List.of()),
@@ -128,6 +140,8 @@ record ComponentWalk(
     }
 
     private void use(ComponentUse use, Context context) {
-        listeners.onComponentUse.ask((check, found) -> check.check(use, context, found));
+        for (Listener<Check.OnComponentUse> each : listeners.onComponentUse) {
+            each.check().check(use, context, each.findings());
+        }
     }
 }

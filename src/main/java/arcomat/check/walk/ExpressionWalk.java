@@ -1,6 +1,8 @@
 package arcomat.check.walk;
 
+import arcomat.check.law.Check;
 import arcomat.check.law.Check.Context;
+import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.expressions.ParameterSymbol;
 import arcomat.symbols.expressions.Typed;
 import arcomat.symbols.expressions.VariableSymbol;
@@ -35,7 +37,9 @@ final class ExpressionWalk {
     }
 
     void variable(VariableSymbol variable, Context context) {
-        listeners.onVariable.ask((check, found) -> check.check(variable, context, found));
+        for (Listener<Check.OnVariable> each : listeners.onVariable) {
+            each.check().check(variable, context, each.findings());
+        }
         variable.initial().ifPresent(initial -> value(initial, variable.type(), context));
     }
 
@@ -45,7 +49,9 @@ final class ExpressionWalk {
 
     /** A value where something of a type is declared. */
     void value(Typed value, TypeSymbol type, Context context) {
-        listeners.onValue.ask((check, found) -> check.check(value, type, context, found));
+        for (Listener<Check.OnValue> each : listeners.onValue) {
+            each.check().check(value, type, context, each.findings());
+        }
         one(value, context);
     }
 
@@ -68,7 +74,9 @@ final class ExpressionWalk {
     }
 
     void one(Typed expression, Context context) {
-        listeners.onExpression.ask((check, found) -> check.check(expression, context, found));
+        for (Listener<Check.OnExpression> each : listeners.onExpression) {
+            each.check().check(expression, context, each.findings());
+        }
         parts(expression.expression().node(), context);
     }
 
@@ -91,7 +99,9 @@ final class ExpressionWalk {
     }
 
     void type(TypeReference type, Context context) {
-        listeners.onType.ask((check, found) -> check.check(type, context, found));
+        for (Listener<Check.OnType> each : listeners.onType) {
+            each.check().check(type, context, each.findings());
+        }
         componentType(type, context);
     }
 

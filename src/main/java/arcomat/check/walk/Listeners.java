@@ -6,16 +6,17 @@ import arcomat.check.law.Law;
 import arcomat.check.law.Profile;
 
 import java.util.ArrayList;
+import java.util.Iterator;
 import java.util.List;
-import java.util.function.BiConsumer;
 
 /** The checks of one run, sorted by what they look at, each with the list of its findings. */
 public final class Listeners {
 
-    /** The checks that look at things of one kind. */
-    static final class Audience<C extends Check> {
-        private record Listener<C>(C check, Findings findings) {}
+    /** A check, and what it has found. */
+    record Listener<C extends Check>(C check, Findings findings) {}
 
+    /** The checks that look at things of one kind. */
+    static final class Audience<C extends Check> implements Iterable<Listener<C>> {
         private final Class<C> kind;
         private final List<Listener<C>> listeners = new ArrayList<>();
 
@@ -29,11 +30,9 @@ public final class Listeners {
             }
         }
 
-        /** Asks each of them, which adds to what it has found. */
-        void ask(BiConsumer<C, Findings> question) {
-            for (Listener<C> each : listeners) {
-                question.accept(each.check(), each.findings());
-            }
+        @Override
+        public Iterator<Listener<C>> iterator() {
+            return listeners.iterator();
         }
     }
 

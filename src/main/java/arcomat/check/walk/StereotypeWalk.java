@@ -1,8 +1,10 @@
 package arcomat.check.walk;
 
 import arcomat.check.law.Carrier;
+import arcomat.check.law.Check;
 import arcomat.check.law.Check.Context;
 import arcomat.check.law.Suppressions;
+import arcomat.check.walk.Listeners.Listener;
 import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 
@@ -17,8 +19,9 @@ record StereotypeWalk(Listeners listeners, Suppressions suppressions) {
         }
         suppressions.add(stereotypes, owner);
         for (Stereotype each : stereotypes) {
-            listeners.onStereotype.ask(
-                    (check, found) -> check.check(each, carrier, context, found));
+            for (Listener<Check.OnStereotype> listener : listeners.onStereotype) {
+                listener.check().check(each, carrier, context, listener.findings());
+            }
         }
     }
 }

@@ -1,10 +1,12 @@
 package arcomat.check.walk;
 
 import arcomat.check.Checks;
+import arcomat.check.law.Check;
 import arcomat.check.law.Check.Context;
 import arcomat.check.law.Check.Findings;
 import arcomat.check.law.Profile;
 import arcomat.check.law.Suppressions;
+import arcomat.check.walk.Listeners.Listener;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -50,7 +52,7 @@ public final class Walk {
     /** The laws about all files together, then one step for each definition in wanted files. */
     public static List<Consumer<Walk>> steps(Workspace workspace, Predicate<Unit> wanted) {
         List<Consumer<Walk>> steps = new ArrayList<>();
-        steps.add(walk -> walk.listeners.onWorkspace.ask((check, f) -> check.check(workspace, f)));
+        steps.add(walk -> walk.workspace(workspace));
         for (ComponentSymbol each : workspace.topLevelComponents()) {
             add(wanted, each.unit(), (walk, at) -> walk.components.component(each, at), steps);
         }
@@ -91,32 +93,50 @@ public final class Walk {
         return suppressions;
     }
 
+    private void workspace(Workspace workspace) {
+        for (Listener<Check.OnWorkspace> each : listeners.onWorkspace) {
+            each.check().check(workspace, each.findings());
+        }
+    }
+
     private void unit(Unit unit, BiConsumer<Walk, Context> definition) {
         Context context = Context.of(workspace, profile, unit);
-        listeners.onUnit.ask((check, found) -> check.check(unit, context, found));
+        for (Listener<Check.OnUnit> each : listeners.onUnit) {
+            each.check().check(unit, context, each.findings());
+        }
         definition.accept(this, context);
         List<QualifiedName> names = expressions.takeNames();
         if (!unit.imports().isEmpty()) {
-            listeners.onNames.ask((check, found) -> check.check(names, context, found));
+            for (Listener<Check.OnNames> each : listeners.onNames) {
+                each.check().check(names, context, each.findings());
+            }
         }
     }
 
     private void classDiagram(DiagramSymbol diagram, Context context) {
-        listeners.onClassDiagram.ask((check, found) -> check.check(diagram, context, found));
+        for (Listener<Check.OnClassDiagram> each : listeners.onClassDiagram) {
+            each.check().check(diagram, context, each.findings());
+        }
         for (DefinedType type : diagram.types()) {
             if (type instanceof ClassSymbol symbol) {
-                listeners.onClass.ask((check, found) -> check.check(symbol, context, found));
+                for (Listener<Check.OnClass> each : listeners.onClass) {
+                    each.check().check(symbol, context, each.findings());
+                }
                 symbol.node().superClass().ifPresent(above -> expressions.type(above, context));
                 symbol.node().attributes().forEach(a -> expressions.type(a.type(), context));
             } else if (type instanceof EnumSymbol symbol) {
-                listeners.onEnum.ask((check, found) -> check.check(symbol.node(), context, found));
+                for (Listener<Check.OnEnum> each : listeners.onEnum) {
+                    each.check().check(symbol.node(), context, each.findings());
+                }
             }
         }
     }
 
     private void testSuite(TestSuiteSymbol suite, Context context) {
         expressions.name(suite.node().component());
-        listeners.onTestSuite.ask((check, found) -> check.check(suite, context, found));
+        for (Listener<Check.OnTestSuite> each : listeners.onTestSuite) {
+            each.check().check(suite, context, each.findings());
+        }
         expressions.arguments(
                 suite.arguments(),
                 suite.component().found().map(ComponentSymbol::parameters).orElse(List.of()),
@@ -132,7 +152,9 @@ public final class Walk {
     }
 
     private void streamTest(StreamTestSymbol test, Context context) {
-        listeners.onStreamTest.ask((check, found) -> check.check(test, context, found));
+        for (Listener<Check.OnStreamTest> each : listeners.onStreamTest) {
+            each.check().check(test, context, each.findings());
+        }
         for (StreamTestSymbol.StreamSymbol stream : test.streams()) {
             expressions.values(stream.messages(), stream.type(), context);
         }
