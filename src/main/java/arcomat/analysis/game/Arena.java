@@ -49,10 +49,6 @@ public final class Arena {
      */
     record Option(@Nullable Output sent, int position) {
         private static final Option ERROR = new Option(null, END);
-
-        boolean ends() {
-            return position == END;
-        }
     }
 
     private final List<Requirement> requirements;

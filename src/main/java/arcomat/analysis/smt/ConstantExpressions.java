@@ -14,7 +14,7 @@ import java.util.function.Predicate;
 import java.util.stream.LongStream;
 
 /** The expressions of an automaton that have one value, or few, wherever it is. */
-record ConstantExpressions(Subject subject) implements Expression.Cases<Optional<Long>> {
+record ConstantExpressions(Subject subject) implements Expression.SomeCases<Optional<Long>> {
     private static final long FEW = 64;
 
     /** The argument for a parameter. */
@@ -61,33 +61,9 @@ record ConstantExpressions(Subject subject) implements Expression.Cases<Optional
                 : Optional.empty();
     }
 
+    /** What is computed in another way, or read, may be anything. */
     @Override
-    public Optional<Long> portRead(Expression.PortRead portRead) {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Long> attributeRead(Expression.AttributeRead attributeRead) {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Long> portMatches(Expression.PortMatches portMatches) {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Long> binary(Expression.Binary binary) {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Long> conditional(Expression.Conditional conditional) {
-        return Optional.empty();
-    }
-
-    @Override
-    public Optional<Long> isIn(Expression.IsIn isIn) {
+    public Optional<Long> otherwise(Expression expression) {
         return Optional.empty();
     }
 
