@@ -1,7 +1,6 @@
 package arcomat.cli;
 
 import arcomat.cli.command.ArcomatCommand;
-import arcomat.cli.command.Command;
 import arcomat.cli.command.Commands;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
@@ -19,9 +18,8 @@ import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 
 import java.nio.file.InvalidPathException;
-import java.util.Map;
+import java.util.List;
 import java.util.Optional;
-import java.util.function.Supplier;
 
 /** The command line without the process around it: arguments and a console in, exit status out. */
 public final class Cli {
@@ -64,12 +62,12 @@ public final class Cli {
     private static CommandLine commandLine(String[] arguments, Console console) {
         Ansi ansi = console.style().coloured() ? Ansi.ON : Ansi.OFF;
         CommandLine line = new CommandLine(new ArcomatCommand(console));
-        Map<String, Supplier<Command>> wanted = Commands.BY_NAME;
-        if (arguments.length > 0 && wanted.containsKey(arguments[0])) {
+        List<String> wanted = Commands.NAMES;
+        if (arguments.length > 0 && wanted.contains(arguments[0])) {
             // Reading the annotations of the other commands would double the time of a short run.
-            wanted = Map.of(arguments[0], wanted.get(arguments[0]));
+            wanted = List.of(arguments[0]);
         }
-        wanted.values().forEach(command -> line.addSubcommand(command.get()));
+        wanted.forEach(name -> line.addSubcommand(Commands.of(name)));
         int width = helpWidth(console);
         fit(line, width);
         line.getSubcommands().values().forEach(command -> fit(command, width));

@@ -26,6 +26,23 @@ public record Span(SourceFile file, int start, int end) {
         return new Span(file, start, Math.max(start, Math.min(end, lineEnd)));
     }
 
+    /**
+     * As the record's own, which Java puts together when it is first asked: in a short check that
+     * takes longer than all the comparisons.
+     */
+    @Override
+    public boolean equals(Object other) {
+        return other instanceof Span span
+                && span.start == start
+                && span.end == end
+                && span.file.equals(file);
+    }
+
+    @Override
+    public int hashCode() {
+        return (31 * start + end) * 31 + file.hashCode();
+    }
+
     /** {@code path:line:column}, as editors and terminals link it. */
     @Override
     public String toString() {

@@ -1,37 +1,64 @@
 package arcomat.cli.command;
 
-import java.util.LinkedHashMap;
-import java.util.Map;
-import java.util.function.Supplier;
+import java.util.List;
 
 /** All commands there are. */
 public final class Commands {
     /** In the order of their use. */
-    public static final Map<String, Supplier<Command>> BY_NAME = new LinkedHashMap<>();
-
-    static {
-        BY_NAME.put("check", CheckCommand::new);
-        BY_NAME.put("format", FormatCommand::new);
-        BY_NAME.put("generate", GenerateCommand::new);
-        BY_NAME.put("simulate", SimulateCommand::new);
-        BY_NAME.put("test", TestCommand::new);
-        BY_NAME.put("diagram", DiagramCommand::new);
-        BY_NAME.put("analyze", AnalyzeCommand::new);
-        BY_NAME.put("refines", RefinesCommand::new);
-        BY_NAME.put("verify", VerifyCommand::new);
-        BY_NAME.put("contradictions", ContradictionsCommand::new);
-        BY_NAME.put("diff", DiffCommand::new);
-        BY_NAME.put("evolution", EvolutionCommand::new);
-        BY_NAME.put("gate", GateCommand::new);
-        BY_NAME.put("mona", MonaCommand::new);
-        BY_NAME.put("tests", TestsCommand::new);
-        BY_NAME.put("monitor", MonitorCommand::new);
-        BY_NAME.put("check-brick", CheckBrickCommand::new);
-        BY_NAME.put("run-brick", RunBrickCommand::new);
-        BY_NAME.put("world", WorldCommand::new);
-        BY_NAME.put("link", LinkCommand::new);
-        BY_NAME.put("explain", ExplainCommand::new);
-    }
+    public static final List<String> NAMES =
+            List.of(
+                    "check",
+                    "format",
+                    "generate",
+                    "simulate",
+                    "test",
+                    "diagram",
+                    "analyze",
+                    "refines",
+                    "verify",
+                    "contradictions",
+                    "diff",
+                    "evolution",
+                    "gate",
+                    "mona",
+                    "tests",
+                    "monitor",
+                    "check-brick",
+                    "run-brick",
+                    "world",
+                    "link",
+                    "explain");
 
     private Commands() {}
+
+    /**
+     * The command of that name, which is one of {@link #NAMES}. A switch, not a table of
+     * constructors: a table would have Java load every command where one is asked for.
+     */
+    public static Command of(String name) {
+        return switch (name) {
+            case "check" -> new CheckCommand();
+            case "format" -> new FormatCommand();
+            case "generate" -> new GenerateCommand();
+            case "simulate" -> new SimulateCommand();
+            case "test" -> new TestCommand();
+            case "diagram" -> new DiagramCommand();
+            case "analyze" -> new AnalyzeCommand();
+            case "refines" -> new RefinesCommand();
+            case "verify" -> new VerifyCommand();
+            case "contradictions" -> new ContradictionsCommand();
+            case "diff" -> new DiffCommand();
+            case "evolution" -> new EvolutionCommand();
+            case "gate" -> new GateCommand();
+            case "mona" -> new MonaCommand();
+            case "tests" -> new TestsCommand();
+            case "monitor" -> new MonitorCommand();
+            case "check-brick" -> new CheckBrickCommand();
+            case "run-brick" -> new RunBrickCommand();
+            case "world" -> new WorldCommand();
+            case "link" -> new LinkCommand();
+            case "explain" -> new ExplainCommand();
+            default -> throw new IllegalArgumentException(name);
+        };
+    }
 }

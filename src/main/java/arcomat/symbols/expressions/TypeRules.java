@@ -13,7 +13,7 @@ public final class TypeRules {
      * the types are the same up to ranges, and a range fits where it is contained.
      */
     public static boolean fits(TypeSymbol from, TypeSymbol to) {
-        if (from.isErroneous() || to.isErroneous() || from.equals(to)) {
+        if (from.isErroneous() || to.isErroneous()) {
             return true;
         }
         if (!from.base().equals(to.base())) {
@@ -23,8 +23,8 @@ public final class TypeRules {
             return true;
         }
         return from instanceof RangeType narrow
-                && wide.contains(narrow.low())
-                && wide.contains(narrow.high());
+                && wide.low() <= narrow.low()
+                && narrow.high() <= wide.high();
     }
 
     /**
