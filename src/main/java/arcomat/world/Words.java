@@ -10,23 +10,33 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /** The words of one line, read from left to right; {@code #} begins a comment. */
-final class Words {
+public final class Words {
     static final String SYNTAX = "ARC1121";
 
     private static final Pattern WORD = Pattern.compile("[^\\s#]+|#.*");
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]{0,15}");
 
     private final List<Span> words;
+    private final String code;
     private int position;
 
-    private Words(List<Span> words) {
+    private Words(List<Span> words, String code) {
         this.words = words;
+        this.code = code;
     }
 
     /**
      * @param line from 1
      */
     static Words ofLine(SourceFile file, int line) {
+        return ofLine(file, line, SYNTAX);
+    }
+
+    /**
+     * @param line from 1
+     * @param code of the finding that a line is not written as it should be
+     */
+    public static Words ofLine(SourceFile file, int line, String code) {
         int start = file.lineStart(line);
         List<Span> words = new ArrayList<>();
         Matcher matcher = WORD.matcher(file.line(line));
@@ -35,47 +45,46 @@ final class Words {
                 words.add(file.span(start + matcher.start(), start + matcher.end()));
             }
         }
-        return new Words(words);
+        return new Words(words, code);
     }
 
-    boolean isEmpty() {
+    public boolean isEmpty() {
         return words.isEmpty();
     }
 
     /** The first word; it stays to be read. */
-    Span first() {
+    public Span first() {
         return words.get(0);
     }
 
-    boolean hasNext() {
+    public boolean hasNext() {
         return position < words.size();
     }
 
     /** From the first word to the last. */
-    Span whole() {
+    public Span whole() {
         return words.get(0).to(words.get(words.size() - 1));
     }
 
-    Span next(String expected) throws Unreadable {
+    public Span next(String expected) throws Unreadable {
         if (!hasNext()) {
             Span last = words.get(words.size() - 1);
-            throw broken(
-                    last.file().span(last.end(), last.end()), "here should follow " + expected);
+            throw wrong(last.file().span(last.end(), last.end()), "here should follow " + expected);
         }
         return words.get(position++);
     }
 
     /** Reads the word, if it is the next one. */
-    boolean take(String word) {
+    public boolean take(String word) {
         boolean there = hasNext() && words.get(position).text().equals(word);
         position += there ? 1 : 0;
         return there;
     }
 
-    void expect(String word) throws Unreadable {
+    public void expect(String word) throws Unreadable {
         Span next = next("'" + word + "'");
         if (!next.text().equals(word)) {
-            throw broken(next, "'" + next.text() + "' stands where '" + word + "' should");
+            throw wrong(next, "'" + next.text() + "' stands where '" + word + "' should");
         }
     }
 
@@ -88,7 +97,7 @@ final class Words {
         return word;
     }
 
-    double number(String meaning, double low, double high) throws Unreadable {
+    public double number(String meaning, double low, double high) throws Unreadable {
         String expected = "%s, %s to %s".formatted(meaning, shown(low), shown(high));
         Span word = next(expected);
         double number = parsed(word.text());
@@ -106,7 +115,7 @@ final class Words {
         return number == Math.rint(number) ? String.valueOf((long) number) : String.valueOf(number);
     }
 
-    int count(String meaning, int low, int high) throws Unreadable {
+    public int count(String meaning, int low, int high) throws Unreadable {
         double number = number(meaning, low, high);
         if (number != Math.rint(number)) {
             throw isNot(words.get(position - 1), meaning + ": it has to be whole");
@@ -115,7 +124,7 @@ final class Words {
     }
 
     /** One of some words. */
-    Span choice(String meaning, List<String> allowed) throws Unreadable {
+    public Span choice(String meaning, List<String> allowed) throws Unreadable {
         String expected = meaning + ": " + String.join(", ", allowed);
         Span word = next(expected);
         if (!allowed.contains(word.text())) {
@@ -124,15 +133,20 @@ final class Words {
         return word;
     }
 
-    void end() throws Unreadable {
+    public void end() throws Unreadable {
         if (hasNext()) {
             Span word = words.get(position);
-            throw broken(word, "'" + word.text() + "' is one word too many");
+            throw wrong(word, "'" + word.text() + "' is one word too many");
         }
     }
 
-    private static Unreadable isNot(Span word, String expected) {
-        return broken(word, "'" + word.text() + "' is not " + expected);
+    private Unreadable isNot(Span word, String expected) {
+        return wrong(word, "'" + word.text() + "' is not " + expected);
+    }
+
+    /** Something about this line that its reader has found. */
+    public Unreadable wrong(Span place, String message) {
+        return new Unreadable(Diagnostic.error(code, place, message));
     }
 
     static Unreadable broken(Span place, String message) {
@@ -140,17 +154,17 @@ final class Words {
     }
 
     /** Gives up reading a line; the parser goes on with the next one. */
-    static final class Unreadable extends Exception {
+    public static final class Unreadable extends Exception {
         private static final long serialVersionUID = 1L;
 
         private final transient Diagnostic finding;
 
-        Unreadable(Diagnostic finding) {
+        public Unreadable(Diagnostic finding) {
             super(finding.message());
             this.finding = finding;
         }
 
-        Diagnostic finding() {
+        public Diagnostic finding() {
             return finding;
         }
     }
