@@ -74,6 +74,11 @@ public final class Words {
         return words.get(position++);
     }
 
+    /** The word that was read last is the next one again. */
+    public void back() {
+        position--;
+    }
+
     /** Reads the word, if it is the next one. */
     public boolean take(String word) {
         boolean there = hasNext() && words.get(position).text().equals(word);

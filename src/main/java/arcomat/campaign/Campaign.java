@@ -1,0 +1,71 @@
+package arcomat.campaign;
+
+import arcomat.source.Span;
+
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * A campaign as its text describes it.
+ *
+ * @param world path of the world's file, relative to the campaign's
+ * @param firstSeed of the first run; each further one has the next, or all points of a grid the
+ *     same
+ * @param stopsWhenDecided whether it may end before its last run, as soon as every requirement on a
+ *     probability is decided
+ */
+public record Campaign(
+        World world,
+        List<Variation> variations,
+        Plan plan,
+        long firstSeed,
+        boolean stopsWhenDecided,
+        List<Demand> demands,
+        Optional<Comparison> comparison,
+        Optional<Search> search) {
+    public Campaign {
+        variations = List.copyOf(variations);
+        demands = List.copyOf(demands);
+    }
+
+    /**
+     * The world that it is about.
+     *
+     * @param place where the campaign names it
+     */
+    public record World(String file, Span place) {}
+
+    /**
+     * Two words of one parameter, tried on the same seeds.
+     *
+     * @param parameter its first word is what there was, its second what is new
+     * @param event that is asked about: the fewer the better, but for the goal
+     * @param confidence from 0 to 1: how sure one has to be that the new one is worse
+     */
+    public record Comparison(String parameter, String event, double confidence, Span place) {}
+
+    /**
+     * A search for the worst case.
+     *
+     * @param side below: the smallest value is the worst
+     * @param measure a column of numbers
+     * @param runs how many runs it may take
+     */
+    public record Search(Demand.Side side, String measure, int runs, Span place) {}
+
+    /** What every row of the table answers. */
+    public List<Column> columns() {
+        return Column.builtIn();
+    }
+
+    /** The place of a column in a row. */
+    public int column(String name) {
+        List<Column> columns = columns();
+        for (int i = 0; i < columns.size(); i++) {
+            if (columns.get(i).name().equals(name)) {
+                return i;
+            }
+        }
+        throw new IllegalArgumentException(name);
+    }
+}

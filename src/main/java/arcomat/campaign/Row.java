@@ -1,0 +1,69 @@
+package arcomat.campaign;
+
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * What came of one run.
+ *
+ * @param remark why there are no answers; empty where the run was made
+ * @param answers in the order of {@link Campaign#columns}, none where the run was not made; an
+ *     event is 1 or 0, and what a run has no number for is not a number
+ */
+public record Row(Trial trial, Ending ending, String remark, List<Double> answers) {
+    public Row {
+        answers = List.copyOf(answers);
+    }
+
+    /** How a run can end. */
+    public enum Ending {
+        /** It was made, whatever happened in it. */
+        MADE("made"),
+        /** The world is none with these values. */
+        IMPOSSIBLE("impossible"),
+        /** It took too long by the PC's clock: nobody knows what would have happened. */
+        GIVEN_UP("given up");
+
+        private final String word;
+
+        Ending(String word) {
+            this.word = word;
+        }
+
+        /** As the table says it. */
+        public String word() {
+            return word;
+        }
+
+        static Ending of(String cell) {
+            return Arrays.stream(values())
+                    .filter(each -> cell.startsWith(each.word))
+                    .findFirst()
+                    .orElseThrow(() -> new IllegalArgumentException(cell));
+        }
+    }
+
+    public static Row made(Trial trial, List<Double> answers) {
+        return new Row(trial, Ending.MADE, "", answers);
+    }
+
+    /**
+     * @param ending another one than {@link Ending#MADE}
+     */
+    public static Row withoutAnswers(Trial trial, Ending ending, String why) {
+        // One line of the table is one line of its file.
+        return new Row(trial, ending, why.replaceAll("\\s+", " "), List.of());
+    }
+
+    public boolean wasMade() {
+        return ending == Ending.MADE;
+    }
+
+    public double answer(int column) {
+        return answers.get(column);
+    }
+
+    public boolean happened(int column) {
+        return answers.get(column) == 1;
+    }
+}

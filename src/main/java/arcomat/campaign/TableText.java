@@ -1,0 +1,113 @@
+package arcomat.campaign;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Rows as comma-separated values (RFC 4180): number, seed, values of the parameters, how the run
+ * ended, answers. Nothing in it depends on who made the run, or when.
+ */
+public final class TableText {
+    private static final List<String> FIRST = List.of("run", "seed");
+    private static final String ENDING = "ending";
+
+    private final Campaign campaign;
+
+    public TableText(Campaign campaign) {
+        this.campaign = campaign;
+    }
+
+    /** The line of names, without its end. */
+    public String header() {
+        return Stream.of(
+                        FIRST.stream(),
+                        campaign.variations().stream().map(Variation::parameter),
+                        Stream.of(ENDING),
+                        campaign.columns().stream().map(Column::name))
+                .flatMap(names -> names)
+                .map(TableText::quoted)
+                .collect(Collectors.joining(","));
+    }
+
+    /** The line of a row, without its end. */
+    public String line(Row row) {
+        List<String> cells = new ArrayList<>();
+        cells.add(Long.toString(row.trial().number()));
+        cells.add(Long.toString(row.trial().seed()));
+        cells.addAll(row.trial().values().values());
+        cells.add(row.wasMade() ? "made" : row.ending().word() + ": " + row.remark());
+        for (int i = 0; i < campaign.columns().size(); i++) {
+            cells.add(row.wasMade() ? number(row.answer(i)) : "");
+        }
+        return cells.stream().map(TableText::quoted).collect(Collectors.joining(","));
+    }
+
+    /** Whole numbers without a fraction; what is none is empty. */
+    private static String number(double answer) {
+        if (Double.isNaN(answer)) {
+            return "";
+        }
+        return answer == Math.rint(answer) && Math.abs(answer) < 1e15
+                ? Long.toString((long) answer)
+                : Double.toString(answer);
+    }
+
+    private static String quoted(String cell) {
+        boolean plain = cell.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
+        return plain ? cell : '"' + cell.replace("\"", "\"\"") + '"';
+    }
+
+    /**
+     * The row of a line that {@link #line} has made.
+     *
+     * @throws IllegalArgumentException where it is no such line
+     */
+    public Row row(String line) {
+        List<String> cells = cells(line);
+        int columns = campaign.columns().size();
+        int ending = FIRST.size() + campaign.variations().size();
+        if (cells.size() != ending + 1 + columns) {
+            throw new IllegalArgumentException(cells.size() + " cells");
+        }
+        Map<String, String> values = new LinkedHashMap<>();
+        for (int i = 0; i < campaign.variations().size(); i++) {
+            values.put(campaign.variations().get(i).parameter(), cells.get(FIRST.size() + i));
+        }
+        Trial trial =
+                new Trial(Long.parseLong(cells.get(0)), Long.parseLong(cells.get(1)), values);
+        Row.Ending how = Row.Ending.of(cells.get(ending));
+        if (how != Row.Ending.MADE) {
+            return new Row(trial, how, cells.get(ending).substring(how.word().length() + 2), List.of());
+        }
+        List<Double> answers = new ArrayList<>();
+        cells.subList(ending + 1, cells.size())
+                .forEach(cell -> answers.add(cell.isEmpty() ? Double.NaN : Double.valueOf(cell)));
+        return new Row(trial, how, "", answers);
+    }
+
+    private static List<String> cells(String line) {
+        List<String> cells = new ArrayList<>();
+        StringBuilder cell = new StringBuilder();
+        boolean inside = false;
+        for (int i = 0; i < line.length(); i++) {
+            char c = line.charAt(i);
+            if (c == '"' && inside && i + 1 < line.length() && line.charAt(i + 1) == '"') {
+                cell.append(c);
+                i++;
+            } else if (c == '"') {
+                inside = !inside;
+            } else if (c == ',' && !inside) {
+                cells.add(cell.toString());
+                cell.setLength(0);
+            } else {
+                cell.append(c);
+            }
+        }
+        cells.add(cell.toString());
+        return cells;
+    }
+}

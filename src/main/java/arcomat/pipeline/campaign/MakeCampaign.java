@@ -1,0 +1,141 @@
+package arcomat.pipeline.campaign;
+
+import arcomat.campaign.CampaignResult;
+import arcomat.campaign.Judge;
+import arcomat.campaign.Row;
+import arcomat.campaign.Trial;
+import arcomat.campaign.Trials;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.engine.Engine;
+import arcomat.pipeline.campaign.engine.EngineFailure;
+import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.pipeline.file.Failures;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.function.Function;
+
+/**
+ * Makes the runs of a campaign and keeps their rows.
+ *
+ * @param ready what to run
+ * @param results the folder for the table, as the user wrote it; empty where only the answer is
+ *     wanted
+ * @param resumes whether rows that the folder has are kept
+ * @param engines starts who makes the runs
+ */
+public record MakeCampaign(
+        PrepareCampaign.Ready ready,
+        String results,
+        boolean resumes,
+        Function<Freight, Engine> engines)
+        implements Task<MakeCampaign.Made> {
+    /** So many runs are given out for each that can be made at a time. */
+    private static final int AHEAD = 8;
+
+    /** Who waits longer than this for a row looks whether somebody wants to stop. */
+    private static final Duration LOOK = Duration.ofMillis(200);
+
+    /**
+     * What was made.
+     *
+     * @param runs how many rows the table has
+     * @param planned how many it could have: less where the answer was clear before
+     * @param resumed how many of them were there already
+     * @param table what tells this table from any other
+     * @param crew who made the runs
+     */
+    public record Made(
+            CampaignResult result,
+            long runs,
+            long planned,
+            long resumed,
+            String table,
+            String crew) {}
+
+    /**
+     * @throws WrongUse where rows cannot be written, or are another campaign's
+     */
+    @Override
+    public Made run(Session session) throws WrongUse {
+        Judge judge = new Judge(ready.campaign());
+        String hash = ready.freight().hash();
+        try (ResultFolder folder = ResultFolder.of(results, session.names());
+                RowFile rows = folder.rows(ready.campaign(), hash, resumes, judge::see);
+                Engine engine = engines.apply(ready.freight())) {
+            long resumed = rows.count();
+            long planned = Trials.of(ready.campaign()).count();
+            new Course(judge, rows, engine, planned).run(session);
+            CampaignResult result = judge.result(rows::measured);
+            folder.keep(rows);
+            return new Made(
+                    result, rows.count(), planned, resumed, rows.hash(), engine.crew());
+        } catch (EngineFailure e) {
+            throw new WrongUse("%s", e.getMessage());
+        } catch (IOException e) {
+            throw Failures.cannot("write to", results, e);
+        } catch (UncheckedIOException e) {
+            throw Failures.cannot("read from", results, e.getCause());
+        }
+    }
+
+    /** From the first row that is missing to the last. */
+    private final class Course {
+        private final Judge judge;
+        private final RowFile rows;
+        private final Engine engine;
+        private final Trials trials = Trials.of(ready.campaign());
+        private final long planned;
+        private final TreeMap<Long, Row> early = new TreeMap<>();
+        private long given;
+
+        Course(Judge judge, RowFile rows, Engine engine, long planned) {
+            this.judge = judge;
+            this.rows = rows;
+            this.engine = engine;
+            this.planned = planned;
+            this.given = rows.count();
+        }
+
+        void run(Session session) throws IOException {
+            while (rows.count() < planned && !judge.isDecided()) {
+                give();
+                engine.collect(LOOK).forEach(row -> early.put(row.trial().number(), row));
+                keep();
+                session.progress().goOn();
+                session.progress()
+                        .step("%,d of %,d runs, %s".formatted(rows.count(), planned, engine.crew()));
+            }
+        }
+
+        private void give() {
+            long ahead = (long) AHEAD * engine.capacity();
+            List<Trial> batch = new ArrayList<>();
+            while (given < planned && given - rows.count() < ahead) {
+                batch.add(trials.trial(given++));
+            }
+            if (!batch.isEmpty()) {
+                engine.submit(batch);
+            }
+        }
+
+        /** Rows are judged in the order of their numbers: who is quicker decides nothing. */
+        private void keep() throws IOException {
+            List<Row> next = new ArrayList<>();
+            long number = rows.count();
+            while (!early.isEmpty() && early.firstKey() == number && !judge.isDecided()) {
+                Row row = early.pollFirstEntry().getValue();
+                judge.see(row);
+                next.add(row);
+                number++;
+            }
+            rows.add(next);
+        }
+    }
+}

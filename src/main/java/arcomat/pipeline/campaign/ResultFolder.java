@@ -1,0 +1,99 @@
+package arcomat.pipeline.campaign;
+
+import arcomat.campaign.Campaign;
+import arcomat.campaign.Row;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.WrongUse;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.Iterator;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/**
+ * Where the rows of a campaign are kept: while it runs, in a file that another run can go on with;
+ * then as the finished table. Who wants no table has a folder of its own that is removed.
+ */
+final class ResultFolder implements AutoCloseable {
+    static final String TABLE = "rows.csv";
+    private static final String UNFINISHED = "rows.unfinished";
+
+    private final Path folder;
+    private final String written;
+
+    private ResultFolder(Path folder, String written) {
+        this.folder = folder;
+        this.written = written;
+    }
+
+    /**
+     * @param written as the user wrote it; empty for one that nobody wants to see
+     */
+    static ResultFolder of(String written, PathNames names) throws IOException {
+        if (written.isEmpty()) {
+            return new ResultFolder(Files.createTempDirectory("arcomat-campaign"), written);
+        }
+        return new ResultFolder(Files.createDirectories(names.resolve(written)), written);
+    }
+
+    private Path unfinished() {
+        return folder.resolve(UNFINISHED);
+    }
+
+    /**
+     * The file of rows to go on with, or a new one.
+     *
+     * @param hash of the campaign with all that it depends on
+     * @param seen is shown the rows that are there already
+     */
+    RowFile rows(Campaign campaign, String hash, boolean resumes, Consumer<Row> seen)
+            throws IOException, WrongUse {
+        if (!Files.exists(unfinished())) {
+            return RowFile.create(unfinished(), campaign, hash);
+        }
+        if (!resumes) {
+            throw new WrongUse(
+                    "'%s' has rows of a campaign that has not come to its end: go on with --resume,"
+                            + " or remove %s there",
+                    written, UNFINISHED);
+        }
+        if (!RowFile.owner(unfinished()).equals(hash)) {
+            throw new WrongUse(
+                    "the rows in '%s' belong to another campaign, world, program or version of the"
+                            + " tool; remove %s there to begin anew",
+                    written, UNFINISHED);
+        }
+        return RowFile.resume(unfinished(), campaign, seen);
+    }
+
+    /** The campaign is over: its table takes the place of an older one. */
+    void keep(RowFile rows) throws IOException {
+        if (written.isEmpty()) {
+            return;
+        }
+        Path fresh = folder.resolve(TABLE + ".new");
+        try (var writer = Files.newBufferedWriter(fresh);
+                Stream<String> lines = rows.table()) {
+            for (Iterator<String> each = lines.iterator(); each.hasNext(); ) {
+                writer.write(each.next());
+                writer.write('\n');
+            }
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+        Files.move(fresh, folder.resolve(TABLE), StandardCopyOption.REPLACE_EXISTING);
+        Files.delete(unfinished());
+    }
+
+    @Override
+    public void close() throws IOException {
+        if (written.isEmpty()) {
+            Files.deleteIfExists(unfinished());
+            Files.delete(folder);
+        }
+    }
+}
