@@ -59,6 +59,7 @@ class ArchitectureTest {
                     // What can be simulated is known where it is.
                     Map.entry("brick", row("sim", "org.objectweb.asm")),
                     Map.entry("world", row("")),
+                    Map.entry("campaign", row("world", "org.hipparchus")),
                     Map.entry("simulate", row("semantics model rt")),
                     Map.entry("diagram", row("model", "org.eclipse.elk", "org.eclipse.emf")),
                     Map.entry("generate", row("semantics model", "freemarker")),
@@ -66,13 +67,13 @@ class ArchitectureTest {
                             "report",
                             row(
                                     "analysis semantics brick simulate generate diagram model sim"
-                                            + " world",
+                                            + " world campaign",
                                     "com.fasterxml.jackson")),
                     Map.entry(
                             "pipeline",
                             row(
                                     "syntax tree symbols check lower model semantics analysis"
-                                        + " simulate generate diagram report brick rt sim world",
+                                        + " simulate generate diagram report brick rt sim world campaign",
                                     "org.eclipse.jdt",
                                     "com.fasterxml.jackson",
                                     "com.github.weisj",

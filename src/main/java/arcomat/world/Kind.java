@@ -54,6 +54,11 @@ public record Kind(
      * @param place where the world says so
      */
     public record Program(Form form, String name, String folder, Span place) {
+        /** What tells it from every other program, wherever it is named. */
+        public String key() {
+            return form + " " + name + " in " + folder;
+        }
+
         /** Ways to name a program. */
         public enum Form {
             JAR,

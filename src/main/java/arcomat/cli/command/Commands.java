@@ -26,6 +26,7 @@ public final class Commands {
                     "check-brick",
                     "run-brick",
                     "world",
+                    "campaign",
                     "link",
                     "explain");
 
@@ -56,6 +57,7 @@ public final class Commands {
             case "check-brick" -> new CheckBrickCommand();
             case "run-brick" -> new RunBrickCommand();
             case "world" -> new WorldCommand();
+            case "campaign" -> new CampaignCommand();
             case "link" -> new LinkCommand();
             case "explain" -> new ExplainCommand();
             default -> throw new IllegalArgumentException(name);

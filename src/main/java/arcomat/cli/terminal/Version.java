@@ -20,7 +20,8 @@ import java.util.Objects;
 public final class Version implements CommandLine.IVersionProvider {
     private static final String NUMBER = "/arcomat-version.txt";
 
-    static String number() {
+    /** As releases count. */
+    public static String number() {
         try (InputStream in = Version.class.getResourceAsStream(NUMBER)) {
             return new String(in.readAllBytes(), StandardCharsets.UTF_8).strip();
         } catch (IOException e) {

@@ -63,7 +63,7 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         Campaign campaign = reading.campaign().get();
         String worldFile = beside(campaign.world().file());
         SourceFile world = FileReader.required("world", worldFile, session.names());
-        CampaignPrograms programs = CampaignPrograms.of(campaign, world, worldFile, session);
+        CampaignPrograms.Result programs = CampaignPrograms.of(campaign, world, worldFile, session);
         List<Diagnostic> findings = new ArrayList<>(programs.findings());
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());

@@ -1,0 +1,144 @@
+package arcomat.report.campaign;
+
+import arcomat.campaign.CampaignResult;
+import arcomat.campaign.CampaignResult.Occurrence;
+import arcomat.campaign.CampaignResult.Spread;
+import arcomat.campaign.Judgement;
+import arcomat.campaign.Row;
+import arcomat.campaign.statistics.Confidence;
+import arcomat.campaign.statistics.ConfidenceInterval;
+import arcomat.campaign.statistics.Decision;
+import arcomat.report.text.Printable;
+import arcomat.report.text.Style;
+import arcomat.report.text.TextTable;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+import java.util.Map;
+
+/** The result of a campaign for people: how often, how much, what that proves, what to look at. */
+public final class CampaignText {
+    private static final Confidence USUAL = new Confidence(0.95);
+
+    private final CampaignResult result;
+    private final String world;
+    private final Style style;
+
+    /**
+     * @param world the world's file, as a user would write it
+     */
+    public CampaignText(CampaignResult result, String world, Style style) {
+        this.result = result;
+        this.world = world;
+        this.style = style;
+    }
+
+    /** Everything but how many runs there were. */
+    public String render() {
+        StringBuilder text = new StringBuilder();
+        if (result.made() > 0) {
+            text.append(events()).append('\n').append(measures()).append('\n');
+        }
+        result.judgements().forEach(each -> text.append(line(each)).append('\n'));
+        text.append(notable());
+        return text.toString();
+    }
+
+    private String events() {
+        TextTable table = new TextTable(List.of("event", "runs", "share", "surely (95 %)"));
+        for (Occurrence each : result.occurrences()) {
+            ConfidenceInterval interval = each.proportion().exact(USUAL);
+            table.add(
+                    List.of(
+                            each.column().name(),
+                            "%,d of %,d".formatted(
+                                    each.proportion().events(), each.proportion().trials()),
+                            number(each.proportion().estimate()),
+                            number(interval.low()) + " to " + number(interval.high())));
+        }
+        return table.render(style);
+    }
+
+    private String measures() {
+        TextTable table =
+                new TextTable(
+                        List.of("measure", "least", "25 %", "median", "75 %", "greatest", "runs"));
+        for (Spread each : result.spreads()) {
+            if (each.known() > 0) {
+                table.add(
+                        List.of(
+                                each.column().name(),
+                                number(each.least()),
+                                number(each.lower()),
+                                number(each.median()),
+                                number(each.upper()),
+                                number(each.greatest()),
+                                "%,d".formatted(each.known())));
+            }
+        }
+        return table.render(style);
+    }
+
+    /** Three digits, but all of a whole number. */
+    static String number(double value) {
+        if (Double.isInfinite(value)) {
+            return value > 0 ? "never" : "-";
+        }
+        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
+            return Long.toString((long) value);
+        }
+        BigDecimal exact = new BigDecimal(value);
+        return exact.round(new MathContext(3)).stripTrailingZeros().toPlainString();
+    }
+
+    private String line(Judgement judgement) {
+        String word = word(judgement);
+        String shown =
+                switch (judgement.decision()) {
+                    case HOLDS -> style.good(word);
+                    case FAILS -> style.error(word);
+                    case UNDECIDED -> judgement.isDemand() ? style.warning(word) : word;
+                };
+        return shown + Printable.escape(judgement.subject() + " (" + judgement.because() + ")");
+    }
+
+    private static String word(Judgement judgement) {
+        if (judgement.isDemand()) {
+            return switch (judgement.decision()) {
+                case HOLDS -> "holds: ";
+                case FAILS -> "fails: ";
+                case UNDECIDED -> "unknown: ";
+            };
+        }
+        return switch (judgement.decision()) {
+            case HOLDS -> "better: ";
+            case FAILS -> "worse: ";
+            case UNDECIDED -> "compared: ";
+        };
+    }
+
+    /** The worst run, and how to see it. */
+    private String notable() {
+        if (result.notable().isEmpty()) {
+            return "";
+        }
+        Row worst = result.notable().get(0);
+        boolean wrong =
+                result.judgements().stream().anyMatch(each -> each.decision() == Decision.FAILS);
+        return "\n"
+                + (wrong ? "to see one that went wrong: " : "to see the closest call: ")
+                + command(worst, world)
+                + "\n";
+    }
+
+    /** The command that makes a run again. */
+    public static String command(Row row, String world) {
+        StringBuilder command = new StringBuilder("arcomat world ").append(world);
+        command.append(" --seed ").append(row.trial().seed());
+        for (Map.Entry<String, String> each : row.trial().values().entrySet()) {
+            command.append(" --set ").append(each.getKey()).append('=').append(each.getValue());
+        }
+        return Printable.escape(command.append(" --report build/run").toString());
+    }
+}
