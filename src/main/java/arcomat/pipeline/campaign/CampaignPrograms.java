@@ -24,19 +24,26 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /**
  * The programs of all runs of a campaign, made before the first of them: those of every word that a
- * parameter can have. A number that changes a program has to be among words, too: there would be no
- * end of programs.
+ * parameter can have. A number that changes a program has to be named as a word is: there would be
+ * no end of programs.
  */
 final class CampaignPrograms {
     private static final String UNKNOWN = "ARC1133";
     private static final String ENDLESS = "ARC1134";
     private static final String NO_WORLD = "ARC1135";
 
-    /** Making a program takes a second. */
-    private static final int MOST = 500;
+    /** Each is a world to be read; making a program takes a second. */
+    private static final int MOST = 10_000;
+
+    /** So many numbers are looked at one by one, as words are. */
+    private static final int COUNTED = 50;
+
+    /** No middle of anything, so that no end looks like it. */
+    private static final double BETWEEN = 0.37;
 
     private final Campaign campaign;
     private final SourceFile text;
@@ -93,21 +100,30 @@ final class CampaignPrograms {
     }
 
     private void make(Session session) throws WrongUse {
-        for (Map<String, String> values : combinations()) {
-            Set<String> wanted = programsOf(values);
-            requireNoEnd(values, wanted);
-            if (findings.stream().noneMatch(Diagnostic::isError)
-                    && !programs.keySet().containsAll(wanted)) {
-                prepare(values, session);
-            }
-        }
-        if (programs.isEmpty() && findings.isEmpty()) {
+        Map<String, Map<String, String>> wanted = wanted();
+        if (wanted.isEmpty() && findings.isEmpty()) {
             findings.add(
                     Diagnostic.error(
                             NO_WORLD,
                             campaign.world().place(),
                             "'%s' is no world with any of these values".formatted(file)));
         }
+        requireEnd(wanted.keySet());
+        for (Map.Entry<String, Map<String, String>> each : wanted.entrySet()) {
+            if (findings.stream().noneMatch(Diagnostic::isError)
+                    && !programs.containsKey(each.getKey())) {
+                prepare(each.getValue(), session);
+            }
+        }
+    }
+
+    /** Every program that is named somewhere, with values that name it. */
+    private Map<String, Map<String, String>> wanted() {
+        Map<String, Map<String, String>> wanted = new LinkedHashMap<>();
+        for (Map<String, String> values : combinations()) {
+            programsOf(values).forEach(key -> wanted.putIfAbsent(key, values));
+        }
+        return wanted;
     }
 
     private void prepare(Map<String, String> values, Session session) throws WrongUse {
@@ -127,43 +143,66 @@ final class CampaignPrograms {
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 
-    private void requireNoEnd(Map<String, String> values, Set<String> wanted) {
-        for (Variation each : campaign.variations()) {
-            if (each.domain() instanceof Range) {
-                Map<String, String> other = new LinkedHashMap<>(values);
-                other.put(each.parameter(), each.domain().at(1));
-                Set<String> then = programsOf(other);
-                if (!then.isEmpty() && !wanted.isEmpty() && !then.equals(wanted)) {
-                    findings.add(
-                            Diagnostic.error(
-                                    ENDLESS,
-                                    each.place(),
-                                    "each value of '%s' is a program of its own: name those that"
-                                            + " are wanted, 'vary %s of VALUE VALUE'"
-                                                    .formatted(
-                                                            each.parameter(), each.parameter())));
+    /** A number that is a program's argument names another program between its ends. */
+    private void requireEnd(Set<String> wanted) {
+        for (Map<String, String> values : combinations()) {
+            for (Variation each : campaign.variations()) {
+                if (each.domain() instanceof Range range && !isCounted(range)) {
+                    Map<String, String> between = new LinkedHashMap<>(values);
+                    between.put(each.parameter(), range.at(BETWEEN));
+                    if (!wanted.containsAll(programsOf(between))) {
+                        findings.add(endless(each));
+                    }
                 }
             }
         }
     }
 
-    /** Every word with every other; numbers, which change no program, are the least. */
+    private static Diagnostic endless(Variation each) {
+        String name = each.parameter();
+        String message =
+                "each value of '%s' is a program of its own: name those that are wanted, 'vary %s"
+                        + " of VALUE VALUE'";
+        return Diagnostic.error(ENDLESS, each.place(), message.formatted(name, name));
+    }
+
+    /** Every word with every other, and with the ends of numbers. */
     private List<Map<String, String>> combinations() {
         List<Map<String, String>> all = new ArrayList<>();
         all.add(new LinkedHashMap<>());
         for (Variation each : campaign.variations()) {
-            List<String> words =
-                    each.domain().match(range -> List.of(range.at(0)), Choice::words);
             List<Map<String, String>> more = new ArrayList<>();
             for (Map<String, String> values : all) {
-                for (String word : words) {
+                for (String word : each.domain().match(CampaignPrograms::ends, Choice::words)) {
                     Map<String, String> longer = new LinkedHashMap<>(values);
                     longer.put(each.parameter(), word);
                     more.add(longer);
                 }
             }
-            all = more.size() > MOST ? more.subList(0, MOST) : more;
+            if (more.size() > MOST) {
+                findings.add(
+                        Diagnostic.error(
+                                ENDLESS,
+                                each.place(),
+                                "these are more than %,d combinations of words".formatted(MOST)));
+                return List.of();
+            }
+            all = more;
         }
         return all;
+    }
+
+    private static boolean isCounted(Range range) {
+        return range.whole() && range.high() - range.low() < COUNTED;
+    }
+
+    private static List<String> ends(Range range) {
+        if (!isCounted(range)) {
+            return List.of(range.at(0), range.at(1));
+        }
+        int numbers = (int) (range.high() - range.low()) + 1;
+        return IntStream.range(0, numbers)
+                .mapToObj(i -> range.at((i + 0.5) / numbers))
+                .toList();
     }
 }
