@@ -5,6 +5,7 @@ import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
+import arcomat.world.Summary;
 import arcomat.world.World;
 
 import org.jspecify.annotations.Nullable;
@@ -61,7 +62,7 @@ public final class PreparedWorld {
     }
 
     /**
-     * Runs it, to its goal or to its end.
+     * Runs it, to its goal or to its end, and keeps what is needed to show it again.
      *
      * @param seed of everything that is drawn
      * @param patience how long it may take by the PC's clock
@@ -69,9 +70,27 @@ public final class PreparedWorld {
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
     public Recording run(long seed, Duration patience, Limits limits) {
+        WorldRecorder recorder = new WorldRecorder(ready(), seed);
+        watch(seed, patience, limits, recorder);
+        return recorder.recording();
+    }
+
+    /** As {@link #run(long, Duration, Limits)}, and keeps what it comes to. */
+    public Summary summarize(long seed, Duration patience, Limits limits) {
+        WorldCounter counter = new WorldCounter(ready(), seed);
+        watch(seed, patience, limits, counter);
+        return counter.summary();
+    }
+
+    /** As {@link #run(long, Duration, Limits)}, before somebody who keeps what he likes. */
+    public void watch(long seed, Duration patience, Limits limits, Witness witness) {
+        WorldRun.run(ready(), seed, equipment, patience, limits, witness);
+    }
+
+    private World ready() {
         if (!canRun()) {
             throw new IllegalStateException("a world with errors");
         }
-        return WorldRun.run(Objects.requireNonNull(world), seed, equipment, patience, limits);
+        return Objects.requireNonNull(world);
     }
 }

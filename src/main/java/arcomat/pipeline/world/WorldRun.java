@@ -8,7 +8,6 @@ import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.world.Device;
 import arcomat.world.Physics;
-import arcomat.world.Recording;
 import arcomat.world.Scene;
 import arcomat.world.Senses;
 import arcomat.world.World;
@@ -24,7 +23,7 @@ import java.util.Objects;
  * shafts as they are, moves everything, and shows the sensors what they see next. A run depends on
  * the world, its programs and the seed, and on nothing else.
  */
-final class WorldRun {
+final class WorldRun implements Witness.Instruments {
     private static final MotorName[] MOTORS = MotorName.values();
     private static final SensorName[] SOCKETS = SensorName.values();
     private static final long SECOND = 1000;
@@ -40,21 +39,21 @@ final class WorldRun {
     private final List<List<Device.Sensor>> sensors = new ArrayList<>();
     private final double[][] shafts;
     private final int[][] readings;
-    private final WorldRecorder recorder;
+    private final Witness witness;
 
     @SuppressWarnings("NullAway.Init") // a run begins with it
     private Scene scene;
 
-    private WorldRun(World world, long seed, Laboratory laboratory) {
+    private WorldRun(World world, long seed, Laboratory laboratory, Witness witness) {
         this.world = world;
         this.laboratory = laboratory;
+        this.witness = witness;
         int count = world.robots().size();
         physics = new Physics(world, seed);
         senses = new Senses(world, seed);
         bricks = new SimulatedBrick[count];
         shafts = new double[count][MOTORS.length];
         readings = new int[count][];
-        recorder = new WorldRecorder(world, seed);
         world.robots().forEach(robot -> sensors.add(robot.kind().sensors()));
         for (int i = 0; i < count; i++) {
             readings[i] = new int[sensors.get(i).size()];
@@ -69,19 +68,20 @@ final class WorldRun {
      * @param limits those of a brick that programs meet
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    static Recording run(
+    static void run(
             World world,
             long seed,
             Map<String, WorldPrograms.Equipment> equipment,
             Duration patience,
-            Limits limits) {
+            Limits limits,
+            Witness witness) {
         try (Laboratory laboratory = new Laboratory(limits)) {
             laboratory.limit(patience);
-            return new WorldRun(world, seed, laboratory).run(equipment);
+            new WorldRun(world, seed, laboratory, witness).run(equipment);
         }
     }
 
-    private Recording run(Map<String, WorldPrograms.Equipment> equipment) {
+    private void run(Map<String, WorldPrograms.Equipment> equipment) {
         scene = physics.start();
         laboratory.surround(Physics.STEP, this::step);
         for (int i = 0; i < bricks.length; i++) {
@@ -90,7 +90,7 @@ final class WorldRun {
             WorldPrograms.Equipment own = Objects.requireNonNull(equipment.get(name));
             bricks[i] = laboratory.place(name, Objects.requireNonNull(own.program()));
             own.devices().plugInto(bricks[i]);
-            bricks[i].observe(recorder.of(world.robots().get(i)));
+            bricks[i].observe(witness.of(world.robots().get(i)));
             expose(i);
         }
         long end = world.seconds() * SECOND;
@@ -99,9 +99,8 @@ final class WorldRun {
             laboratory.runUntil(Math.min(end, laboratory.time() + watch));
         }
         for (SimulatedBrick brick : bricks) {
-            brick.outcome().failure().ifPresent(reason -> recorder.failed(brick.name(), reason));
+            brick.outcome().failure().ifPresent(reason -> witness.failed(brick.name(), reason));
         }
-        return recorder.recording();
     }
 
     private boolean isOver() {
@@ -127,7 +126,7 @@ final class WorldRun {
         for (int i = 0; i < bricks.length; i++) {
             expose(i);
         }
-        recorder.record(scene, readings, bricks);
+        witness.see(scene, this);
     }
 
     private void expose(int index) {
@@ -139,5 +138,16 @@ final class WorldRun {
                 bricks[index].expose(socket, Stimulus.value(readings[index][s]));
             }
         }
+    }
+
+    @Override
+    public int[] readings(int robot) {
+        return readings[robot];
+    }
+
+    @Override
+    public String display(int robot) {
+        SimulatedBrick brick = bricks[robot];
+        return brick == null ? "" : brick.screen().get(0);
     }
 }

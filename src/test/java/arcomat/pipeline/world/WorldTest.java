@@ -67,7 +67,9 @@ class WorldTest {
     /** As long as usual, on bricks as they are. */
     private static Recording run(
             World world, long seed, Map<String, WorldPrograms.Equipment> equipment) {
-        return WorldRun.run(world, seed, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+        WorldRecorder recorder = new WorldRecorder(world, seed);
+        WorldRun.run(world, seed, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK, recorder);
+        return recorder.recording();
     }
 
     private static Map<String, WorldPrograms.Equipment> programs(World world, String name)
