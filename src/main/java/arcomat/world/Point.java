@@ -8,8 +8,13 @@ public record Point(double x, double y) {
 
     /** In mm. */
     public double distance(Point other) {
-        double dx = other.x - x;
-        double dy = other.y - y;
+        return distance(x, y, other.x, other.y);
+    }
+
+    /** From one place to another, in mm; without objects, for what is asked often. */
+    static double distance(double x, double y, double otherX, double otherY) {
+        double dx = otherX - x;
+        double dy = otherY - y;
         return Math.sqrt(dx * dx + dy * dy);
     }
 }

@@ -12,6 +12,11 @@ public record Pose(double x, double y, double heading) {
         return new Point(x, y);
     }
 
+    /** From the middle of the robot to a place, in mm. */
+    double distance(double otherX, double otherY) {
+        return Point.distance(x, y, otherX, otherY);
+    }
+
     /** The place of something that is fixed to the robot. */
     public Point place(Point mounted) {
         double cos = StrictMath.cos(heading);

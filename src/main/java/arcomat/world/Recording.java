@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 /**
  * What happened in a world: enough to show it again, without running anything.
  *
- * @param seed of what was drawn
+ * @param seeds of what was drawn
  * @param frames the world every {@value #PERIOD} milliseconds
  * @param events what people would tell of, in the order of time
  * @param failures why programs stopped, by robot
@@ -23,7 +23,7 @@ import java.util.stream.IntStream;
  */
 public record Recording(
         World world,
-        long seed,
+        Seeds seeds,
         List<Frame> frames,
         List<Event> events,
         Map<String, String> failures,
@@ -49,7 +49,12 @@ public record Recording(
      * @param slices how often
      * @param longest microseconds that the longest of these slices took
      */
-    public record Late(String robot, int slices, long longest) {}
+    public record Late(String robot, int slices, long longest) {
+        /** The same robot, with its slices of before and of later. */
+        Late and(Late later) {
+            return new Late(robot, slices + later.slices, Math.max(longest, later.longest));
+        }
+    }
 
     /**
      * A socket that a program has read.
@@ -153,8 +158,17 @@ public record Recording(
             last--;
         }
         int since = frames.isEmpty() ? 0 : frames.get(Math.max(last, 0)).time();
-        boolean done = world.goal() > 0 && delivered() >= world.goal();
-        return done || duration() - since < LONG ? OptionalInt.empty() : OptionalInt.of(since);
+        return stillSince(world, delivered(), duration(), since);
+    }
+
+    /**
+     * @param delivered cups
+     * @param duration of the run, in milliseconds
+     * @param moved when a robot was last seen to move, in milliseconds
+     */
+    static OptionalInt stillSince(World world, int delivered, int duration, int moved) {
+        boolean done = world.goal() > 0 && delivered >= world.goal();
+        return done || duration - moved < LONG ? OptionalInt.empty() : OptionalInt.of(moved);
     }
 
     private static boolean isMoving(Frame before, Frame after) {

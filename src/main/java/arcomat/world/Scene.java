@@ -23,6 +23,11 @@ public record Scene(
         happenings = List.copyOf(happenings);
     }
 
+    /** Milliseconds since the world began. */
+    public int time() {
+        return (int) (tick * Physics.STEP);
+    }
+
     /** Cups that drinkers have taken. */
     public int delivered() {
         int cups = 0;

@@ -4,12 +4,17 @@ package arcomat.world;
 public record Segment(Point from, Point to) {
     /** From a point to the nearest one of the segment, in mm. */
     double distance(Point point) {
+        return distance(point.x(), point.y());
+    }
+
+    /** From a place to the nearest one of the segment, in mm. */
+    double distance(double x, double y) {
         double dx = to.x() - from.x();
         double dy = to.y() - from.y();
         double square = dx * dx + dy * dy;
-        double along = (point.x() - from.x()) * dx + (point.y() - from.y()) * dy;
+        double along = (x - from.x()) * dx + (y - from.y()) * dy;
         double part = square == 0 ? 0 : Math.max(0, Math.min(1, along / square));
-        return point.distance(from.plus(part * dx, part * dy));
+        return Point.distance(x, y, from.x() + part * dx, from.y() + part * dy);
     }
 
     /** How far a ray goes before it meets the segment; infinite where it does not. */

@@ -4,7 +4,6 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.world.Words.Unreadable;
-import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
 import arcomat.world.World.Robot;
@@ -22,18 +21,28 @@ public final class WorldParser {
     private static final String UNKNOWN = "ARC1123";
     private static final List<String> STATEMENTS =
             List.of(
-                    "floor", "seconds", "goal", "noise", "line", "wall", "kind", "robot",
+                    Parameters.STATEMENT,
+                    "floor",
+                    "seconds",
+                    "goal",
+                    "noise",
+                    "line",
+                    "wall",
+                    "kind",
+                    "robot",
+                    "robots",
                     "drinker");
-    private static final double FAR = 1_000_000;
     private static final double LINE_WIDTH = 40;
     private static final int LONGEST = 86_400;
 
     private final SourceFile file;
+    private final Parameters parameters;
     private final List<Diagnostic> findings = new ArrayList<>();
-    private final Map<String, Span> once = new LinkedHashMap<>();
+    private final Map<String, Word> once = new LinkedHashMap<>();
     private final Map<String, KindDraft> kinds = new LinkedHashMap<>();
     private final List<Stripe> stripes = new ArrayList<>();
     private final List<RobotDraft> robots = new ArrayList<>();
+    private final List<Word> wanted = new ArrayList<>();
     private final List<Drinker> drinkers = new ArrayList<>();
     private @Nullable KindDraft open;
     private double width;
@@ -42,8 +51,9 @@ public final class WorldParser {
     private int goal;
     private Noise noise = Noise.USUAL;
 
-    private WorldParser(SourceFile file) {
+    private WorldParser(SourceFile file, Parameters parameters) {
         this.file = file;
+        this.parameters = parameters;
     }
 
     /**
@@ -62,36 +72,57 @@ public final class WorldParser {
     record Stripe(
             Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
 
-    private record RobotDraft(Span name, Span kind, Pose pose, Cup cup) {}
-
+    /** With the usual values of its parameters. */
     public static Parsed parse(SourceFile file) {
-        WorldParser parser = new WorldParser(file);
+        return parse(file, Map.of());
+    }
+
+    /**
+     * With other values of some of its parameters. Findings point at what is written.
+     *
+     * @param values by the names of {@link #parameters}; other names mean nothing
+     */
+    public static Parsed parse(SourceFile file, Map<String, String> values) {
+        WorldParser parser = new WorldParser(file, Parameters.of(file, values));
         for (int line = 1; line <= file.lineCount(); line++) {
-            Words words = Words.ofLine(file, line);
-            if (!words.isEmpty()) {
-                parser.read(words);
-            }
+            parser.read(line);
         }
         return parser.result();
     }
 
-    private void read(Words words) {
+    /** What a world leaves to whoever runs it, in the order of the text. */
+    public static List<WorldParameter> parameters(SourceFile file) {
+        return Parameters.of(file, Map.of()).all();
+    }
+
+    private void read(int line) {
         try {
-            if (KindDraft.PARTS.contains(words.first().text())) {
-                part(words);
+            if (Words.ofLine(file, line).take(Parameters.STATEMENT)) {
+                open = null; // it is read already
                 return;
             }
-            open = null;
-            statement(words, words.choice("what there is", STATEMENTS).text());
-            words.end();
+            Words words = Words.ofLine(file, line, parameters);
+            if (!words.isEmpty()) {
+                read(words);
+            }
         } catch (Unreadable e) {
             findings.add(e.finding());
         }
     }
 
+    private void read(Words words) throws Unreadable {
+        if (KindDraft.PARTS.contains(words.first().text())) {
+            part(words);
+            return;
+        }
+        open = null;
+        statement(words, words.choice("what there is", STATEMENTS).text());
+        words.end();
+    }
+
     private void part(Words words) throws Unreadable {
         if (open == null) {
-            Span part = words.first();
+            Word part = words.first();
             throw Words.broken(
                     part,
                     "'%s' is a part of robots: write it below a line 'kind NAME'"
@@ -104,8 +135,8 @@ public final class WorldParser {
         switch (what) {
             case "floor" -> {
                 single(words);
-                width = words.number("its width in mm", 100, FAR);
-                depth = words.number("its depth in mm", 100, FAR);
+                width = words.number("its width in mm", 100, Words.FAR);
+                depth = words.number("its depth in mm", 100, Words.FAR);
             }
             case "seconds" -> {
                 single(words);
@@ -127,7 +158,10 @@ public final class WorldParser {
                         new Stripe(words.whole(), true, points, Bends.pieces(points, 0, false), 0));
             }
             case "kind" -> kind(words.name("the name of a kind"));
-            case "robot" -> robot(words);
+            case "robot" -> robots(RobotDraft.one(words));
+            case "robots" -> robots(RobotDraft.several(words));
+            case Parameters.STATEMENT ->
+                    throw Words.broken(words.first(), "write 'parameter' as it is, without a '$'");
             default -> drinker(words);
         }
     }
@@ -137,12 +171,12 @@ public final class WorldParser {
     }
 
     /** What there is only once: a statement, or the bearer of a name. */
-    private void unique(String name, Span place) throws Unreadable {
-        Span before = once.putIfAbsent(name, place);
+    private void unique(String name, Word word) throws Unreadable {
+        Word before = once.putIfAbsent(name, word);
         if (before != null) {
             throw new Unreadable(
-                    Diagnostic.error(KindDraft.TWICE, place, "there are two '" + name + "'")
-                            .withRelated(before, "the first one"));
+                    word.error(KindDraft.TWICE, "there are two '" + name + "'")
+                            .withRelated(before.place(), "the first one"));
         }
     }
 
@@ -175,50 +209,41 @@ public final class WorldParser {
     private static List<Point> points(Words words, int least) throws Unreadable {
         List<Point> points = new ArrayList<>();
         while (words.hasNext() || points.size() < least) {
-            points.add(point(words));
+            points.add(words.point());
         }
         return points;
     }
 
-    private static Point point(Words words) throws Unreadable {
-        return new Point(words.number("x in mm", -FAR, FAR), words.number("y in mm", -FAR, FAR));
-    }
-
-    private void kind(Span name) throws Unreadable {
+    private void kind(Word name) throws Unreadable {
         open = new KindDraft(name);
         unique("kind " + name.text(), name);
         kinds.put(name.text(), open);
     }
 
-    private void robot(Words words) throws Unreadable {
-        Span name = words.name("the name of a robot");
-        Span kind = words.name("the name of a kind");
-        words.expect("at");
-        Point place = point(words);
-        double heading = words.take("heading") ? words.number("degrees", -360, 360) : 0;
-        Cup cup = Cup.NONE;
-        if (words.take("with")) {
-            cup =
-                    words.choice("what it carries", List.of("cup", "coffee")).text().equals("cup")
-                            ? Cup.EMPTY
-                            : Cup.FULL;
+    private void place(RobotDraft robot) throws Unreadable {
+        unique(robot.name(), robot.place());
+        robots.add(robot);
+    }
+
+    private void robots(RobotDraft.Row row) throws Unreadable {
+        wanted.add(row.kind());
+        for (RobotDraft robot : row.robots()) {
+            place(robot);
         }
-        unique(name.text(), name);
-        Pose pose = new Pose(place.x(), place.y(), Math.toRadians(heading));
-        robots.add(new RobotDraft(name, kind, pose, cup));
     }
 
     private void drinker(Words words) throws Unreadable {
-        Span name = words.name("the name of a drinker");
+        Word name = words.name("the name of a drinker");
         words.expect("at");
-        Point spot = point(words);
+        Point spot = words.point();
         words.expect("every");
         double thirst = words.number("seconds from cup to cup", 0, LONGEST);
         unique(name.text(), name);
-        drinkers.add(new Drinker(name.text(), spot, thirst, name));
+        drinkers.add(new Drinker(name.text(), spot, thirst, name.place()));
     }
 
     private Parsed result() {
+        findings.addAll(parameters.findings());
         requireThere(once.containsKey("floor"), "a floor: write 'floor WIDTH DEPTH', in mm");
         requireThere(!robots.isEmpty(), "robots: write 'robot NAME KIND at X Y'");
         Map<String, Kind> built = new LinkedHashMap<>();
@@ -234,17 +259,12 @@ public final class WorldParser {
         for (RobotDraft robot : robots) {
             Kind kind = built.get(robot.kind().text());
             if (kind != null) {
-                placed.add(
-                        new Robot(
-                                robot.name().text(),
-                                kind,
-                                robot.pose(),
-                                robot.cup(),
-                                robot.name()));
-            } else if (!kinds.containsKey(robot.kind().text())) {
-                findings.add(unknown(robot.kind()));
+                placed.add(robot.of(kind));
             }
         }
+        wanted.stream()
+                .filter(kind -> !kinds.containsKey(kind.text()))
+                .forEach(kind -> findings.add(unknown(kind)));
         World world =
                 new World(width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers);
         if (findings.isEmpty()) {
@@ -266,13 +286,12 @@ public final class WorldParser {
             "kind '%s' has no program: write 'program component NAME in FOLDER' or 'program jar"
                     + " FILE' below it";
 
-    private Diagnostic unknown(Span kind) {
+    private Diagnostic unknown(Word kind) {
         String known =
                 kinds.isEmpty()
                         ? "none is described"
                         : "known: " + String.join(", ", kinds.keySet());
-        return Diagnostic.error(
-                UNKNOWN, kind, "there is no kind '" + kind.text() + "' of robots; " + known);
+        return kind.error(UNKNOWN, "there is no kind '" + kind.text() + "' of robots; " + known);
     }
 
     private List<World.Line> ways() {

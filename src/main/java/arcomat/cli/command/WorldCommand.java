@@ -1,6 +1,8 @@
 package arcomat.cli.command;
 
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.SeedOptions;
+import arcomat.cli.option.SetOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -12,6 +14,7 @@ import arcomat.report.finding.FindingsText;
 import arcomat.report.world.WorldText;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.world.Recording;
+import arcomat.world.Seeds;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -27,6 +30,7 @@ import picocli.CommandLine.Parameters;
             "  arcomat world models/coffee/world/meeting.world",
             "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
             "  arcomat world models/coffee/world/meeting.world --runs 100",
+            "  arcomat world yard.world --set speed=200 --set light=2.5",
             "",
             "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
                     + " was not reached, or there are errors in the world or its models; 3 a run"
@@ -38,14 +42,7 @@ final class WorldCommand extends Command {
             description = "The world; docs/world.md tells how to write one.")
     private String world;
 
-    @Option(
-            names = "--seed",
-            paramLabel = "N",
-            defaultValue = "1",
-            description =
-                    "Of what is drawn: noise, offsets of sensors, where robots really stand;"
-                            + " default 1. The same seed gives the same run.")
-    private long seed;
+    @Mixin private SeedOptions seeds = new SeedOptions();
 
     @Option(
             names = "--report",
@@ -68,6 +65,8 @@ final class WorldCommand extends Command {
                             + " your rights: look at them first.")
     private boolean runDevices;
 
+    @Mixin private SetOption set = new SetOption();
+
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
@@ -78,10 +77,14 @@ final class WorldCommand extends Command {
         if (runs > 1 && report != null) {
             throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
         }
+        if (runs > 1 && !seeds.isSingle()) {
+            throw new WrongUse("--then is about one run; choose it with --seed, without --runs");
+        }
+        Seeds drawn = seeds.seeds();
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
         }
-        PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices));
+        PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices, set.values()));
         tellAside(prepared.aside());
         print(FindingsText.render(prepared.findings(), console().style()));
         if (!prepared.canRun()) {
@@ -90,19 +93,19 @@ final class WorldCommand extends Command {
             return ExitStatus.FINDINGS;
         }
         try {
-            return runs == 1 ? runOnce(prepared, session) : runOften(prepared);
+            return runs == 1 ? runOnce(prepared, drawn, session) : runOften(prepared);
         } catch (OutOfPatience e) {
             return BrickRunOptions.gaveUp(e, console());
         }
     }
 
-    private int runOnce(PreparedWorld prepared, Session session) throws WrongUse {
-        Recording recording = prepared.run(seed, bricks.patience(), bricks.limits());
+    private int runOnce(PreparedWorld prepared, Seeds drawn, Session session) throws WrongUse {
+        Recording recording = prepared.run(drawn, bricks.patience(), bricks.limits());
         print(WorldText.events(recording, console().style()));
         printLine("");
         printLine(WorldText.summary(recording));
         if (report != null) {
-            String title = world + ", seed " + seed;
+            String title = world + ", " + seeds.shown() + set.shown();
             printLine("wrote " + session.run(new WriteReplay(recording, title, report)));
         }
         return status(recording.succeeded());
@@ -110,8 +113,9 @@ final class WorldCommand extends Command {
 
     private int runOften(PreparedWorld prepared) throws WrongUse {
         int good = 0;
-        for (long each = seed; each < seed + runs; each++) {
-            Recording recording = prepared.run(each, bricks.patience(), bricks.limits());
+        long first = seeds.first();
+        for (long each = first; each < first + runs; each++) {
+            Recording recording = prepared.run(Seeds.of(each), bricks.patience(), bricks.limits());
             good += recording.succeeded() ? 1 : 0;
             printLine("seed " + each + ": " + WorldText.summary(recording));
         }

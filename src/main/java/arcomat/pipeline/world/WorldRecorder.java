@@ -1,13 +1,10 @@
 package arcomat.pipeline.world;
 
-import arcomat.sim.SimulatedBrick;
-import arcomat.sim.device.MotorOrder;
 import arcomat.sim.device.Observer;
-import arcomat.sim.device.Screen;
 import arcomat.sim.device.Stimulus;
+import arcomat.sim.time.VirtualTime;
 import arcomat.sim.trace.Lateness;
 import arcomat.world.Kind;
-import arcomat.world.Physics;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
@@ -15,10 +12,9 @@ import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Scene;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.Seeds;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
-
-import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -31,11 +27,9 @@ import java.util.Set;
 import java.util.TreeMap;
 
 /** Writes down what happens in a world. */
-final class WorldRecorder {
-    private static final long MICROSECONDS = 1000;
-
+final class WorldRecorder implements Witness {
     private final World world;
-    private final long seed;
+    private final Seeds seeds;
     private final List<Frame> frames = new ArrayList<>();
     private final List<Event> events = new ArrayList<>();
     private final Map<String, String> failures = new TreeMap<>();
@@ -43,16 +37,17 @@ final class WorldRecorder {
     private final Map<String, Lateness> lateness = new TreeMap<>();
     private final String[] displays;
 
-    WorldRecorder(World world, long seed) {
+    WorldRecorder(World world, Seeds seeds) {
         this.world = world;
-        this.seed = seed;
+        this.seeds = seeds;
         displays = new String[world.robots().size()];
         Arrays.fill(displays, "");
     }
 
     /** Hears what a robot sends, and sees where it takes its sensors for what they are not. */
-    Observer of(Robot robot) {
-        return new Sending() {
+    @Override
+    public Observer of(Robot robot) {
+        return new Silent() {
             @Override
             public void sensorRead(long time, int socket, int value) {
                 Kind kind = robot.kind();
@@ -78,17 +73,20 @@ final class WorldRecorder {
             @Override
             public void packetSent(long time, byte[] packet, int length) {
                 String bytes = HexFormat.of().formatHex(packet, 0, length);
-                events.add(new Event.Sent((int) (time / MICROSECONDS), robot.name(), bytes));
+                events.add(
+                        new Event.Sent(
+                                (int) (time / VirtualTime.MILLISECOND), robot.name(), bytes));
             }
         };
     }
 
-    void failed(String robot, String reason) {
+    @Override
+    public void failed(String robot, String reason) {
         failures.put(robot, reason);
     }
 
     Recording recording() {
-        return new Recording(world, seed, frames, events, failures, List.copyOf(blind), late());
+        return new Recording(world, seeds, frames, events, failures, List.copyOf(blind), late());
     }
 
     private List<Recording.Late> late() {
@@ -102,14 +100,9 @@ final class WorldRecorder {
                 .toList();
     }
 
-    /**
-     * Takes a scene.
-     *
-     * @param readings of the sensors of each robot
-     * @param bricks null before they are switched on
-     */
-    void record(Scene scene, int[][] readings, SimulatedBrick[] bricks) {
-        int time = (int) (scene.tick() * Physics.STEP);
+    @Override
+    public void see(Scene scene, Instruments instruments) {
+        int time = scene.time();
         for (Happening happening : scene.happenings()) {
             events.add(new Event.Happened(time, happening));
         }
@@ -117,15 +110,14 @@ final class WorldRecorder {
             return;
         }
         List<RobotFrame> robots = new ArrayList<>();
-        for (int i = 0; i < bricks.length; i++) {
-            look(i, time, bricks[i]);
-            robots.add(frame(scene.robots().get(i), readings[i], displays[i]));
+        for (int i = 0; i < displays.length; i++) {
+            look(i, time, instruments.display(i));
+            robots.add(frame(scene.robots().get(i), instruments.readings(i), displays[i]));
         }
         frames.add(new Frame(time, robots, scene.drinkers()));
     }
 
-    private void look(int index, int time, @Nullable SimulatedBrick brick) {
-        String shown = brick == null ? "" : brick.screen().get(0);
+    private void look(int index, int time, String shown) {
         if (!shown.equals(displays[index])) {
             displays[index] = shown;
             events.add(new Event.Showed(time, world.robots().get(index).name(), shown));
@@ -142,23 +134,5 @@ final class WorldRecorder {
                 display,
                 state.stock(),
                 state.brewing() > 0);
-    }
-
-    /** Everything but sending is seen in the frames. */
-    private abstract static class Sending implements Observer {
-        @Override
-        public void motorOrdered(long time, int motor, MotorOrder order, int value) {}
-
-        @Override
-        public void screenChanged(long time, Screen screen) {}
-
-        @Override
-        public void tonePlayed(long time, int hertz, int milliseconds) {}
-
-        @Override
-        public void packetReceived(long time, byte[] packet, int length) {}
-
-        @Override
-        public void slept(long from, long until) {}
     }
 }

@@ -8,8 +8,8 @@ import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.world.Device;
 import arcomat.world.Physics;
-import arcomat.world.Recording;
 import arcomat.world.Scene;
+import arcomat.world.Seeds;
 import arcomat.world.Senses;
 import arcomat.world.World;
 
@@ -22,9 +22,9 @@ import java.util.Objects;
 /**
  * A world and the bricks of its robots in lock step: each step of the world takes the speeds of the
  * shafts as they are, moves everything, and shows the sensors what they see next. A run depends on
- * the world, its programs and the seed, and on nothing else.
+ * the world, its programs and the seeds, and on nothing else.
  */
-final class WorldRun {
+final class WorldRun implements Witness.Instruments {
     private static final MotorName[] MOTORS = MotorName.values();
     private static final SensorName[] SOCKETS = SensorName.values();
     private static final long SECOND = 1000;
@@ -40,21 +40,21 @@ final class WorldRun {
     private final List<List<Device.Sensor>> sensors = new ArrayList<>();
     private final double[][] shafts;
     private final int[][] readings;
-    private final WorldRecorder recorder;
+    private final Witness witness;
 
     @SuppressWarnings("NullAway.Init") // a run begins with it
     private Scene scene;
 
-    private WorldRun(World world, long seed, Laboratory laboratory) {
+    private WorldRun(World world, Seeds seeds, Laboratory laboratory, Witness witness) {
         this.world = world;
         this.laboratory = laboratory;
+        this.witness = witness;
         int count = world.robots().size();
-        physics = new Physics(world, seed);
-        senses = new Senses(world, seed);
+        physics = new Physics(world, seeds.first());
+        senses = new Senses(world, seeds);
         bricks = new SimulatedBrick[count];
         shafts = new double[count][MOTORS.length];
         readings = new int[count][];
-        recorder = new WorldRecorder(world, seed);
         world.robots().forEach(robot -> sensors.add(robot.kind().sensors()));
         for (int i = 0; i < count; i++) {
             readings[i] = new int[sensors.get(i).size()];
@@ -69,19 +69,20 @@ final class WorldRun {
      * @param limits those of a brick that programs meet
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    static Recording run(
+    static void run(
             World world,
-            long seed,
+            Seeds seeds,
             Map<String, WorldPrograms.Equipment> equipment,
             Duration patience,
-            Limits limits) {
+            Limits limits,
+            Witness witness) {
         try (Laboratory laboratory = new Laboratory(limits)) {
             laboratory.limit(patience);
-            return new WorldRun(world, seed, laboratory).run(equipment);
+            new WorldRun(world, seeds, laboratory, witness).run(equipment);
         }
     }
 
-    private Recording run(Map<String, WorldPrograms.Equipment> equipment) {
+    private void run(Map<String, WorldPrograms.Equipment> equipment) {
         scene = physics.start();
         laboratory.surround(Physics.STEP, this::step);
         for (int i = 0; i < bricks.length; i++) {
@@ -90,7 +91,7 @@ final class WorldRun {
             WorldPrograms.Equipment own = Objects.requireNonNull(equipment.get(name));
             bricks[i] = laboratory.place(name, Objects.requireNonNull(own.program()));
             own.devices().plugInto(bricks[i]);
-            bricks[i].observe(recorder.of(world.robots().get(i)));
+            bricks[i].observe(witness.of(world.robots().get(i)));
             expose(i);
         }
         long end = world.seconds() * SECOND;
@@ -99,9 +100,8 @@ final class WorldRun {
             laboratory.runUntil(Math.min(end, laboratory.time() + watch));
         }
         for (SimulatedBrick brick : bricks) {
-            brick.outcome().failure().ifPresent(reason -> recorder.failed(brick.name(), reason));
+            brick.outcome().failure().ifPresent(reason -> witness.failed(brick.name(), reason));
         }
-        return recorder.recording();
     }
 
     private boolean isOver() {
@@ -127,7 +127,7 @@ final class WorldRun {
         for (int i = 0; i < bricks.length; i++) {
             expose(i);
         }
-        recorder.record(scene, readings, bricks);
+        witness.see(scene, this);
     }
 
     private void expose(int index) {
@@ -139,5 +139,16 @@ final class WorldRun {
                 bricks[index].expose(socket, Stimulus.value(readings[index][s]));
             }
         }
+    }
+
+    @Override
+    public int[] readings(int robot) {
+        return readings[robot];
+    }
+
+    @Override
+    public String display(int robot) {
+        SimulatedBrick brick = bricks[robot];
+        return brick == null ? "" : brick.screen().get(0);
     }
 }

@@ -1,0 +1,47 @@
+package arcomat.pipeline.world;
+
+import arcomat.sim.device.Observer;
+import arcomat.sim.time.VirtualTime;
+import arcomat.world.Scene;
+import arcomat.world.Summary;
+import arcomat.world.Tally;
+import arcomat.world.World;
+import arcomat.world.World.Robot;
+
+/** Keeps of a run what a campaign asks, and no frames. */
+final class WorldCounter implements Witness {
+    private final Tally tally;
+
+    WorldCounter(World world, long seed) {
+        tally = new Tally(world, seed);
+    }
+
+    Summary summary() {
+        return tally.summary();
+    }
+
+    @Override
+    public Observer of(Robot robot) {
+        return new Silent() {
+            @Override
+            public void late(long from, long until) {
+                tally.late(robot.name(), until - from);
+            }
+
+            @Override
+            public void packetSent(long time, byte[] packet, int length) {
+                tally.sent((int) (time / VirtualTime.MILLISECOND));
+            }
+        };
+    }
+
+    @Override
+    public void see(Scene scene, Instruments instruments) {
+        tally.see(scene);
+    }
+
+    @Override
+    public void failed(String robot, String reason) {
+        tally.failed(robot, reason);
+    }
+}
