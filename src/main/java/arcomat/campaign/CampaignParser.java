@@ -9,6 +9,7 @@ import arcomat.campaign.Variation.Range;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
+import arcomat.world.Word;
 import arcomat.world.Words;
 import arcomat.world.Words.Unreadable;
 
@@ -80,12 +81,12 @@ public final class CampaignParser {
         }
     }
 
-    private void statement(Words words, Span what) throws Unreadable {
+    private void statement(Words words, Word what) throws Unreadable {
         switch (what.text()) {
             case "vary" -> vary(words);
             case "require" -> demands.add(requirement(words));
             default -> {
-                unique(what.text(), what);
+                unique(what.text(), what.place());
                 single(words, what.text());
             }
         }
@@ -94,8 +95,8 @@ public final class CampaignParser {
     private void single(Words words, String what) throws Unreadable {
         switch (what) {
             case "world" -> {
-                Span path = words.next("the path of a world");
-                world = new Campaign.World(path.text(), path);
+                Word path = words.next("the path of a world");
+                world = new Campaign.World(path.text(), path.place());
             }
             case "sample" -> plan = plan(words);
             case "seeds" -> {
@@ -121,19 +122,19 @@ public final class CampaignParser {
     }
 
     private void vary(Words words) throws Unreadable {
-        Span name = words.next("the name of a parameter of the world");
-        unique("vary " + name.text(), name);
+        Word name = words.next("the name of a parameter of the world");
+        unique("vary " + name.text(), name.place());
         Domain domain =
                 words.choice("how", List.of("from", "of")).text().equals("of")
                         ? choice(words)
                         : range(words);
-        variations.put(name.text(), new Variation(name.text(), domain, name));
+        variations.put(name.text(), new Variation(name.text(), domain, name.place()));
     }
 
     private static Range range(Words words) throws Unreadable {
         double low = words.number("the least value", -FAR, FAR);
         words.expect("to");
-        Span end = words.next("the greatest value");
+        Word end = words.next("the greatest value");
         words.back();
         double high = words.number("the greatest value", -FAR, FAR);
         boolean whole = words.take("whole");
@@ -149,7 +150,7 @@ public final class CampaignParser {
     private static Choice choice(Words words) throws Unreadable {
         List<String> all = new ArrayList<>();
         do {
-            Span word = words.next("a value");
+            Word word = words.next("a value");
             if (all.contains(word.text())) {
                 throw words.wrong(word, "'" + word.text() + "' stands here twice");
             }
@@ -173,7 +174,7 @@ public final class CampaignParser {
     }
 
     private static Demand requirement(Words words) throws Unreadable {
-        Span start = words.next("an event, or a number in percent");
+        Word start = words.next("an event, or a number in percent");
         if (Character.isDigit(start.text().charAt(0))) {
             words.back();
             double quantile = words.number("percent of the runs", 0.001, 99.999) / 100;
@@ -181,13 +182,13 @@ public final class CampaignParser {
             String measure = words.choice("a measure", Quantity.words(false)).text();
             Side side = side(words);
             double bound = words.number("a bound", -FAR, FAR);
-            return new Demand.Share(quantile, measure, side, bound, confidence(words), start);
+            return new Demand.Share(quantile, measure, side, bound, confidence(words), start.place());
         }
         words.back();
         String event = words.choice("an event", Quantity.words(true)).text();
         Side side = side(words);
         double bound = words.number("a probability", 0.000000001, 0.999999999);
-        return new Demand.Probability(event, side, bound, confidence(words), start);
+        return new Demand.Probability(event, side, bound, confidence(words), start.place());
     }
 
     private static Side side(Words words) throws Unreadable {
@@ -202,19 +203,19 @@ public final class CampaignParser {
     }
 
     private static Comparison comparison(Words words) throws Unreadable {
-        Span parameter = words.next("the name of a parameter that varies");
+        Word parameter = words.next("the name of a parameter that varies");
         words.expect("by");
         String event = words.choice("an event", Quantity.words(true)).text();
-        return new Comparison(parameter.text(), event, confidence(words), parameter);
+        return new Comparison(parameter.text(), event, confidence(words), parameter.place());
     }
 
     private static Search search(Words words) throws Unreadable {
-        Span which = words.choice("which is the worst", List.of("smallest", "largest"));
+        Word which = words.choice("which is the worst", List.of("smallest", "largest"));
         String measure = words.choice("a measure", Quantity.words(false)).text();
         words.expect("runs");
         int runs = words.count("how many runs", 10, MOST);
         Side side = which.text().equals("smallest") ? Side.BELOW : Side.ABOVE;
-        return new Search(side, measure, runs, which);
+        return new Search(side, measure, runs, which.place());
     }
 
     private Reading result() {

@@ -1,9 +1,14 @@
 package arcomat.pipeline.world;
 
+import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.Aside;
 import arcomat.sim.Laboratory;
+import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.Limits;
+import arcomat.sim.device.SensorName;
+import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
+import arcomat.world.Kind;
 import arcomat.world.Recording;
 import arcomat.world.Seeds;
 import arcomat.world.Summary;
@@ -12,9 +17,13 @@ import arcomat.world.World;
 import org.jspecify.annotations.Nullable;
 
 import java.time.Duration;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
+import java.util.function.Supplier;
 
 /** A world whose robots have their programs: it can run, as often as wanted. */
 public final class PreparedWorld {
@@ -35,6 +44,54 @@ public final class PreparedWorld {
         this.files = files;
         this.world = world;
         this.equipment = equipment;
+    }
+
+    /**
+     * A world without a finding, whose programs were made before, perhaps by another process.
+     *
+     * @param programs by {@link Kind.Program#key}
+     * @throws IllegalArgumentException where a program is missing, or a robot has a device that is
+     *     described by a file: content travels, files do not
+     */
+    public static PreparedWorld of(World world, Map<String, Program> programs) {
+        Map<String, WorldPrograms.Equipment> equipment = new LinkedHashMap<>();
+        for (World.Robot robot : world.robots()) {
+            Program program = programs.get(robot.kind().program().key());
+            if (program == null) {
+                throw new IllegalArgumentException("no program was made for " + robot.name());
+            }
+            equipment.put(
+                    robot.name(), new WorldPrograms.Equipment(program, devices(robot.kind())));
+        }
+        return new PreparedWorld(List.of(), Aside.NOTHING, 1, world, equipment);
+    }
+
+    private static PluggedDevices devices(Kind kind) {
+        Map<SensorName, Supplier<I2CDevice>> devices = new EnumMap<>(SensorName.class);
+        for (Kind.Described each : kind.described()) {
+            Supplier<I2CDevice> device =
+                    PluggedDevices.known(each.device())
+                            .orElseThrow(
+                                    () ->
+                                            new IllegalArgumentException(
+                                                    "device " + each.device() + " is a file"));
+            devices.put(SensorName.values()[each.socket() - 1], device);
+        }
+        return new PluggedDevices(devices, List.of());
+    }
+
+    /** The programs of its robots, by {@link Kind.Program#key}; those that could be had. */
+    public Map<String, Program> programs() {
+        Map<String, Program> programs = new TreeMap<>();
+        if (world != null) {
+            for (World.Robot robot : world.robots()) {
+                WorldPrograms.Equipment own = equipment.get(robot.name());
+                if (own != null && own.program() != null) {
+                    programs.put(robot.kind().program().key(), own.program());
+                }
+            }
+        }
+        return programs;
     }
 
     /** About the world, and about the models of its robots. */

@@ -4,20 +4,16 @@ import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.pipeline.world.PreparedWorld;
-import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
-import arcomat.sim.load.Program;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.world.Summary;
-import arcomat.world.World;
 import arcomat.world.WorldParser;
 
 import org.jspecify.annotations.Nullable;
 
 import java.time.Duration;
-import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
@@ -81,15 +77,11 @@ public final class TrialRunner implements Function<Trial, Row> {
                     "line " + first.span().startPosition().line() + ": " + first.message();
             return new Stage(null, why);
         }
-        World world = parsed.world().get();
-        Map<String, Program> programs = new LinkedHashMap<>();
-        for (World.Robot robot : world.robots()) {
-            Program program = freight.programs().get(robot.kind().program().key());
-            if (program == null) {
-                return new Stage(null, "no program was made for " + robot.name());
-            }
-            programs.put(robot.name(), program);
+        try {
+            PreparedWorld world = PreparedWorld.of(parsed.world().get(), freight.programs());
+            return new Stage(world, "");
+        } catch (IllegalArgumentException e) {
+            return new Stage(null, String.valueOf(e.getMessage()));
         }
-        return new Stage(PreparedWorld.of(world, programs), "");
     }
 }
