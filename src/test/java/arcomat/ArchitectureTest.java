@@ -59,6 +59,7 @@ class ArchitectureTest {
                     // What can be simulated is known where it is.
                     Map.entry("brick", row("sim", "org.objectweb.asm")),
                     Map.entry("world", row("")),
+                    Map.entry("campaign", row("world", "org.hipparchus")),
                     Map.entry("simulate", row("semantics model rt")),
                     Map.entry("diagram", row("model", "org.eclipse.elk", "org.eclipse.emf")),
                     Map.entry("generate", row("semantics model", "freemarker")),
