@@ -1,7 +1,5 @@
 package arcomat.world;
 
-import arcomat.source.Diagnostic;
-import arcomat.source.Span;
 import arcomat.world.Kind.Described;
 import arcomat.world.Kind.Program;
 import arcomat.world.Kind.Wheels;
@@ -41,20 +39,20 @@ final class KindDraft {
     private static final List<String> MOTORS = List.of("A", "B", "C");
     private static final double FAR = 1000;
 
-    private final Span name;
+    private final Word name;
     private final List<Device> devices = new ArrayList<>();
     private final List<Described> described = new ArrayList<>();
-    private final Map<String, Span> used = new LinkedHashMap<>();
+    private final Map<String, Word> used = new LinkedHashMap<>();
     private @Nullable Program program;
     private double radius = 80;
     private double mass = 900;
     private @Nullable Wheels wheels;
 
-    KindDraft(Span name) {
+    KindDraft(Word name) {
         this.name = name;
     }
 
-    Span name() {
+    Word name() {
         return name;
     }
 
@@ -75,7 +73,7 @@ final class KindDraft {
 
     /** Reads a line that begins with one of {@link #PARTS}. */
     void read(Words words) throws Unreadable {
-        Span part = words.next("a part");
+        Word part = words.next("a part");
         switch (part.text()) {
             case "program" -> {
                 once(part);
@@ -99,41 +97,40 @@ final class KindDraft {
 
     /** The socket may have a sensor, too: it says what is around the device. */
     private Described described(Words words) throws Unreadable {
-        Span socket = words.choice("a socket", SOCKETS);
+        Word socket = words.choice("a socket", SOCKETS);
         once(socket, "device in ");
-        Span device = words.next("the path of a Java file");
-        return new Described(SOCKETS.indexOf(socket.text()) + 1, device.text(), device);
+        Word device = words.next("the path of a Java file");
+        return new Described(SOCKETS.indexOf(socket.text()) + 1, device.text(), device.place());
     }
 
-    private void once(Span word) throws Unreadable {
+    private void once(Word word) throws Unreadable {
         once(word, "");
     }
 
     /**
      * @param use what the word is used for, where it may also be used for something else
      */
-    private void once(Span word, String use) throws Unreadable {
-        Span before = used.putIfAbsent(use + word.text(), word);
+    private void once(Word word, String use) throws Unreadable {
+        Word before = used.putIfAbsent(use + word.text(), word);
         if (before != null) {
             throw new Unreadable(
-                    Diagnostic.error(
+                    word.error(
                                     TWICE,
-                                    word,
                                     "kind '%s' has '%s' twice"
                                             .formatted(name.text(), use + word.text()))
-                            .withRelated(before, "the first one"));
+                            .withRelated(before.place(), "the first one"));
         }
     }
 
     private static Program program(Words words) throws Unreadable {
         if (words.choice("what it is given as", List.of("component", "jar")).text().equals("jar")) {
-            Span file = words.next("the path of a jar");
-            return new Program(Program.Form.JAR, file.text(), "", file);
+            Word file = words.next("the path of a jar");
+            return new Program(Program.Form.JAR, file.text(), "", file.place());
         }
-        Span component = words.next("the qualified name of a component");
+        Word component = words.next("the qualified name of a component");
         words.expect("in");
         String folder = words.next("the folder of its models").text();
-        return new Program(Program.Form.COMPONENT, component.text(), folder, component);
+        return new Program(Program.Form.COMPONENT, component.text(), folder, component.place());
     }
 
     private Wheels wheels(Words words) throws Unreadable {
@@ -145,11 +142,11 @@ final class KindDraft {
     }
 
     /** The state of a robot has room for one. */
-    private Device arm(Span part, Words words) throws Unreadable {
+    private Device arm(Word part, Words words) throws Unreadable {
         if (devices.stream()
                 .anyMatch(d -> d instanceof Device.Slide || d instanceof Device.Finger)) {
             throw new Unreadable(
-                    Diagnostic.error(TWICE, part, "a robot has one arm, a slide or a finger"));
+                    part.error(TWICE, "a robot has one arm, a slide or a finger"));
         }
         int motor = motor(words);
         if (part.text().equals("slide")) {
@@ -201,7 +198,7 @@ final class KindDraft {
 
     /** Counts from 1. */
     private int connection(Words words, String meaning, List<String> names) throws Unreadable {
-        Span word = words.choice(meaning, names);
+        Word word = words.choice(meaning, names);
         once(word);
         return names.indexOf(word.text()) + 1;
     }

@@ -15,17 +15,20 @@ public final class Words {
 
     private static final Pattern WORD = Pattern.compile("[^\\s#]+|#.*");
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]{0,15}");
+    private static final Pattern PARAMETER = Pattern.compile("[A-Za-z][A-Za-z0-9_]*");
 
-    private final List<Span> words;
+    private final List<Word> words;
     private final String code;
     private int position;
 
-    private Words(List<Span> words, String code) {
+    private Words(List<Word> words, String code) {
         this.words = words;
         this.code = code;
     }
 
     /**
+     * The words of a world as they are written.
+     *
      * @param line from 1
      */
     static Words ofLine(SourceFile file, int line) {
@@ -33,19 +36,38 @@ public final class Words {
     }
 
     /**
+     * The words as they are written.
+     *
      * @param line from 1
      * @param code of the finding that a line is not written as it should be
      */
     public static Words ofLine(SourceFile file, int line, String code) {
+        return new Words(places(file, line).stream().map(Word::of).toList(), code);
+    }
+
+    /**
+     * The words of a world with the values of its parameters.
+     *
+     * @param line from 1
+     */
+    static Words ofLine(SourceFile file, int line, Parameters parameters) throws Unreadable {
+        List<Word> words = new ArrayList<>();
+        for (Span place : places(file, line)) {
+            words.add(parameters.read(place));
+        }
+        return new Words(words, SYNTAX);
+    }
+
+    private static List<Span> places(SourceFile file, int line) {
         int start = file.lineStart(line);
-        List<Span> words = new ArrayList<>();
+        List<Span> places = new ArrayList<>();
         Matcher matcher = WORD.matcher(file.line(line));
         while (matcher.find()) {
             if (matcher.group().charAt(0) != '#') {
-                words.add(file.span(start + matcher.start(), start + matcher.end()));
+                places.add(file.span(start + matcher.start(), start + matcher.end()));
             }
         }
-        return new Words(words, code);
+        return places;
     }
 
     public boolean isEmpty() {
@@ -53,7 +75,7 @@ public final class Words {
     }
 
     /** The first word; it stays to be read. */
-    public Span first() {
+    public Word first() {
         return words.get(0);
     }
 
@@ -63,12 +85,12 @@ public final class Words {
 
     /** From the first word to the last. */
     public Span whole() {
-        return words.get(0).to(words.get(words.size() - 1));
+        return words.get(0).place().to(words.get(words.size() - 1).place());
     }
 
-    public Span next(String expected) throws Unreadable {
+    public Word next(String expected) throws Unreadable {
         if (!hasNext()) {
-            Span last = words.get(words.size() - 1);
+            Span last = words.get(words.size() - 1).place();
             throw wrong(last.file().span(last.end(), last.end()), "here should follow " + expected);
         }
         return words.get(position++);
@@ -82,24 +104,33 @@ public final class Words {
     }
 
     public void expect(String word) throws Unreadable {
-        Span next = next("'" + word + "'");
+        Word next = next("'" + word + "'");
         if (!next.text().equals(word)) {
             throw wrong(next, "'" + next.text() + "' stands where '" + word + "' should");
         }
     }
 
     /** A name as a brick can have: a letter, then letters, digits, - and _; up to 16. */
-    Span name(String meaning) throws Unreadable {
-        Span word = next(meaning);
+    Word name(String meaning) throws Unreadable {
+        Word word = next(meaning);
         if (!NAME.matcher(word.text()).matches()) {
             throw isNot(word, meaning + ": a letter, then letters, digits, - and _, up to 16");
         }
         return word;
     }
 
+    /** The name of a parameter: a letter, then letters, digits and _. */
+    public Span parameter(String meaning) throws Unreadable {
+        Word word = next(meaning);
+        if (!PARAMETER.matcher(word.text()).matches()) {
+            throw isNot(word, meaning + ": a letter, then letters, digits and _");
+        }
+        return word.place();
+    }
+
     public double number(String meaning, double low, double high) throws Unreadable {
         String expected = "%s, %s to %s".formatted(meaning, shown(low), shown(high));
-        Span word = next(expected);
+        Word word = next(expected);
         double number = parsed(word.text());
         if (number >= low && number <= high) { // not a number is neither
             return number;
@@ -124,9 +155,9 @@ public final class Words {
     }
 
     /** One of some words. */
-    public Span choice(String meaning, List<String> allowed) throws Unreadable {
+    public Word choice(String meaning, List<String> allowed) throws Unreadable {
         String expected = meaning + ": " + String.join(", ", allowed);
-        Span word = next(expected);
+        Word word = next(expected);
         if (!allowed.contains(word.text())) {
             throw isNot(word, expected);
         }
@@ -135,18 +166,27 @@ public final class Words {
 
     public void end() throws Unreadable {
         if (hasNext()) {
-            Span word = words.get(position);
+            Word word = words.get(position);
             throw wrong(word, "'" + word.text() + "' is one word too many");
         }
     }
 
-    private Unreadable isNot(Span word, String expected) {
+    private Unreadable isNot(Word word, String expected) {
         return wrong(word, "'" + word.text() + "' is not " + expected);
+    }
+
+    /** Something about a word that its reader has found. */
+    public Unreadable wrong(Word word, String message) {
+        return new Unreadable(word.error(code, message));
     }
 
     /** Something about this line that its reader has found. */
     public Unreadable wrong(Span place, String message) {
         return new Unreadable(Diagnostic.error(code, place, message));
+    }
+
+    static Unreadable broken(Word word, String message) {
+        return new Unreadable(word.error(SYNTAX, message));
     }
 
     static Unreadable broken(Span place, String message) {

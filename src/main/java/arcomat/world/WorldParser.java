@@ -22,15 +22,24 @@ public final class WorldParser {
     private static final String UNKNOWN = "ARC1123";
     private static final List<String> STATEMENTS =
             List.of(
-                    "floor", "seconds", "goal", "noise", "line", "wall", "kind", "robot",
+                    Parameters.STATEMENT,
+                    "floor",
+                    "seconds",
+                    "goal",
+                    "noise",
+                    "line",
+                    "wall",
+                    "kind",
+                    "robot",
                     "drinker");
     private static final double FAR = 1_000_000;
     private static final double LINE_WIDTH = 40;
     private static final int LONGEST = 86_400;
 
     private final SourceFile file;
+    private final Parameters parameters;
     private final List<Diagnostic> findings = new ArrayList<>();
-    private final Map<String, Span> once = new LinkedHashMap<>();
+    private final Map<String, Word> once = new LinkedHashMap<>();
     private final Map<String, KindDraft> kinds = new LinkedHashMap<>();
     private final List<Stripe> stripes = new ArrayList<>();
     private final List<RobotDraft> robots = new ArrayList<>();
@@ -42,8 +51,9 @@ public final class WorldParser {
     private int goal;
     private Noise noise = Noise.USUAL;
 
-    private WorldParser(SourceFile file) {
+    private WorldParser(SourceFile file, Parameters parameters) {
         this.file = file;
+        this.parameters = parameters;
     }
 
     /**
@@ -62,21 +72,47 @@ public final class WorldParser {
     record Stripe(
             Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
 
-    private record RobotDraft(Span name, Span kind, Pose pose, Cup cup) {}
+    private record RobotDraft(Word name, Word kind, Pose pose, Cup cup) {}
 
+    /** With the usual values of its parameters. */
     public static Parsed parse(SourceFile file) {
-        WorldParser parser = new WorldParser(file);
+        return parse(file, Map.of());
+    }
+
+    /**
+     * With other values of some of its parameters. Findings point at what is written.
+     *
+     * @param values by the names of {@link #parameters}; other names mean nothing
+     */
+    public static Parsed parse(SourceFile file, Map<String, String> values) {
+        WorldParser parser = new WorldParser(file, Parameters.of(file, values));
         for (int line = 1; line <= file.lineCount(); line++) {
-            Words words = Words.ofLine(file, line);
-            if (!words.isEmpty()) {
-                parser.read(words);
-            }
+            parser.read(line);
         }
         return parser.result();
     }
 
-    private void read(Words words) {
+    /** What a world leaves to whoever runs it, in the order of the text. */
+    public static List<Parameter> parameters(SourceFile file) {
+        return Parameters.of(file, Map.of()).all();
+    }
+
+    private void read(int line) {
         try {
+            if (Words.ofLine(file, line).take(Parameters.STATEMENT)) {
+                open = null; // it is read already
+                return;
+            }
+            Words words = Words.ofLine(file, line, parameters);
+            if (!words.isEmpty()) {
+                read(words);
+            }
+        } catch (Unreadable e) {
+            findings.add(e.finding());
+        }
+    }
+
+    private void read(Words words) throws Unreadable {
             if (KindDraft.PARTS.contains(words.first().text())) {
                 part(words);
                 return;
@@ -84,14 +120,11 @@ public final class WorldParser {
             open = null;
             statement(words, words.choice("what there is", STATEMENTS).text());
             words.end();
-        } catch (Unreadable e) {
-            findings.add(e.finding());
-        }
     }
 
     private void part(Words words) throws Unreadable {
         if (open == null) {
-            Span part = words.first();
+            Word part = words.first();
             throw Words.broken(
                     part,
                     "'%s' is a part of robots: write it below a line 'kind NAME'"
@@ -128,6 +161,8 @@ public final class WorldParser {
             }
             case "kind" -> kind(words.name("the name of a kind"));
             case "robot" -> robot(words);
+            case Parameters.STATEMENT ->
+                    throw Words.broken(words.first(), "write 'parameter' as it is, without a '$'");
             default -> drinker(words);
         }
     }
@@ -137,12 +172,12 @@ public final class WorldParser {
     }
 
     /** What there is only once: a statement, or the bearer of a name. */
-    private void unique(String name, Span place) throws Unreadable {
-        Span before = once.putIfAbsent(name, place);
+    private void unique(String name, Word word) throws Unreadable {
+        Word before = once.putIfAbsent(name, word);
         if (before != null) {
             throw new Unreadable(
-                    Diagnostic.error(KindDraft.TWICE, place, "there are two '" + name + "'")
-                            .withRelated(before, "the first one"));
+                    word.error(KindDraft.TWICE, "there are two '" + name + "'")
+                            .withRelated(before.place(), "the first one"));
         }
     }
 
@@ -184,15 +219,15 @@ public final class WorldParser {
         return new Point(words.number("x in mm", -FAR, FAR), words.number("y in mm", -FAR, FAR));
     }
 
-    private void kind(Span name) throws Unreadable {
+    private void kind(Word name) throws Unreadable {
         open = new KindDraft(name);
         unique("kind " + name.text(), name);
         kinds.put(name.text(), open);
     }
 
     private void robot(Words words) throws Unreadable {
-        Span name = words.name("the name of a robot");
-        Span kind = words.name("the name of a kind");
+        Word name = words.name("the name of a robot");
+        Word kind = words.name("the name of a kind");
         words.expect("at");
         Point place = point(words);
         double heading = words.take("heading") ? words.number("degrees", -360, 360) : 0;
@@ -209,16 +244,17 @@ public final class WorldParser {
     }
 
     private void drinker(Words words) throws Unreadable {
-        Span name = words.name("the name of a drinker");
+        Word name = words.name("the name of a drinker");
         words.expect("at");
         Point spot = point(words);
         words.expect("every");
         double thirst = words.number("seconds from cup to cup", 0, LONGEST);
         unique(name.text(), name);
-        drinkers.add(new Drinker(name.text(), spot, thirst, name));
+        drinkers.add(new Drinker(name.text(), spot, thirst, name.place()));
     }
 
     private Parsed result() {
+        findings.addAll(parameters.findings());
         requireThere(once.containsKey("floor"), "a floor: write 'floor WIDTH DEPTH', in mm");
         requireThere(!robots.isEmpty(), "robots: write 'robot NAME KIND at X Y'");
         Map<String, Kind> built = new LinkedHashMap<>();
@@ -240,7 +276,7 @@ public final class WorldParser {
                                 kind,
                                 robot.pose(),
                                 robot.cup(),
-                                robot.name()));
+                                robot.name().place()));
             } else if (!kinds.containsKey(robot.kind().text())) {
                 findings.add(unknown(robot.kind()));
             }
@@ -266,13 +302,13 @@ public final class WorldParser {
             "kind '%s' has no program: write 'program component NAME in FOLDER' or 'program jar"
                     + " FILE' below it";
 
-    private Diagnostic unknown(Span kind) {
+    private Diagnostic unknown(Word kind) {
         String known =
                 kinds.isEmpty()
                         ? "none is described"
                         : "known: " + String.join(", ", kinds.keySet());
-        return Diagnostic.error(
-                UNKNOWN, kind, "there is no kind '" + kind.text() + "' of robots; " + known);
+        return kind.error(
+                UNKNOWN, "there is no kind '" + kind.text() + "' of robots; " + known);
     }
 
     private List<World.Line> ways() {

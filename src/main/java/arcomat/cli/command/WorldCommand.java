@@ -1,6 +1,7 @@
 package arcomat.cli.command;
 
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.SetOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -27,6 +28,7 @@ import picocli.CommandLine.Parameters;
             "  arcomat world models/coffee/world/meeting.world",
             "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
             "  arcomat world models/coffee/world/meeting.world --runs 100",
+            "  arcomat world yard.world --set speed=200 --set light=2.5",
             "",
             "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
                     + " was not reached, or there are errors in the world or its models; 3 a run"
@@ -68,6 +70,8 @@ final class WorldCommand extends Command {
                             + " your rights: look at them first.")
     private boolean runDevices;
 
+    @Mixin private SetOption set = new SetOption();
+
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
@@ -81,7 +85,7 @@ final class WorldCommand extends Command {
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
         }
-        PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices));
+        PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices, set.values()));
         tellAside(prepared.aside());
         print(FindingsText.render(prepared.findings(), console().style()));
         if (!prepared.canRun()) {
@@ -102,7 +106,7 @@ final class WorldCommand extends Command {
         printLine("");
         printLine(WorldText.summary(recording));
         if (report != null) {
-            String title = world + ", seed " + seed;
+            String title = world + ", seed " + seed + set.shown();
             printLine("wrote " + session.run(new WriteReplay(recording, title, report)));
         }
         return status(recording.succeeded());

@@ -6,12 +6,15 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
 import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.world.Parameter;
 import arcomat.world.World;
 import arcomat.world.WorldParser;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * Reads a world and brings the programs of its robots.
@@ -19,15 +22,27 @@ import java.util.Map;
  * @param file the world, as the user wrote it
  * @param runDevices whether Java files that the world names as devices may be compiled and run,
  *     which is a finding otherwise
+ * @param values of parameters of the world that are to have others than the usual ones
  */
-public record PrepareWorld(String file, boolean runDevices) implements Task<PreparedWorld> {
+public record PrepareWorld(String file, boolean runDevices, Map<String, String> values)
+        implements Task<PreparedWorld> {
+    public PrepareWorld {
+        values = Map.copyOf(values);
+    }
+
+    /** With the usual values of the world's parameters. */
+    public PrepareWorld(String file, boolean runDevices) {
+        this(file, runDevices, Map.of());
+    }
+
     /**
-     * @throws WrongUse where the world cannot be read
+     * @throws WrongUse where the world cannot be read, or does not have a parameter
      */
     @Override
     public PreparedWorld run(Session session) throws WrongUse {
-        WorldParser.Parsed parsed =
-                WorldParser.parse(FileReader.required("world", file, session.names()));
+        SourceFile text = FileReader.required("world", file, session.names());
+        requireParameters(text);
+        WorldParser.Parsed parsed = WorldParser.parse(text, values);
         if (parsed.world().isEmpty()) {
             return new PreparedWorld(parsed.findings(), Aside.NOTHING, 1, null, Map.of());
         }
@@ -37,5 +52,16 @@ public record PrepareWorld(String file, boolean runDevices) implements Task<Prep
         findings.addAll(programs.findings());
         return new PreparedWorld(
                 findings, programs.aside(), 1 + programs.files(), world, programs.equipment());
+    }
+
+    private void requireParameters(SourceFile text) throws WrongUse {
+        List<String> names = WorldParser.parameters(text).stream().map(Parameter::name).toList();
+        Optional<String> unknown =
+                values.keySet().stream().sorted().filter(name -> !names.contains(name)).findFirst();
+        if (unknown.isPresent()) {
+            throw new WrongUse(
+                    "'%s' has no parameter '%s'; it has %s",
+                    file, unknown.get(), names.isEmpty() ? "none" : String.join(", ", names));
+        }
     }
 }

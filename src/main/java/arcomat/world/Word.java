@@ -1,0 +1,39 @@
+package arcomat.world;
+
+import arcomat.source.Diagnostic;
+import arcomat.source.Span;
+
+import java.util.List;
+
+/**
+ * A word of a world, or of a text that is read like one.
+ *
+ * @param text what it says: parameters are replaced by their values
+ * @param place where it is written
+ * @param values of the parameters that stand in it
+ */
+public record Word(String text, Span place, List<Given> values) {
+    public Word {
+        values = List.copyOf(values);
+    }
+
+    /** A word as it is written. */
+    static Word of(Span place) {
+        return new Word(place.text(), place, List.of());
+    }
+
+    /** A parameter with its value in this run. */
+    public record Given(Parameter parameter, String value) {}
+
+    /** A finding about this word, which says where its text comes from if that is elsewhere. */
+    Diagnostic error(String code, String message) {
+        Diagnostic finding = Diagnostic.error(code, place, message);
+        for (Given given : values) {
+            finding =
+                    finding.withRelated(
+                            given.parameter().place(),
+                            "'$%s' is '%s'".formatted(given.parameter().name(), given.value()));
+        }
+        return finding;
+    }
+}
