@@ -1,7 +1,9 @@
 package arcomat.world;
 
+import arcomat.world.Seeds.Change;
+
 /**
- * Numbers drawn from a seed, each by what it is for and not by when it is asked: a robot more in a
+ * Numbers drawn from seeds, each by what it is for and not by when it is asked: a robot more in a
  * world changes nothing for the others.
  */
 final class Chance {
@@ -9,15 +11,22 @@ final class Chance {
     private static final int PARTS = 4;
     private static final double PART = 0x10000;
 
-    private final long seed;
+    /** Of what is drawn once, before the first step. */
+    static final long ONCE = -1;
 
-    Chance(long seed) {
-        this.seed = seed;
+    private final Seeds seeds;
+
+    Chance(Seeds seeds) {
+        this.seeds = seeds;
     }
 
-    /** About normal, of mean 0 and deviation 1, never beyond 3.5. */
+    /**
+     * About normal, of mean 0 and deviation 1, never beyond 3.5.
+     *
+     * @param moment a step of the world, or {@link #ONCE}
+     */
     double normal(long subject, long purpose, long moment) {
-        long bits = mix(mix(mix(seed + GOLDEN) + subject * GOLDEN + purpose) + moment * GOLDEN);
+        long bits = mix(drawn(seedAt(moment), subject, purpose) + moment * GOLDEN);
         double sum = 0;
         for (int i = 0; i < PARTS; i++) {
             sum += (bits & 0xFFFF) / PART - 0.5;
@@ -26,9 +35,24 @@ final class Chance {
         return sum * Math.sqrt(12.0 / PARTS);
     }
 
-    /** Even, from 0 to 1. */
+    /** Even, from 0 to 1; drawn once. */
     double even(long subject, long purpose) {
-        return (mix(mix(mix(seed + GOLDEN) + subject * GOLDEN + purpose)) >>> 11) * 0x1.0p-53;
+        return (mix(drawn(seeds.first(), subject, purpose)) >>> 11) * 0x1.0p-53;
+    }
+
+    private static long drawn(long seed, long subject, long purpose) {
+        return mix(mix(seed + GOLDEN) + subject * GOLDEN + purpose);
+    }
+
+    private long seedAt(long moment) {
+        long seed = seeds.first();
+        for (Change change : seeds.changes()) {
+            if (moment < change.tick()) {
+                break;
+            }
+            seed = change.seed();
+        }
+        return seed;
     }
 
     /** The finishing steps of SplitMix64. */

@@ -41,7 +41,7 @@ public final class Physics {
 
     public Physics(World world, long seed) {
         this.world = world;
-        Chance chance = new Chance(seed);
+        Chance chance = new Chance(Seeds.of(seed));
         int count = world.robots().size();
         leftRoll = new double[count];
         rightRoll = new double[count];
@@ -78,7 +78,7 @@ public final class Physics {
                     case HEADING -> Math.toRadians(noise.heading());
                     case SWITCHED_ON -> 0;
                 };
-        return deviation * chance.normal(robot, purpose.ordinal(), -1);
+        return deviation * chance.normal(robot, purpose.ordinal(), Chance.ONCE);
     }
 
     private enum Purpose {

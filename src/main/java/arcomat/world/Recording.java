@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 /**
  * What happened in a world: enough to show it again, without running anything.
  *
- * @param seed of what was drawn
+ * @param seeds of what was drawn
  * @param frames the world every {@value #PERIOD} milliseconds
  * @param events what people would tell of, in the order of time
  * @param failures why programs stopped, by robot
@@ -23,7 +23,7 @@ import java.util.stream.IntStream;
  */
 public record Recording(
         World world,
-        long seed,
+        Seeds seeds,
         List<Frame> frames,
         List<Event> events,
         Map<String, String> failures,

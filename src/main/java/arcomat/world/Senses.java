@@ -6,7 +6,7 @@ import java.util.stream.IntStream;
 
 /**
  * What sensors see of a scene, each in its own unit: cm, percent, 1 for pressed. Each has an offset
- * of its own, and each reading an error; both come from the seed.
+ * of its own, and each reading an error; both come from the seeds.
  */
 public final class Senses {
     private static final double DARK = 15;
@@ -34,9 +34,9 @@ public final class Senses {
     private final World world;
     private final Chance chance;
 
-    public Senses(World world, long seed) {
+    public Senses(World world, Seeds seeds) {
         this.world = world;
-        this.chance = new Chance(seed);
+        this.chance = new Chance(seeds);
     }
 
     /** The reading of a sensor of the robot with this index. */
@@ -154,7 +154,7 @@ public final class Senses {
             if (deviation == 0) {
                 return 0;
             }
-            double offset = chance.normal(index, OFFSET + socket, -1);
+            double offset = chance.normal(index, OFFSET + socket, Chance.ONCE);
             return deviation * (2 * offset + chance.normal(index, OFFSET + socket, scene.tick()));
         }
     }

@@ -13,7 +13,7 @@ import java.util.TreeMap;
  * What a run of a world comes to: as much as a campaign asks of each of its runs. Where a {@link
  * Recording} of the same run says the same, it says the same.
  *
- * @param seed of what was drawn
+ * @param seed of what was drawn, the first one where there were several
  * @param duration milliseconds from the beginning to the last frame or event
  * @param counts how often what happened; what never did is not there
  * @param goalReached whether as many cups were delivered as the world wants; false where it wants

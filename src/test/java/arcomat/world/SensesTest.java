@@ -1,6 +1,7 @@
 package arcomat.world;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import net.jqwik.api.ForAll;
@@ -8,6 +9,9 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 
 import org.junit.jupiter.api.Test;
+
+import java.util.List;
+import java.util.stream.LongStream;
 
 /** What sensors see. */
 class SensesTest {
@@ -23,7 +27,7 @@ class SensesTest {
     private static int read(World world, long seed, int sensor) {
         Scene scene = new Physics(world, seed).start();
         Device.Sensor device = world.robots().get(0).kind().sensors().get(sensor);
-        return new Senses(world, seed).read(scene, 0, device);
+        return new Senses(world, Seeds.of(seed)).read(scene, 0, device);
     }
 
     /** The sensor is 75 mm before the robot's middle. */
@@ -76,10 +80,41 @@ class SensesTest {
         World world =
                 Worlds.of(FLOOR.replace("noise none\n", "") + "robot one rover at 1000 2000\n");
         long different =
-                java.util.stream.LongStream.range(0, 100)
+                LongStream.range(0, 100)
                         .mapToInt(seed -> read(world, seed, LIGHT))
                         .distinct()
                         .count();
         assertThat(different).isGreaterThan(3);
+    }
+
+    /** What was drawn before stays; so do the offsets of sensors, which are drawn once. */
+    @Property(tries = 100)
+    void anotherSeedDrawsFromItsMomentOn(@ForAll @IntRange(min = 0, max = 1000) int seed) {
+        World world = Worlds.of(FLOOR.replace("none", "light 4") + "robot one rover at 1000 2000\n");
+        List<Integer> plain = readings(world, Seeds.of(seed));
+        List<Integer> other = readings(world, Seeds.of(seed).then(100, seed + 1L));
+        List<Integer> back = readings(world, Seeds.of(seed).then(100, seed + 1L).then(200, seed));
+        assertThat(other.subList(0, 100)).isEqualTo(plain.subList(0, 100));
+        assertThat(other.subList(100, 200)).isNotEqualTo(plain.subList(100, 200));
+        assertThat(back.subList(0, 200)).isEqualTo(other.subList(0, 200));
+        assertThat(back.subList(200, 300)).isEqualTo(plain.subList(200, 300));
+    }
+
+    private static List<Integer> readings(World world, Seeds seeds) {
+        Scene start = new Physics(world, seeds.first()).start();
+        Senses senses = new Senses(world, seeds);
+        Device.Sensor light = world.robots().get(0).kind().sensors().get(LIGHT);
+        return LongStream.range(0, 300)
+                .mapToObj(tick -> new Scene(tick, start.robots(), start.drinkers(), List.of()))
+                .map(scene -> senses.read(scene, 0, light))
+                .toList();
+    }
+
+    @Test
+    void seedsChangeInTheOrderOfTime() {
+        Seeds seeds = Seeds.of(1).then(100, 2);
+        assertThatThrownBy(() -> seeds.then(100, 3)).isInstanceOf(IllegalArgumentException.class);
+        assertThatThrownBy(() -> Seeds.of(1).then(-1, 3))
+                .isInstanceOf(IllegalArgumentException.class);
     }
 }

@@ -1,6 +1,7 @@
 package arcomat.cli.command;
 
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.SeedOptions;
 import arcomat.cli.option.SetOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
@@ -13,6 +14,7 @@ import arcomat.report.finding.FindingsText;
 import arcomat.report.world.WorldText;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.world.Recording;
+import arcomat.world.Seeds;
 
 import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
@@ -40,14 +42,7 @@ final class WorldCommand extends Command {
             description = "The world; docs/world.md tells how to write one.")
     private String world;
 
-    @Option(
-            names = "--seed",
-            paramLabel = "N",
-            defaultValue = "1",
-            description =
-                    "Of what is drawn: noise, offsets of sensors, where robots really stand;"
-                            + " default 1. The same seed gives the same run.")
-    private long seed;
+    @Mixin private SeedOptions seeds = new SeedOptions();
 
     @Option(
             names = "--report",
@@ -82,6 +77,10 @@ final class WorldCommand extends Command {
         if (runs > 1 && report != null) {
             throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
         }
+        if (runs > 1 && !seeds.isSingle()) {
+            throw new WrongUse("--then is about one run; choose it with --seed, without --runs");
+        }
+        Seeds drawn = seeds.seeds();
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
         }
@@ -94,19 +93,19 @@ final class WorldCommand extends Command {
             return ExitStatus.FINDINGS;
         }
         try {
-            return runs == 1 ? runOnce(prepared, session) : runOften(prepared);
+            return runs == 1 ? runOnce(prepared, drawn, session) : runOften(prepared);
         } catch (OutOfPatience e) {
             return BrickRunOptions.gaveUp(e, console());
         }
     }
 
-    private int runOnce(PreparedWorld prepared, Session session) throws WrongUse {
-        Recording recording = prepared.run(seed, bricks.patience(), bricks.limits());
+    private int runOnce(PreparedWorld prepared, Seeds drawn, Session session) throws WrongUse {
+        Recording recording = prepared.run(drawn, bricks.patience(), bricks.limits());
         print(WorldText.events(recording, console().style()));
         printLine("");
         printLine(WorldText.summary(recording));
         if (report != null) {
-            String title = world + ", seed " + seed + set.shown();
+            String title = world + ", " + seeds.shown() + set.shown();
             printLine("wrote " + session.run(new WriteReplay(recording, title, report)));
         }
         return status(recording.succeeded());
@@ -114,8 +113,10 @@ final class WorldCommand extends Command {
 
     private int runOften(PreparedWorld prepared) throws WrongUse {
         int good = 0;
-        for (long each = seed; each < seed + runs; each++) {
-            Recording recording = prepared.run(each, bricks.patience(), bricks.limits());
+        long first = seeds.first();
+        for (long each = first; each < first + runs; each++) {
+            Recording recording =
+                    prepared.run(Seeds.of(each), bricks.patience(), bricks.limits());
             good += recording.succeeded() ? 1 : 0;
             printLine("seed " + each + ": " + WorldText.summary(recording));
         }

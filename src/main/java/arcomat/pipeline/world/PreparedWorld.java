@@ -5,6 +5,7 @@ import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.world.Recording;
+import arcomat.world.Seeds;
 import arcomat.world.Summary;
 import arcomat.world.World;
 
@@ -58,33 +59,43 @@ public final class PreparedWorld {
 
     /** Runs it, as long as usual, on bricks as they are. */
     public Recording run(long seed) {
-        return run(seed, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+        return run(Seeds.of(seed), Laboratory.PATIENCE, Limits.OF_THE_BRICK);
     }
 
     /**
      * Runs it, to its goal or to its end, and keeps what is needed to show it again.
      *
-     * @param seed of everything that is drawn
+     * @param seeds of everything that is drawn
      * @param patience how long it may take by the PC's clock
      * @param limits those of a brick that programs meet
      * @throws arcomat.sim.time.OutOfPatience where it takes longer
      */
-    public Recording run(long seed, Duration patience, Limits limits) {
-        WorldRecorder recorder = new WorldRecorder(ready(), seed);
-        watch(seed, patience, limits, recorder);
+    public Recording run(Seeds seeds, Duration patience, Limits limits) {
+        WorldRecorder recorder = new WorldRecorder(ready(), seeds);
+        watch(seeds, patience, limits, recorder);
         return recorder.recording();
     }
 
-    /** As {@link #run(long, Duration, Limits)}, and keeps what it comes to. */
-    public Summary summarize(long seed, Duration patience, Limits limits) {
-        WorldCounter counter = new WorldCounter(ready(), seed);
-        watch(seed, patience, limits, counter);
+    /** The same where one seed draws everything. */
+    public Recording run(long seed, Duration patience, Limits limits) {
+        return run(Seeds.of(seed), patience, limits);
+    }
+
+    /** As {@link #run(Seeds, Duration, Limits)}, and keeps what it comes to. */
+    public Summary summarize(Seeds seeds, Duration patience, Limits limits) {
+        WorldCounter counter = new WorldCounter(ready(), seeds.first());
+        watch(seeds, patience, limits, counter);
         return counter.summary();
     }
 
-    /** As {@link #run(long, Duration, Limits)}, before somebody who keeps what he likes. */
-    public void watch(long seed, Duration patience, Limits limits, Witness witness) {
-        WorldRun.run(ready(), seed, equipment, patience, limits, witness);
+    /** The same where one seed draws everything. */
+    public Summary summarize(long seed, Duration patience, Limits limits) {
+        return summarize(Seeds.of(seed), patience, limits);
+    }
+
+    /** As {@link #run(Seeds, Duration, Limits)}, before somebody who keeps what he likes. */
+    public void watch(Seeds seeds, Duration patience, Limits limits, Witness witness) {
+        WorldRun.run(ready(), seeds, equipment, patience, limits, witness);
     }
 
     private World ready() {

@@ -12,6 +12,7 @@ import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Scene;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.Seeds;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
 
@@ -28,7 +29,7 @@ import java.util.TreeMap;
 /** Writes down what happens in a world. */
 final class WorldRecorder implements Witness {
     private final World world;
-    private final long seed;
+    private final Seeds seeds;
     private final List<Frame> frames = new ArrayList<>();
     private final List<Event> events = new ArrayList<>();
     private final Map<String, String> failures = new TreeMap<>();
@@ -36,9 +37,9 @@ final class WorldRecorder implements Witness {
     private final Map<String, Lateness> lateness = new TreeMap<>();
     private final String[] displays;
 
-    WorldRecorder(World world, long seed) {
+    WorldRecorder(World world, Seeds seeds) {
         this.world = world;
-        this.seed = seed;
+        this.seeds = seeds;
         displays = new String[world.robots().size()];
         Arrays.fill(displays, "");
     }
@@ -85,7 +86,7 @@ final class WorldRecorder implements Witness {
     }
 
     Recording recording() {
-        return new Recording(world, seed, frames, events, failures, List.copyOf(blind), late());
+        return new Recording(world, seeds, frames, events, failures, List.copyOf(blind), late());
     }
 
     private List<Recording.Late> late() {

@@ -9,6 +9,7 @@ import arcomat.sim.device.Stimulus;
 import arcomat.world.Device;
 import arcomat.world.Physics;
 import arcomat.world.Scene;
+import arcomat.world.Seeds;
 import arcomat.world.Senses;
 import arcomat.world.World;
 
@@ -21,7 +22,7 @@ import java.util.Objects;
 /**
  * A world and the bricks of its robots in lock step: each step of the world takes the speeds of the
  * shafts as they are, moves everything, and shows the sensors what they see next. A run depends on
- * the world, its programs and the seed, and on nothing else.
+ * the world, its programs and the seeds, and on nothing else.
  */
 final class WorldRun implements Witness.Instruments {
     private static final MotorName[] MOTORS = MotorName.values();
@@ -44,13 +45,13 @@ final class WorldRun implements Witness.Instruments {
     @SuppressWarnings("NullAway.Init") // a run begins with it
     private Scene scene;
 
-    private WorldRun(World world, long seed, Laboratory laboratory, Witness witness) {
+    private WorldRun(World world, Seeds seeds, Laboratory laboratory, Witness witness) {
         this.world = world;
         this.laboratory = laboratory;
         this.witness = witness;
         int count = world.robots().size();
-        physics = new Physics(world, seed);
-        senses = new Senses(world, seed);
+        physics = new Physics(world, seeds.first());
+        senses = new Senses(world, seeds);
         bricks = new SimulatedBrick[count];
         shafts = new double[count][MOTORS.length];
         readings = new int[count][];
@@ -70,14 +71,14 @@ final class WorldRun implements Witness.Instruments {
      */
     static void run(
             World world,
-            long seed,
+            Seeds seeds,
             Map<String, WorldPrograms.Equipment> equipment,
             Duration patience,
             Limits limits,
             Witness witness) {
         try (Laboratory laboratory = new Laboratory(limits)) {
             laboratory.limit(patience);
-            new WorldRun(world, seed, laboratory, witness).run(equipment);
+            new WorldRun(world, seeds, laboratory, witness).run(equipment);
         }
     }
 

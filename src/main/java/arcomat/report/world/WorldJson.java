@@ -3,12 +3,14 @@ package arcomat.report.world;
 import arcomat.report.text.Fields;
 import arcomat.report.text.Json;
 import arcomat.world.Device;
+import arcomat.world.Physics;
 import arcomat.world.Point;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Scene.Happening;
+import arcomat.world.Seeds;
 import arcomat.world.Segment;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
@@ -35,12 +37,23 @@ public final class WorldJson {
                     robot.name(), Optional.ofNullable(recording.failures().get(robot.name())));
         }
         return Json.compact(
-                Fields.of("seed", recording.seed())
+                Fields.of("seed", recording.seeds().first())
+                        .with("then", then(recording.seeds()))
                         .with("period", Recording.PERIOD)
                         .with("world", world(recording.world()))
                         .with("frames", recording.frames().stream().map(WorldJson::of).iterator())
                         .with("events", recording.events().stream().map(WorldJson::of).toList())
                         .with("failures", failures));
+    }
+
+    /** Other seeds from some moments on; absent where there are none. */
+    private static Optional<List<Fields>> then(Seeds seeds) {
+        return Optional.of(seeds.changes().stream().map(WorldJson::of).toList())
+                .filter(changes -> !changes.isEmpty());
+    }
+
+    private static Fields of(Seeds.Change change) {
+        return Fields.of("from", change.tick() * Physics.STEP).with("seed", change.seed());
     }
 
     private static Fields world(World world) {

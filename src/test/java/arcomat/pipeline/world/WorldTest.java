@@ -10,11 +10,13 @@ import arcomat.pipeline.generate.GenerateCode;
 import arcomat.sim.Laboratory;
 import arcomat.sim.device.Limits;
 import arcomat.source.SourceFile;
+import arcomat.world.Physics;
 import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
 import arcomat.world.Scene.Happening.What;
+import arcomat.world.Seeds;
 import arcomat.world.World;
 import arcomat.world.World.Cup;
 import arcomat.world.WorldParser;
@@ -67,8 +69,13 @@ class WorldTest {
     /** As long as usual, on bricks as they are. */
     private static Recording run(
             World world, long seed, Map<String, WorldPrograms.Equipment> equipment) {
-        WorldRecorder recorder = new WorldRecorder(world, seed);
-        WorldRun.run(world, seed, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK, recorder);
+        return run(world, Seeds.of(seed), equipment);
+    }
+
+    private static Recording run(
+            World world, Seeds seeds, Map<String, WorldPrograms.Equipment> equipment) {
+        WorldRecorder recorder = new WorldRecorder(world, seeds);
+        WorldRun.run(world, seeds, equipment, Laboratory.PATIENCE, Limits.OF_THE_BRICK, recorder);
         return recorder.recording();
     }
 
@@ -236,6 +243,27 @@ class WorldTest {
         Recording again = run(meeting, 7, fetchers);
         assertThat(again).isEqualTo(one);
         assertThat(run(meeting, 8, fetchers).frames()).isNotEqualTo(one.frames());
+    }
+
+    /** Before that, nobody can tell: the same readings, places and displays, to the bit. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 7, 23})
+    void runsPartWhereTheirSeedsDo(long seed) {
+        int tick = 800;
+        Recording one = run(meeting, Seeds.of(seed).then(tick, 77), fetchers);
+        Recording other = run(meeting, Seeds.of(seed).then(tick, 78), fetchers);
+        int frames = tick * Physics.STEP / Recording.PERIOD;
+        assertThat(one.frames().subList(0, frames))
+                .isEqualTo(other.frames().subList(0, frames))
+                .isEqualTo(run(meeting, seed, fetchers).frames().subList(0, frames));
+        assertThat(one.frames().get(frames).robots())
+                .extracting(RobotFrame::pose)
+                .isEqualTo(
+                        other.frames().get(frames).robots().stream()
+                                .map(RobotFrame::pose)
+                                .toList());
+        assertThat(one.frames()).isNotEqualTo(other.frames());
+        assertThat(run(meeting, one.seeds(), fetchers)).isEqualTo(one);
     }
 
     /** The bound is lenient: the machine may be busy. The README says what was measured. */

@@ -7,6 +7,7 @@ import arcomat.world.Recording;
 import arcomat.world.Recording.Event;
 import arcomat.world.Recording.Frame;
 import arcomat.world.Recording.RobotFrame;
+import arcomat.world.Seeds;
 import arcomat.world.World;
 import arcomat.world.World.Cup;
 import arcomat.world.WorldParser;
@@ -39,7 +40,7 @@ class WorldPageTest {
                         world.robots().get(0).pose(), 0, 0, List.of(75), Cup.NONE, NASTY, 0, false);
         return new Recording(
                 world,
-                1,
+                Seeds.of(1).then(250, 7),
                 List.of(new Frame(0, List.of(robot), List.of())),
                 List.of(new Event.Showed(0, "one", NASTY)),
                 Map.of("one", NASTY),
@@ -58,6 +59,9 @@ class WorldPageTest {
         assertThat(json.at("/frames/0/robots/0/7").asText()).isEqualTo(NASTY);
         assertThat(json.at("/failures/one").asText()).isEqualTo(NASTY);
         assertThat(json.at("/world/robots/0/program").asText()).isEqualTo("</script>.jar");
+        assertThat(json.get("seed").asLong()).isEqualTo(1);
+        assertThat(json.at("/then/0/from").asLong()).as("in milliseconds").isEqualTo(2500);
+        assertThat(json.at("/then/0/seed").asLong()).isEqualTo(7);
     }
 
     @Test
