@@ -13,6 +13,9 @@ import java.util.regex.Pattern;
 public final class Words {
     static final String SYNTAX = "ARC1121";
 
+    /** No floor is larger, in mm. */
+    static final double FAR = 1_000_000;
+
     private static final Pattern WORD = Pattern.compile("[^\\s#]+|#.*");
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]{0,15}");
     private static final Pattern PARAMETER = Pattern.compile("[A-Za-z][A-Za-z0-9_]*");
@@ -152,6 +155,11 @@ public final class Words {
             throw isNot(words.get(position - 1), meaning + ": it has to be whole");
         }
         return (int) number;
+    }
+
+    /** A place on the floor, or a way from one to another. */
+    Point point() throws Unreadable {
+        return new Point(number("x in mm", -FAR, FAR), number("y in mm", -FAR, FAR));
     }
 
     /** One of some words. */

@@ -4,7 +4,6 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.world.Words.Unreadable;
-import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
 import arcomat.world.World.Robot;
@@ -31,8 +30,8 @@ public final class WorldParser {
                     "wall",
                     "kind",
                     "robot",
+                    "robots",
                     "drinker");
-    private static final double FAR = 1_000_000;
     private static final double LINE_WIDTH = 40;
     private static final int LONGEST = 86_400;
 
@@ -43,6 +42,7 @@ public final class WorldParser {
     private final Map<String, KindDraft> kinds = new LinkedHashMap<>();
     private final List<Stripe> stripes = new ArrayList<>();
     private final List<RobotDraft> robots = new ArrayList<>();
+    private final List<Word> wanted = new ArrayList<>();
     private final List<Drinker> drinkers = new ArrayList<>();
     private @Nullable KindDraft open;
     private double width;
@@ -71,8 +71,6 @@ public final class WorldParser {
     /** A line or a wall, as it is written. */
     record Stripe(
             Span place, boolean isWall, List<Point> points, List<Segment> pieces, double width) {}
-
-    private record RobotDraft(Word name, Word kind, Pose pose, Cup cup) {}
 
     /** With the usual values of its parameters. */
     public static Parsed parse(SourceFile file) {
@@ -137,8 +135,8 @@ public final class WorldParser {
         switch (what) {
             case "floor" -> {
                 single(words);
-                width = words.number("its width in mm", 100, FAR);
-                depth = words.number("its depth in mm", 100, FAR);
+                width = words.number("its width in mm", 100, Words.FAR);
+                depth = words.number("its depth in mm", 100, Words.FAR);
             }
             case "seconds" -> {
                 single(words);
@@ -160,7 +158,8 @@ public final class WorldParser {
                         new Stripe(words.whole(), true, points, Bends.pieces(points, 0, false), 0));
             }
             case "kind" -> kind(words.name("the name of a kind"));
-            case "robot" -> robot(words);
+            case "robot" -> robots(RobotDraft.one(words));
+            case "robots" -> robots(RobotDraft.several(words));
             case Parameters.STATEMENT ->
                     throw Words.broken(words.first(), "write 'parameter' as it is, without a '$'");
             default -> drinker(words);
@@ -210,13 +209,9 @@ public final class WorldParser {
     private static List<Point> points(Words words, int least) throws Unreadable {
         List<Point> points = new ArrayList<>();
         while (words.hasNext() || points.size() < least) {
-            points.add(point(words));
+            points.add(words.point());
         }
         return points;
-    }
-
-    private static Point point(Words words) throws Unreadable {
-        return new Point(words.number("x in mm", -FAR, FAR), words.number("y in mm", -FAR, FAR));
     }
 
     private void kind(Word name) throws Unreadable {
@@ -225,28 +220,22 @@ public final class WorldParser {
         kinds.put(name.text(), open);
     }
 
-    private void robot(Words words) throws Unreadable {
-        Word name = words.name("the name of a robot");
-        Word kind = words.name("the name of a kind");
-        words.expect("at");
-        Point place = point(words);
-        double heading = words.take("heading") ? words.number("degrees", -360, 360) : 0;
-        Cup cup = Cup.NONE;
-        if (words.take("with")) {
-            cup =
-                    words.choice("what it carries", List.of("cup", "coffee")).text().equals("cup")
-                            ? Cup.EMPTY
-                            : Cup.FULL;
+    private void place(RobotDraft robot) throws Unreadable {
+        unique(robot.name(), robot.place());
+        robots.add(robot);
+    }
+
+    private void robots(RobotDraft.Row row) throws Unreadable {
+        wanted.add(row.kind());
+        for (RobotDraft robot : row.robots()) {
+            place(robot);
         }
-        unique(name.text(), name);
-        Pose pose = new Pose(place.x(), place.y(), Math.toRadians(heading));
-        robots.add(new RobotDraft(name, kind, pose, cup));
     }
 
     private void drinker(Words words) throws Unreadable {
         Word name = words.name("the name of a drinker");
         words.expect("at");
-        Point spot = point(words);
+        Point spot = words.point();
         words.expect("every");
         double thirst = words.number("seconds from cup to cup", 0, LONGEST);
         unique(name.text(), name);
@@ -270,17 +259,12 @@ public final class WorldParser {
         for (RobotDraft robot : robots) {
             Kind kind = built.get(robot.kind().text());
             if (kind != null) {
-                placed.add(
-                        new Robot(
-                                robot.name().text(),
-                                kind,
-                                robot.pose(),
-                                robot.cup(),
-                                robot.name().place()));
-            } else if (!kinds.containsKey(robot.kind().text())) {
-                findings.add(unknown(robot.kind()));
+                placed.add(robot.of(kind));
             }
         }
+        wanted.stream()
+                .filter(kind -> !kinds.containsKey(kind.text()))
+                .forEach(kind -> findings.add(unknown(kind)));
         World world =
                 new World(width, depth, seconds, goal, noise, ways(), walls(), placed, drinkers);
         if (findings.isEmpty()) {
