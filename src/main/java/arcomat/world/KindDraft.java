@@ -145,8 +145,7 @@ final class KindDraft {
     private Device arm(Word part, Words words) throws Unreadable {
         if (devices.stream()
                 .anyMatch(d -> d instanceof Device.Slide || d instanceof Device.Finger)) {
-            throw new Unreadable(
-                    part.error(TWICE, "a robot has one arm, a slide or a finger"));
+            throw new Unreadable(part.error(TWICE, "a robot has one arm, a slide or a finger"));
         }
         int motor = motor(words);
         if (part.text().equals("slide")) {

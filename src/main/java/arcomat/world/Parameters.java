@@ -106,7 +106,9 @@ final class Parameters {
         StringBuilder text = new StringBuilder();
         List<Given> given = new ArrayList<>();
         while (matcher.find()) {
-            Span use = place.file().span(place.start() + matcher.start(), place.start() + matcher.end());
+            Span use =
+                    place.file()
+                            .span(place.start() + matcher.start(), place.start() + matcher.end());
             Given value = value(matcher.group(1), use);
             given.add(value);
             matcher.appendReplacement(text, Matcher.quoteReplacement(value.value()));

@@ -67,10 +67,7 @@ record RobotDraft(String name, Word place, Word kind, Pose pose, Cup cup) {
 
     private RobotDraft next(int steps, Point step) {
         Pose there =
-                new Pose(
-                        pose.x() + steps * step.x(),
-                        pose.y() + steps * step.y(),
-                        pose.heading());
+                new Pose(pose.x() + steps * step.x(), pose.y() + steps * step.y(), pose.heading());
         return new RobotDraft(name + (steps + 1), place, kind, there, cup);
     }
 

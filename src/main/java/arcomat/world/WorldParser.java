@@ -111,13 +111,13 @@ public final class WorldParser {
     }
 
     private void read(Words words) throws Unreadable {
-            if (KindDraft.PARTS.contains(words.first().text())) {
-                part(words);
-                return;
-            }
-            open = null;
-            statement(words, words.choice("what there is", STATEMENTS).text());
-            words.end();
+        if (KindDraft.PARTS.contains(words.first().text())) {
+            part(words);
+            return;
+        }
+        open = null;
+        statement(words, words.choice("what there is", STATEMENTS).text());
+        words.end();
     }
 
     private void part(Words words) throws Unreadable {
@@ -291,8 +291,7 @@ public final class WorldParser {
                 kinds.isEmpty()
                         ? "none is described"
                         : "known: " + String.join(", ", kinds.keySet());
-        return kind.error(
-                UNKNOWN, "there is no kind '" + kind.text() + "' of robots; " + known);
+        return kind.error(UNKNOWN, "there is no kind '" + kind.text() + "' of robots; " + known);
     }
 
     private List<World.Line> ways() {

@@ -90,7 +90,8 @@ class SensesTest {
     /** What was drawn before stays; so do the offsets of sensors, which are drawn once. */
     @Property(tries = 100)
     void anotherSeedDrawsFromItsMomentOn(@ForAll @IntRange(min = 0, max = 1000) int seed) {
-        World world = Worlds.of(FLOOR.replace("none", "light 4") + "robot one rover at 1000 2000\n");
+        World world =
+                Worlds.of(FLOOR.replace("none", "light 4") + "robot one rover at 1000 2000\n");
         List<Integer> plain = readings(world, Seeds.of(seed));
         List<Integer> other = readings(world, Seeds.of(seed).then(100, seed + 1L));
         List<Integer> back = readings(world, Seeds.of(seed).then(100, seed + 1L).then(200, seed));

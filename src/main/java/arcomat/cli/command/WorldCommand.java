@@ -115,8 +115,7 @@ final class WorldCommand extends Command {
         int good = 0;
         long first = seeds.first();
         for (long each = first; each < first + runs; each++) {
-            Recording recording =
-                    prepared.run(Seeds.of(each), bricks.patience(), bricks.limits());
+            Recording recording = prepared.run(Seeds.of(each), bricks.patience(), bricks.limits());
             good += recording.succeeded() ? 1 : 0;
             printLine("seed " + each + ": " + WorldText.summary(recording));
         }

@@ -14,7 +14,8 @@ import java.util.regex.Pattern;
 /** Of commands that run worlds: what is drawn in them. */
 public final class SeedOptions {
     /** Up to a hundredth of a second, which is a step of the world. */
-    private static final Pattern CHANGE = Pattern.compile("(\\d{1,5}(?:\\.\\d\\d?)?)=(-?\\d{1,18})");
+    private static final Pattern CHANGE =
+            Pattern.compile("(\\d{1,5}(?:\\.\\d\\d?)?)=(-?\\d{1,18})");
 
     private static final BigDecimal STEPS_PER_SECOND = BigDecimal.valueOf(1000 / Physics.STEP);
 
