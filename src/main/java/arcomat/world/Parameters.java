@@ -28,7 +28,7 @@ final class Parameters {
     private static final Pattern USE = Pattern.compile("\\$([A-Za-z][A-Za-z0-9_]*)");
 
     private final Map<String, String> values;
-    private final Map<String, Parameter> declared = new LinkedHashMap<>();
+    private final Map<String, WorldParameter> declared = new LinkedHashMap<>();
     private final Set<String> used = new LinkedHashSet<>();
     private final List<Diagnostic> findings = new ArrayList<>();
 
@@ -59,8 +59,8 @@ final class Parameters {
                 throw Words.broken(
                         usual, "'" + usual.text() + "' is no value: '$' begins a parameter");
             }
-            Parameter parameter = new Parameter(name.text(), usual.text(), name);
-            Parameter before = declared.putIfAbsent(parameter.name(), parameter);
+            WorldParameter parameter = new WorldParameter(name.text(), usual.text(), name);
+            WorldParameter before = declared.putIfAbsent(parameter.name(), parameter);
             if (before != null) {
                 findings.add(twice(parameter, before));
             }
@@ -69,7 +69,7 @@ final class Parameters {
         }
     }
 
-    private static Diagnostic twice(Parameter parameter, Parameter before) {
+    private static Diagnostic twice(WorldParameter parameter, WorldParameter before) {
         return Diagnostic.error(
                         KindDraft.TWICE,
                         parameter.place(),
@@ -78,7 +78,7 @@ final class Parameters {
     }
 
     /** In the order of the text. */
-    List<Parameter> all() {
+    List<WorldParameter> all() {
         return List.copyOf(declared.values());
     }
 
@@ -92,7 +92,7 @@ final class Parameters {
         return all;
     }
 
-    private static Diagnostic unused(Parameter parameter) {
+    private static Diagnostic unused(WorldParameter parameter) {
         return Diagnostic.error(
                 UNUSED,
                 parameter.place(),
@@ -118,7 +118,7 @@ final class Parameters {
 
     private Given value(String name, Span use) throws Unreadable {
         used.add(name);
-        Parameter parameter = declared.get(name);
+        WorldParameter parameter = declared.get(name);
         if (parameter == null) {
             throw new Unreadable(Diagnostic.error(UNKNOWN, use, unknown(name)));
         }

@@ -3,6 +3,7 @@ package arcomat.world;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 
 /**
@@ -23,12 +24,12 @@ public record Word(String text, Span place, List<Given> values) {
     }
 
     /** A parameter with its value in this run. */
-    public record Given(Parameter parameter, String value) {}
+    public record Given(WorldParameter parameter, String value) {}
 
     /** A finding about this word, which says where its text comes from if that is elsewhere. */
     Diagnostic error(String code, String message) {
         Diagnostic finding = Diagnostic.error(code, place, message);
-        for (Given given : values) {
+        for (Given given : new LinkedHashSet<>(values)) {
             finding =
                     finding.withRelated(
                             given.parameter().place(),

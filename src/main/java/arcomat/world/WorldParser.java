@@ -91,7 +91,7 @@ public final class WorldParser {
     }
 
     /** What a world leaves to whoever runs it, in the order of the text. */
-    public static List<Parameter> parameters(SourceFile file) {
+    public static List<WorldParameter> parameters(SourceFile file) {
         return Parameters.of(file, Map.of()).all();
     }
 

@@ -7,8 +7,8 @@ import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.world.Parameter;
 import arcomat.world.World;
+import arcomat.world.WorldParameter;
 import arcomat.world.WorldParser;
 
 import java.util.ArrayList;
@@ -55,7 +55,8 @@ public record PrepareWorld(String file, boolean runDevices, Map<String, String> 
     }
 
     private void requireParameters(SourceFile text) throws WrongUse {
-        List<String> names = WorldParser.parameters(text).stream().map(Parameter::name).toList();
+        List<String> names =
+                WorldParser.parameters(text).stream().map(WorldParameter::name).toList();
         Optional<String> unknown =
                 values.keySet().stream().sorted().filter(name -> !names.contains(name)).findFirst();
         if (unknown.isPresent()) {

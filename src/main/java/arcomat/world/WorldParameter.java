@@ -9,4 +9,4 @@ import arcomat.source.Span;
  * @param usual its value where nobody gives another one
  * @param place of its name
  */
-public record Parameter(String name, String usual, Span place) {}
+public record WorldParameter(String name, String usual, Span place) {}
