@@ -33,7 +33,7 @@ class PublishedArtifactsTest {
     @ParameterizedTest
     @CsvSource({
         "arcomat, antlr4-runtime arcomat-brick-api arcomat-brick-simulation arcomat-runtime"
-                + " asm-tree ecj freemarker guava hppc jackson-databind jsvg"
+                + " asm-tree ecj freemarker guava hipparchus-core hppc jackson-databind jsvg"
                 + " org.eclipse.elk.alg.layered org.eclipse.emf.ecore picocli smtinterpol",
         "arcomat-brick-api, asm",
         "arcomat-brick-simulation, arcomat-brick-api asm asm-tree",
