@@ -73,7 +73,8 @@ class ArchitectureTest {
                             "pipeline",
                             row(
                                     "syntax tree symbols check lower model semantics analysis"
-                                        + " simulate generate diagram report brick rt sim world campaign",
+                                        + " simulate generate diagram report brick rt sim world"
+                                        + " campaign",
                                     "org.eclipse.jdt",
                                     "com.fasterxml.jackson",
                                     "com.github.weisj",

@@ -7,10 +7,10 @@ import arcomat.campaign.statistics.FixedTest;
 import arcomat.campaign.statistics.Measurements;
 import arcomat.campaign.statistics.Proportion;
 import arcomat.campaign.statistics.Quantile;
+import arcomat.campaign.statistics.SampleSize;
 import arcomat.campaign.statistics.SequentialCourse;
 import arcomat.campaign.statistics.SequentialTest;
 
-import java.util.Locale;
 import java.util.function.Function;
 
 /** One demand and what speaks for and against it so far. */
@@ -87,7 +87,18 @@ abstract class Bench {
             // Who might have stopped earlier must not be judged as if that had not been possible.
             Decision decision =
                     sequential || seen == 0 ? Decision.UNDECIDED : fixed.decide(proportion);
-            return new Judgement(subject, true, decision, figures(proportion));
+            return new Judgement(subject, true, decision, figures(proportion) + needed());
+        }
+
+        /** What a plan that is too small would have to be. */
+        private String needed() {
+            Confidence confidence = new Confidence(demand.confidence());
+            double bound = isBelow() ? demand.bound() : 1 - demand.bound();
+            long runs =
+                    sequential
+                            ? SequentialTest.below(bound, confidence).leastTrials()
+                            : SampleSize.withoutEvents(bound, confidence);
+            return seen < runs ? "; it takes %,d runs at least".formatted(runs) : "";
         }
 
         private String figures(Proportion proportion) {

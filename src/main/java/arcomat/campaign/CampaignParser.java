@@ -182,7 +182,8 @@ public final class CampaignParser {
             String measure = words.choice("a measure", Quantity.words(false)).text();
             Side side = side(words);
             double bound = words.number("a bound", -FAR, FAR);
-            return new Demand.Share(quantile, measure, side, bound, confidence(words), start.place());
+            return new Demand.Share(
+                    quantile, measure, side, bound, confidence(words), start.place());
         }
         words.back();
         String event = words.choice("an event", Quantity.words(true)).text();
@@ -270,8 +271,7 @@ public final class CampaignParser {
 
     private void checkSearch() {
         if (search != null
-                && variations.values().stream()
-                        .noneMatch(each -> each.domain() instanceof Range)) {
+                && variations.values().stream().noneMatch(each -> each.domain() instanceof Range)) {
             findings.add(
                     Diagnostic.error(
                             MEANINGLESS,

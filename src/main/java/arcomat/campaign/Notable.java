@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 
-/** The runs that somebody wants to see again: the first ones that went wrong, and the closest calls. */
+/**
+ * The runs that somebody wants to see again: the first ones that went wrong, and the closest calls.
+ */
 final class Notable {
     private static final int EACH = 10;
 

@@ -38,8 +38,7 @@ final class Pairing {
 
     /** What should happen is the goal; everything else should not. */
     private boolean isGood(Row row) {
-        boolean wanted =
-                comparison.orElseThrow().event().equals(Quantity.GOAL.word());
+        boolean wanted = comparison.orElseThrow().event().equals(Quantity.GOAL.word());
         return row.happened(column) == wanted;
     }
 
@@ -65,7 +64,9 @@ final class Pairing {
         String subject =
                 "%s by %s at %s"
                         .formatted(
-                                asked.parameter(), asked.event(), Bench.percent(asked.confidence()));
+                                asked.parameter(),
+                                asked.event(),
+                                Bench.percent(asked.confidence()));
         return new Judgement(subject, false, decision, because);
     }
 }

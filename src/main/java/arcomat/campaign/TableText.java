@@ -77,11 +77,11 @@ public final class TableText {
         for (int i = 0; i < campaign.variations().size(); i++) {
             values.put(campaign.variations().get(i).parameter(), cells.get(FIRST.size() + i));
         }
-        Trial trial =
-                new Trial(Long.parseLong(cells.get(0)), Long.parseLong(cells.get(1)), values);
+        Trial trial = new Trial(Long.parseLong(cells.get(0)), Long.parseLong(cells.get(1)), values);
         Row.Ending how = Row.Ending.of(cells.get(ending));
         if (how != Row.Ending.MADE) {
-            return new Row(trial, how, cells.get(ending).substring(how.word().length() + 2), List.of());
+            return new Row(
+                    trial, how, cells.get(ending).substring(how.word().length() + 2), List.of());
         }
         List<Double> answers = new ArrayList<>();
         cells.subList(ending + 1, cells.size())

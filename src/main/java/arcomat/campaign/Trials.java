@@ -9,9 +9,9 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * The runs of a campaign by their numbers: a function of the campaign's text and nothing else. Where
- * two words are compared, run 2n has the first and run 2n + 1 the second, and everything else is the
- * same.
+ * The runs of a campaign by their numbers: a function of the campaign's text and nothing else.
+ * Where two words are compared, run 2n has the first and run 2n + 1 the second, and everything else
+ * is the same.
  */
 public final class Trials {
     private final Campaign campaign;
@@ -28,9 +28,7 @@ public final class Trials {
 
     public static Trials of(Campaign campaign) {
         List<Variation> drawn =
-                campaign.variations().stream()
-                        .filter(each -> !isCompared(campaign, each))
-                        .toList();
+                campaign.variations().stream().filter(each -> !isCompared(campaign, each)).toList();
         return campaign.plan()
                 .match(
                         random -> new Trials(campaign, drawn, random.runs(), 1),
@@ -100,11 +98,7 @@ public final class Trials {
         return campaign.plan()
                 .match(
                         random -> drawn(i -> Sampling.random(campaign.firstSeed(), point, i)),
-                        latin ->
-                                drawn(
-                                        i ->
-                                                Sampling.latin(
-                                                        campaign.firstSeed(), point, i, points)),
+                        latin -> drawn(i -> Sampling.latin(campaign.firstSeed(), point, i, points)),
                         grid -> ofGrid(point, grid.steps()));
     }
 

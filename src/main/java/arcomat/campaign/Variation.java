@@ -52,7 +52,8 @@ public record Variation(String parameter, Domain domain, Span place) {
 
         /** Without an exponent, and without zeros that say nothing. */
         private static String text(double number) {
-            BigDecimal rounded = BigDecimal.valueOf(number).setScale(DECIMALS, RoundingMode.HALF_EVEN);
+            BigDecimal rounded =
+                    BigDecimal.valueOf(number).setScale(DECIMALS, RoundingMode.HALF_EVEN);
             return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
         }
 

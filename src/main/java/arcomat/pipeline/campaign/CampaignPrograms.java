@@ -201,8 +201,6 @@ final class CampaignPrograms {
             return List.of(range.at(0), range.at(1));
         }
         int numbers = (int) (range.high() - range.low()) + 1;
-        return IntStream.range(0, numbers)
-                .mapToObj(i -> range.at((i + 0.5) / numbers))
-                .toList();
+        return IntStream.range(0, numbers).mapToObj(i -> range.at((i + 0.5) / numbers)).toList();
     }
 }

@@ -74,8 +74,7 @@ public record MakeCampaign(
             new Course(judge, rows, engine, planned).run(session);
             CampaignResult result = judge.result(rows::measured);
             folder.keep(rows);
-            return new Made(
-                    result, rows.count(), planned, resumed, rows.hash(), engine.crew());
+            return new Made(result, rows.count(), planned, resumed, rows.hash(), engine.crew());
         } catch (EngineFailure e) {
             throw new WrongUse("%s", e.getMessage());
         } catch (IOException e) {
@@ -110,7 +109,9 @@ public record MakeCampaign(
                 keep();
                 session.progress().goOn();
                 session.progress()
-                        .step("%,d of %,d runs, %s".formatted(rows.count(), planned, engine.crew()));
+                        .step(
+                                "%,d of %,d runs, %s"
+                                        .formatted(rows.count(), planned, engine.crew()));
             }
         }
 

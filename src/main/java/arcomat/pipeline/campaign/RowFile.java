@@ -77,8 +77,7 @@ final class RowFile implements AutoCloseable {
     static RowFile resume(Path file, Campaign campaign, Consumer<Row> seen) throws IOException {
         cutUnfinishedLine(file);
         BufferedWriter writer =
-                Files.newBufferedWriter(
-                        file, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+                Files.newBufferedWriter(file, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
         RowFile rows = new RowFile(file, campaign, new TableText(campaign), writer);
         try (Stream<String> lines = Files.lines(file)) {
             lines.skip(1)

@@ -52,8 +52,9 @@ public final class CampaignText {
             table.add(
                     List.of(
                             each.column().name(),
-                            "%,d of %,d".formatted(
-                                    each.proportion().events(), each.proportion().trials()),
+                            "%,d of %,d"
+                                    .formatted(
+                                            each.proportion().events(), each.proportion().trials()),
                             number(each.proportion().estimate()),
                             number(interval.low()) + " to " + number(interval.high())));
         }

@@ -133,8 +133,7 @@ public record Freight(
         Map<String, Program> programs = new TreeMap<>();
         mains.forEach(
                 (key, main) ->
-                        programs.put(
-                                key, new Program(main, classes.getOrDefault(key, Map.of()))));
+                        programs.put(key, new Program(main, classes.getOrDefault(key, Map.of()))));
         return programs;
     }
 

@@ -19,8 +19,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 
 /**
- * Makes runs of what it was given, in this process; any number of threads may ask at once. What runs
- * share is prepared once.
+ * Makes runs of what it was given, in this process; any number of threads may ask at once. What
+ * runs share is prepared once.
  */
 public final class TrialRunner implements Function<Trial, Row> {
     /** Worlds with their values: on a grid they come again, drawn ones do not. */
@@ -73,8 +73,7 @@ public final class TrialRunner implements Function<Trial, Row> {
         WorldParser.Parsed parsed = WorldParser.parse(text, values);
         if (parsed.world().isEmpty()) {
             Diagnostic first = parsed.findings().get(0);
-            String why =
-                    "line " + first.span().startPosition().line() + ": " + first.message();
+            String why = "line " + first.span().startPosition().line() + ": " + first.message();
             return new Stage(null, why);
         }
         try {
