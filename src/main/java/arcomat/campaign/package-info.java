@@ -4,5 +4,4 @@
  * anybody anywhere can do it; what a table of rows proves depends on the rows in the order of their
  * numbers, and not on who came first. Nothing runs here.
  */
-@org.jspecify.annotations.NullMarked
 package arcomat.campaign;
