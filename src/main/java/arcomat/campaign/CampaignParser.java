@@ -125,7 +125,7 @@ public final class CampaignParser {
         Word name = words.next("the name of a parameter of the world");
         unique("vary " + name.text(), name.place());
         Domain domain =
-                words.choice("how", List.of("from", "of")).text().equals("of")
+                words.choice("how it varies", List.of("from", "of")).text().equals("of")
                         ? choice(words)
                         : range(words);
         variations.put(name.text(), new Variation(name.text(), domain, name.place()));
@@ -139,7 +139,7 @@ public final class CampaignParser {
         double high = words.number("the greatest value", -FAR, FAR);
         boolean whole = words.take("whole");
         if (high < low) {
-            throw words.wrong(end, "no number lies between %s and %s".formatted(low, high));
+            throw words.wrong(end, "the greatest value is smaller than the least");
         }
         if (whole && (low != Math.rint(low) || high != Math.rint(high))) {
             throw words.wrong(end, "whole numbers lie between whole numbers");
@@ -160,7 +160,7 @@ public final class CampaignParser {
     }
 
     private static Plan plan(Words words) throws Unreadable {
-        String way = words.choice("how", List.of("random", "latin", "grid")).text();
+        String way = words.choice("a way to sample", List.of("random", "latin", "grid")).text();
         if (way.equals("grid")) {
             int steps = words.count("steps of each range", 1, 1000);
             int seeds = 1;
@@ -188,8 +188,21 @@ public final class CampaignParser {
         words.back();
         String event = words.choice("an event", Quantity.words(true)).text();
         Side side = side(words);
-        double bound = words.number("a probability", 0.000000001, 0.999999999);
+        double bound = probability(words);
         return new Demand.Probability(event, side, bound, confidence(words), start.place());
+    }
+
+    private static double probability(Words words) throws Unreadable {
+        Word written = words.next("a probability");
+        words.back();
+        double bound = words.number("a probability", 0, 1);
+        if (bound == 0 || bound == 1) {
+            throw words.wrong(
+                    written,
+                    "no number of runs shows what never or always happens: a bound lies between 0"
+                            + " and 1");
+        }
+        return bound;
     }
 
     private static Side side(Words words) throws Unreadable {

@@ -102,11 +102,7 @@ final class CampaignPrograms {
     private void make(Session session) throws WrongUse {
         Map<String, Map<String, String>> wanted = wanted();
         if (wanted.isEmpty() && findings.isEmpty()) {
-            findings.add(
-                    Diagnostic.error(
-                            NO_WORLD,
-                            campaign.world().place(),
-                            "'%s' is no world with any of these values".formatted(file)));
+            tellNoWorld();
         }
         requireEnd(wanted.keySet());
         for (Map.Entry<String, Map<String, String>> each : wanted.entrySet()) {
@@ -115,6 +111,16 @@ final class CampaignPrograms {
                 prepare(each.getValue(), session);
             }
         }
+    }
+
+    /** What is wrong with the world itself is most likely wrong with the first values. */
+    private void tellNoWorld() {
+        findings.add(
+                Diagnostic.error(
+                        NO_WORLD,
+                        campaign.world().place(),
+                        "'%s' is no world with any of these values".formatted(file)));
+        findings.addAll(WorldParser.parse(text, combinations().get(0)).findings());
     }
 
     /** Every program that is named somewhere, with values that name it. */
