@@ -1,0 +1,63 @@
+package arcomat.pipeline.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.sim.load.Program;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+import java.util.Map;
+import java.util.stream.Stream;
+
+class FreightTest {
+    private static final Program PROGRAM =
+            new Program("p.Main", Map.of("p.Main", new byte[] {1, 2}, "p.Other", new byte[0]));
+    private static final Freight FREIGHT =
+            new Freight("1.0", "world a\n", "floor 1 2\n# ü", true, 30, Map.of("key /\n", PROGRAM));
+
+    @Test
+    void whatIsPackedIsUnpacked() throws Exception {
+        Freight back = Freight.unpacked(FREIGHT.packed());
+        assertThat(back.hash()).isEqualTo(FREIGHT.hash());
+        assertThat(back.world()).isEqualTo(FREIGHT.world());
+        assertThat(back.programs().get("key /\n").classes().get("p.Main")).containsExactly(1, 2);
+    }
+
+    @Test
+    void whateverDiffersShowsInTheHash() {
+        Program other = new Program("p.Main", Map.of("p.Main", new byte[] {1, 3}));
+        assertThat(
+                        Stream.of(
+                                        FREIGHT,
+                                        new Freight("1.1", "world a\n", "", true, 30, Map.of()),
+                                        new Freight("1.0", "world b\n", "", true, 30, Map.of()),
+                                        new Freight("1.0", "world a\n", "x", true, 30, Map.of()),
+                                        new Freight("1.0", "world a\n", "", false, 30, Map.of()),
+                                        new Freight("1.0", "world a\n", "", true, 31, Map.of()),
+                                        new Freight(
+                                                "1.0",
+                                                "world a\n",
+                                                "",
+                                                true,
+                                                30,
+                                                Map.of("k", other)),
+                                        new Freight(
+                                                "1.0",
+                                                "world a\n",
+                                                "",
+                                                true,
+                                                30,
+                                                Map.of("k", PROGRAM)))
+                                .map(Freight::hash))
+                .doesNotHaveDuplicates();
+    }
+
+    @Test
+    void otherBytesAreNone() {
+        assertThatThrownBy(() -> Freight.unpacked(new byte[] {1, 2, 3}))
+                .isInstanceOf(IOException.class);
+    }
+}

@@ -1,0 +1,219 @@
+package arcomat.pipeline.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import arcomat.campaign.Campaign;
+import arcomat.campaign.CampaignParser;
+import arcomat.campaign.Quantity;
+import arcomat.campaign.Row;
+import arcomat.campaign.Trial;
+import arcomat.campaign.statistics.Decision;
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.MakeCampaign.Made;
+import arcomat.pipeline.campaign.engine.Engine;
+import arcomat.pipeline.campaign.engine.EngineFailure;
+import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.pipeline.campaign.engine.ThreadEngine;
+import arcomat.source.SourceFile;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.function.Function;
+
+/** Runs whose answers are known: every tenth seed collides. */
+class MakeCampaignTest {
+    private static final String TEXT = "world a.world\nsample random 500\n";
+
+    @TempDir private Path folder;
+
+    private static Row answer(Trial trial) {
+        List<Double> answers =
+                Arrays.stream(Quantity.values())
+                        .map(each -> each == Quantity.COLLISION ? hit(trial) : trial.seed() * 0.5)
+                        .toList();
+        return Row.made(trial, answers);
+    }
+
+    private static double hit(Trial trial) {
+        return trial.seed() % 10 == 0 ? 1 : 0;
+    }
+
+    /** Gives rows as it likes, most of them late and out of order. */
+    private static final class Careless implements Engine {
+        private final Random random;
+        private final List<Trial> given = new ArrayList<>();
+
+        Careless(long seed) {
+            random = new Random(seed);
+        }
+
+        @Override
+        public int capacity() {
+            return 1 + random.nextInt(7);
+        }
+
+        @Override
+        public void submit(List<Trial> batch) {
+            given.addAll(batch);
+            Collections.shuffle(given, random);
+        }
+
+        @Override
+        public List<Row> collect(Duration patience) {
+            int count = Math.min(given.size(), random.nextInt(4));
+            List<Trial> now = List.copyOf(given.subList(0, count));
+            given.subList(0, count).clear();
+            return now.stream().map(MakeCampaignTest::answer).toList();
+        }
+
+        @Override
+        public String crew() {
+            return "somebody";
+        }
+
+        @Override
+        public void close() {}
+    }
+
+    private Made make(String text, String results, boolean resumes, Engine engine) throws WrongUse {
+        Campaign campaign =
+                CampaignParser.parse(new SourceFile("a.campaign", text)).campaign().orElseThrow();
+        Freight freight = new Freight("1", text, "", true, 300, Map.of());
+        PrepareCampaign.Ready ready = new PrepareCampaign.Ready(campaign, "a.world", freight);
+        Function<Freight, Engine> engines = content -> engine;
+        return Session.in(folder, Progress.NONE)
+                .run(new MakeCampaign(ready, results, resumes, engines));
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void theTableDoesNotDependOnWhoMakesTheRunsAndInWhichOrder(long seed) throws Exception {
+        Made one = make(TEXT, "one", false, new ThreadEngine(1, MakeCampaignTest::answer));
+        Made other = make(TEXT, "other", false, new Careless(seed));
+        assertThat(other.table()).isEqualTo(one.table());
+        assertThat(folder.resolve("other/rows.csv"))
+                .hasSameTextualContentAs(folder.resolve("one/rows.csv"));
+        assertThat(one.result().occurrences().get(0).proportion().events()).isEqualTo(50);
+    }
+
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3, 4, 5})
+    void whereItStopsDoesNotDependOnIt(long seed) throws Exception {
+        String text = TEXT + "stop decided\nrequire collision below 0.3 at 99\n";
+        Made one = make(text, "", false, new ThreadEngine(2, MakeCampaignTest::answer));
+        Made other = make(text, "", false, new Careless(seed));
+        assertThat(one.runs()).isLessThan(500);
+        assertThat(one.result().judgements().get(0).decision()).isEqualTo(Decision.HOLDS);
+        assertThat(other.table()).isEqualTo(one.table());
+    }
+
+    /** As if it had been killed after some rows, and in the middle of a line. */
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 17, 499})
+    void anInterruptedCampaignGoesOn(int rows) throws Exception {
+        Made whole = make(TEXT, "whole", false, new Careless(7));
+        assertThatThrownBy(() -> make(TEXT, "part", false, dying(rows)))
+                .isInstanceOf(WrongUse.class)
+                .hasMessage("the power is gone");
+        Path unfinished = folder.resolve("part/rows.unfinished");
+        Files.writeString(unfinished, "499,500,ma", StandardOpenOption.APPEND);
+        assertThatThrownBy(() -> make(TEXT, "part", false, new Careless(8)))
+                .hasMessageContaining("go on with --resume");
+        Made resumed = make(TEXT, "part", true, new Careless(9));
+        assertThat(resumed.table()).isEqualTo(whole.table());
+        assertThat(resumed.result()).isEqualTo(whole.result());
+        assertThat(folder.resolve("part/rows.csv"))
+                .hasSameTextualContentAs(folder.resolve("whole/rows.csv"));
+        assertThat(unfinished).doesNotExist();
+    }
+
+    /** Gives some rows, in order, and fails. */
+    private static Engine dying(int rows) {
+        return new Engine() {
+            private final List<Trial> given = new ArrayList<>();
+            private int made;
+
+            @Override
+            public int capacity() {
+                return 100;
+            }
+
+            @Override
+            public void submit(List<Trial> batch) {
+                given.addAll(batch);
+            }
+
+            @Override
+            public List<Row> collect(Duration patience) {
+                if (made == rows) {
+                    throw new EngineFailure("the power is gone");
+                }
+                return List.of(answer(given.get(made++)));
+            }
+
+            @Override
+            public String crew() {
+                return "a candle";
+            }
+
+            @Override
+            public void close() {}
+        };
+    }
+
+    @Test
+    void rowsOfAnotherCampaignAreNotMixedIn() throws IOException {
+        assertThatThrownBy(() -> make(TEXT, "part", false, dying(3))).isInstanceOf(WrongUse.class);
+        String other = TEXT.replace("500", "600");
+        assertThatThrownBy(() -> make(other, "part", true, new Careless(1)))
+                .isInstanceOf(WrongUse.class)
+                .hasMessageContaining("belong to another campaign");
+        assertThat(Files.readAllLines(folder.resolve("part/rows.unfinished"))).hasSize(4);
+    }
+
+    @Test
+    void aRunThatWasGivenUpCountsAgainstWhatIsAskedFor() throws Exception {
+        String text = TEXT + "require collision below 0.01 at 95\n";
+        Engine engine =
+                new ThreadEngine(
+                        1,
+                        trial ->
+                                trial.number() < 20
+                                        ? Row.withoutAnswers(trial, Row.Ending.GIVEN_UP, "late")
+                                        : Row.made(
+                                                trial,
+                                                Collections.nCopies(
+                                                        Quantity.values().length, 0.0)));
+        Made made = make(text, "", false, engine);
+        assertThat(made.result().givenUp()).isEqualTo(20);
+        assertThat(made.result().judgements().get(0).decision()).isEqualTo(Decision.FAILS);
+    }
+
+    @Test
+    void aFaultOfOursIsNoRow() {
+        Engine engine =
+                new ThreadEngine(
+                        1,
+                        trial -> {
+                            throw new IllegalStateException("a fault");
+                        });
+        assertThatThrownBy(() -> make(TEXT, "", false, engine)).hasRootCauseMessage("a fault");
+    }
+}
