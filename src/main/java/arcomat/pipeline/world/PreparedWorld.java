@@ -6,6 +6,7 @@ import arcomat.sim.Laboratory;
 import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.Limits;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.world.Kind;
@@ -49,14 +50,14 @@ public final class PreparedWorld {
     /**
      * A world without a finding, whose programs were made before, perhaps by another process.
      *
-     * @param programs by {@link Kind.Program#key}
+     * @param programs by {@link Kind.Program#key}; worlds that differ in something else share them
      * @throws IllegalArgumentException where a program is missing, or a robot has a device that is
      *     described by a file: content travels, files do not
      */
-    public static PreparedWorld of(World world, Map<String, Program> programs) {
+    public static PreparedWorld of(World world, Map<String, LoadedProgram> programs) {
         Map<String, WorldPrograms.Equipment> equipment = new LinkedHashMap<>();
         for (World.Robot robot : world.robots()) {
-            Program program = programs.get(robot.kind().program().key());
+            LoadedProgram program = programs.get(robot.kind().program().key());
             if (program == null) {
                 throw new IllegalArgumentException("no program was made for " + robot.name());
             }
@@ -87,7 +88,7 @@ public final class PreparedWorld {
             for (World.Robot robot : world.robots()) {
                 WorldPrograms.Equipment own = equipment.get(robot.name());
                 if (own != null && own.program() != null) {
-                    programs.put(robot.kind().program().key(), own.program());
+                    programs.put(robot.kind().program().key(), own.program().program());
                 }
             }
         }

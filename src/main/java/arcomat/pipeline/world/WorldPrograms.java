@@ -20,6 +20,7 @@ import arcomat.pipeline.generate.RobotBuilder;
 import arcomat.pipeline.generate.Targets;
 import arcomat.sim.bus.I2CDevice;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.world.Kind;
@@ -53,7 +54,7 @@ final class WorldPrograms {
     private final Session session;
     private final Map<String, CheckedModels> checked = new LinkedHashMap<>();
     private final Map<String, LoweredModels> lowered = new HashMap<>();
-    private final Map<Kind.Program, @Nullable Program> programs = new HashMap<>();
+    private final Map<Kind.Program, @Nullable LoadedProgram> programs = new HashMap<>();
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
 
     private WorldPrograms(World world, Path folder, boolean runDevices, Session session) {
@@ -64,7 +65,7 @@ final class WorldPrograms {
     }
 
     /** What the brick of a robot is given: its program, and devices that a team has described. */
-    record Equipment(@Nullable Program program, PluggedDevices devices) {}
+    record Equipment(@Nullable LoadedProgram program, PluggedDevices devices) {}
 
     /**
      * What came of it.
@@ -94,7 +95,8 @@ final class WorldPrograms {
         for (Robot robot : world.robots()) {
             Kind.Program wanted = robot.kind().program();
             if (!programs.containsKey(wanted)) {
-                programs.put(wanted, program(wanted));
+                Program program = program(wanted);
+                programs.put(wanted, program == null ? null : LoadedProgram.forMany(program));
             }
             if (!devices.containsKey(robot.kind().name())) {
                 devices.put(robot.kind().name(), devices(robot.kind()));

@@ -5,13 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import org.hipparchus.stat.interval.BinomialProportion;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-import java.util.function.BiFunction;
-
-/** Intervals for probabilities: known values, and how often they are right. */
+/** Intervals for probabilities: known values. */
 class ProportionTest {
     private static final Confidence SURE = new Confidence(0.95);
 
@@ -81,40 +78,5 @@ class ProportionTest {
             assertThat(seen.wilson(SURE).low()).isCloseTo(wilson.getLowerBound(), within(1e-12));
             assertThat(seen.wilson(SURE).high()).isCloseTo(wilson.getUpperBound(), within(1e-12));
         }
-    }
-
-    @ParameterizedTest
-    @CsvSource({"50, 0.5", "50, 0.02", "400, 0.1", "400, 0.01", "1000, 0.002"})
-    void theExactIntervalIsRightOftenEnough(int trials, double truth, TestReporter reporter) {
-        Repetitions repetitions = new Repetitions(4000, 14);
-        double right = coverage(repetitions, trials, truth, Proportion::exact);
-        reporter.publishEntry(
-                "Clopper-Pearson at 0.95, p = %s, %d trials".formatted(truth, trials), "" + right);
-        assertThat(right)
-                .as("share of 95 %% intervals with %s in them", truth)
-                .isGreaterThanOrEqualTo(0.95 - repetitions.allowance(0.95));
-    }
-
-    /** It promises 0.95 on average over p, and no less than 0.9 or so where p is not close to 0. */
-    @ParameterizedTest
-    @CsvSource({"50, 0.5", "50, 0.2", "400, 0.1", "400, 0.02", "1000, 0.01"})
-    void wilsonsIntervalIsRightAboutAsOften(int trials, double truth, TestReporter reporter) {
-        double right = coverage(new Repetitions(4000, 14), trials, truth, Proportion::wilson);
-        reporter.publishEntry(
-                "Wilson at 0.95, p = %s, %d trials".formatted(truth, trials), "" + right);
-        assertThat(right).isBetween(0.925, 0.985);
-    }
-
-    private static double coverage(
-            Repetitions repetitions,
-            int trials,
-            double truth,
-            BiFunction<Proportion, Confidence, ConfidenceInterval> interval) {
-        ConfidenceInterval[] known = new ConfidenceInterval[trials + 1];
-        for (int events = 0; events <= trials; events++) {
-            known[events] = interval.apply(new Proportion(events, trials), SURE);
-        }
-        return repetitions.share(
-                random -> known[(int) Repetitions.events(random, trials, truth)].contains(truth));
     }
 }

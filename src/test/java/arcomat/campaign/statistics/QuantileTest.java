@@ -7,17 +7,14 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.Size;
 
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestReporter;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 import java.util.Arrays;
-import java.util.Random;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.DoubleStream;
 import java.util.stream.LongStream;
 
-/** Quantiles of columns, and how often their intervals are right. */
+/** Quantiles of columns. */
 class QuantileTest {
     private static final Confidence SURE = new Confidence(0.95);
 
@@ -30,7 +27,7 @@ class QuantileTest {
     }
 
     /** As by sorting, whatever the numbers are: the tool's own order of doubles is Java's. */
-    @Property(tries = 200)
+    @Property(tries = 60)
     void ranksAreThoseOfSorting(@ForAll @Size(min = 1, max = 40) double[] values) {
         double[] sorted = values.clone();
         Arrays.sort(sorted);
@@ -88,42 +85,5 @@ class QuantileTest {
                 Measurements.of(
                         () -> LongStream.range(0, size).mapToDouble(i -> i * 7919 % size + 1));
         assertThat(new Quantile(0.999).estimate(many)).isEqualTo(2_997_000);
-    }
-
-    @Test
-    void theIntervalIsRightOftenEnough(TestReporter reporter) {
-        check(
-                "exponential, 0.9",
-                0.9,
-                Math.log(10),
-                random -> -Math.log(random.nextDouble()),
-                reporter);
-        check("dice, median", 0.5, 3, random -> 1 + random.nextInt(6), reporter);
-        check("few arrive, 0.95", 0.95, Double.POSITIVE_INFINITY, QuantileTest::arrival, reporter);
-    }
-
-    /** Seconds; one of twelve does not arrive. */
-    private static double arrival(Random random) {
-        return random.nextInt(12) == 0 ? Double.POSITIVE_INFINITY : 10 + random.nextDouble();
-    }
-
-    private static void check(
-            String what,
-            double share,
-            double truth,
-            ToDoubleFunction<Random> measure,
-            TestReporter reporter) {
-        Repetitions repetitions = new Repetitions(400, 19);
-        double right =
-                repetitions.share(
-                        random -> {
-                            double[] values =
-                                    DoubleStream.generate(() -> measure.applyAsDouble(random))
-                                            .limit(120)
-                                            .toArray();
-                            return new Quantile(share).interval(of(values), SURE).contains(truth);
-                        });
-        reporter.publishEntry("quantile at 0.95, " + what, "" + right);
-        assertThat(right).as(what).isGreaterThanOrEqualTo(0.95 - repetitions.allowance(0.95));
     }
 }

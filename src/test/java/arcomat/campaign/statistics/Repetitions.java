@@ -1,7 +1,8 @@
 package arcomat.campaign.statistics;
 
-import java.util.Random;
+import java.util.SplittableRandom;
 import java.util.function.Predicate;
+import java.util.random.RandomGenerator;
 
 /**
  * The same experiment many times, each with chances of its own; the same ones in every run of a
@@ -9,8 +10,8 @@ import java.util.function.Predicate;
  */
 record Repetitions(int count, long seed) {
     /** How often something was so. */
-    double share(Predicate<Random> experiment) {
-        Random random = new Random(seed);
+    double share(Predicate<RandomGenerator> experiment) {
+        RandomGenerator random = new SplittableRandom(seed);
         int so = 0;
         for (int i = 0; i < count; i++) {
             so += experiment.test(random) ? 1 : 0;
@@ -26,7 +27,7 @@ record Repetitions(int count, long seed) {
         return 4 * Math.sqrt(limit * (1 - limit) / count);
     }
 
-    static long events(Random random, int trials, double probability) {
+    static long events(RandomGenerator random, int trials, double probability) {
         long events = 0;
         for (int i = 0; i < trials; i++) {
             events += random.nextDouble() < probability ? 1 : 0;

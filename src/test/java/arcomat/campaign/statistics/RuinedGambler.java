@@ -1,8 +1,9 @@
 package arcomat.campaign.statistics;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Random;
+import java.util.random.RandomGenerator;
 
 /**
  * A walk from 1 that ends at 0 or at the goal, up or down by one: what comes of it is known
@@ -24,15 +25,15 @@ record RuinedGambler(List<Double> luck, int goal) {
     }
 
     /** Whether the goal is reached, at once. */
-    boolean wins(Random random) {
+    boolean wins(RandomGenerator random) {
         return climbs(draw(random, 0), 1, goal, random);
     }
 
-    private Walker draw(Random random, int founder) {
+    private Walker draw(RandomGenerator random, int founder) {
         return new Walker(luck.get(random.nextInt(luck.size())), founder);
     }
 
-    private static boolean climbs(Walker walker, int from, int to, Random random) {
+    private static boolean climbs(Walker walker, int from, int to, RandomGenerator random) {
         int place = from;
         while (place > 0 && place < to) {
             place += random.nextDouble() < walker.up() ? 1 : -1;
@@ -41,7 +42,7 @@ record RuinedGambler(List<Double> luck, int goal) {
     }
 
     /** A splitting at every second place, with so many trials for each level. */
-    Outcome split(int effort, Random random) {
+    Outcome split(int effort, RandomGenerator random) {
         List<Walker> starting = new ArrayList<>();
         for (int i = 0; i < effort; i++) {
             starting.add(draw(random, i));
@@ -65,11 +66,16 @@ record RuinedGambler(List<Double> luck, int goal) {
 
     private static Families families(int effort, List<Walker> reached) {
         Long[] sizes = new Long[effort];
-        java.util.Arrays.fill(sizes, 0L);
+        Arrays.fill(sizes, 0L);
         reached.forEach(each -> sizes[each.founder()]++);
         return new Families(List.of(sizes));
     }
 
     /** What a splitting gave. */
-    record Outcome(Splitting splitting, Families families) {}
+    record Outcome(Splitting splitting, Families families) {
+        /** Of an estimate of zero it is zero. */
+        double variance() {
+            return families.members() == 0 ? 0 : splitting.variance(families);
+        }
+    }
 }

@@ -43,7 +43,7 @@ class SamplingTest {
     /** Every number goes everywhere, as often as anywhere else. */
     @Test
     void shufflesAreEven() {
-        int shuffles = 20_000;
+        int shuffles = 6_000;
         for (int size : new int[] {2, 3, 5, 8}) {
             for (int number = 0; number < size; number++) {
                 int first = number;
@@ -59,7 +59,7 @@ class SamplingTest {
                         .allSatisfy(
                                 times ->
                                         assertThat((double) times / shuffles)
-                                                .isCloseTo(share, within(0.02)));
+                                                .isCloseTo(share, within(0.03)));
             }
         }
     }

@@ -3,7 +3,6 @@ package arcomat.campaign.statistics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.TestReporter;
 
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -58,7 +57,7 @@ class WorstCaseTest {
     }
 
     @Test
-    void isBetterThanChance(TestReporter reporter) {
+    void isBetterThanChance() {
         double sought = 0;
         double chance = 0;
         for (long seed = 0; seed < 50; seed++) {
@@ -71,18 +70,16 @@ class WorstCaseTest {
             }
             chance += Math.log10(drawn) / 50;
         }
-        reporter.publishEntry("log10 of the best of 200", "sought " + sought + ", drawn " + chance);
-        assertThat(sought).isLessThan(chance - 1);
+        assertThat(sought).as("log10 of the best of 200").isLessThan(chance - 1);
     }
 
     @Test
-    void beginsAgainWhereItHasSettledInTheWrongHollow(TestReporter reporter) {
+    void beginsAgainWhereItHasSettledInTheWrongHollow() {
         int found = 0;
         for (long seed = 0; seed < 20; seed++) {
             found += best(search(2, seed, 3000, WorstCaseTest::hollows)) < 1e-3 ? 1 : 0;
         }
-        reporter.publishEntry("deepest of many hollows found", found + " of 20");
-        assertThat(found).isGreaterThanOrEqualTo(18);
+        assertThat(found).as("of 20 searches").isGreaterThanOrEqualTo(18);
     }
 
     /** The smallest value is in a corner; all points are in the cube. */

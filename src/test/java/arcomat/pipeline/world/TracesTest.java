@@ -19,6 +19,9 @@ import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 
 /**
  * Runs of the shipped worlds are what they have been, bit for bit: each line of the file is a
@@ -29,6 +32,7 @@ class TracesTest {
     private static final Path FILE = Path.of("src/test/resources/world/traces.txt");
     private static final boolean UPDATE = Boolean.getBoolean("transcripts.update");
     private static final int FEW = 6;
+    private static final int AT_ONCE = 4;
     private static final int DIGITS = 32;
 
     private record Trace(String world, boolean counted, long seed, String hash) {
@@ -90,6 +94,22 @@ class TracesTest {
     @Tag("slow")
     void theServiceIsWhatItWasWhateverTheSeed() throws IOException, WrongUse {
         check(Shipped.SERVICE, Integer.MAX_VALUE);
+    }
+
+    /** Campaigns run many at once, with the same programs. */
+    @Test
+    void runsAtTheSameTimeAreWhatTheyWere() throws Exception {
+        List<Trace> traces = Files.readAllLines(FILE).stream().map(Trace::of).limit(FEW).toList();
+        PreparedWorld world = Shipped.world(Shipped.MEETING);
+        ExecutorService threads = Executors.newFixedThreadPool(AT_ONCE);
+        List<Future<Trace>> runs = new ArrayList<>();
+        for (int i = 0; i < AT_ONCE; i++) {
+            traces.forEach(trace -> runs.add(threads.submit(() -> trace.again(world))));
+        }
+        for (int i = 0; i < runs.size(); i++) {
+            assertThat(runs.get(i).get()).isEqualTo(traces.get(i % traces.size()));
+        }
+        threads.shutdown();
     }
 
     private static void check(String name, int most) throws IOException, WrongUse {

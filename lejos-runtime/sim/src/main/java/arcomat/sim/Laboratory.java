@@ -1,6 +1,7 @@
 package arcomat.sim;
 
 import arcomat.sim.device.Limits;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Program;
 import arcomat.sim.radio.Ether;
 import arcomat.sim.time.Timetable;
@@ -42,6 +43,11 @@ public final class Laboratory implements AutoCloseable {
      *     classes of leJOS or of the simulation, which are there already
      */
     public SimulatedBrick place(String name, Program program) {
+        return place(name, LoadedProgram.forOnce(program));
+    }
+
+    /** As {@link #place(String, Program)}, where other bricks had the program or will have it. */
+    public SimulatedBrick place(String name, LoadedProgram program) {
         SimulatedBrick brick = new SimulatedBrick(name, program, time, ether, limits);
         bricks.add(brick);
         return brick;
@@ -103,5 +109,6 @@ public final class Laboratory implements AutoCloseable {
         }
         bricks.forEach(SimulatedBrick::stop);
         time.runUntil(time.now());
+        bricks.forEach(SimulatedBrick::leave);
     }
 }

@@ -1,5 +1,7 @@
 package arcomat.sim;
 
+import arcomat.sim.load.LoadedProgram;
+
 import java.util.Optional;
 
 /**
@@ -48,7 +50,7 @@ public record Outcome(Kind kind, Optional<Throwable> error) {
                         .formatted(
                                 text(cause),
                                 element.getClassName(),
-                                element.getMethodName(),
+                                LoadedProgram.written(element.getMethodName()),
                                 element.getFileName(),
                                 element.getLineNumber());
             }
@@ -70,6 +72,7 @@ public record Outcome(Kind kind, Optional<Throwable> error) {
         return !name.startsWith("java.")
                 && !name.startsWith("jdk.")
                 && !name.startsWith("lejos.")
-                && !name.startsWith("arcomat.sim.");
+                && !name.startsWith("arcomat.sim.")
+                && !LoadedProgram.isAdded(element.getMethodName());
     }
 }

@@ -35,6 +35,11 @@ final class ProgramThreads implements Lifetime {
         return outcome;
     }
 
+    /** Whether the program is over, and no thread of it is left behind. */
+    boolean areOver() {
+        return outcome.kind() != Outcome.Kind.RUNNING && strands.isEmpty();
+    }
+
     /** A thread object stands for a thread of the program; it is never started itself. */
     @Override
     public void start(Thread thread) {

@@ -10,14 +10,13 @@ import arcomat.sim.device.Observer;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.BrickLoader;
-import arcomat.sim.load.Program;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.radio.Ether;
 import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
 import arcomat.sim.time.VirtualTime;
 
-import java.lang.reflect.InvocationTargetException;
-import java.lang.reflect.Method;
+import java.lang.invoke.MethodHandle;
 import java.util.List;
 
 /**
@@ -27,11 +26,13 @@ import java.util.List;
 public final class SimulatedBrick implements Action.Receiver {
     private final Hardware hardware;
     private final ProgramThreads threads;
+    private final BrickLoader loader;
 
-    SimulatedBrick(String name, Program program, VirtualTime time, Ether ether, Limits limits) {
+    SimulatedBrick(
+            String name, LoadedProgram program, VirtualTime time, Ether ether, Limits limits) {
         threads = new ProgramThreads(name, time, this::programOver);
         hardware = new Hardware(name, time, threads, ether.join(name), limits);
-        BrickLoader loader = new BrickLoader(program, hardware);
+        loader = program.take(hardware);
         threads.startMain(() -> runMain(loader, program.mainClass()));
     }
 
@@ -44,15 +45,17 @@ public final class SimulatedBrick implements Action.Receiver {
 
     /** As on the brick, main gets no arguments, not even an empty array. */
     private static void runMain(BrickLoader loader, String mainClass) {
+        MethodHandle main;
         try {
-            Method main = loader.loadClass(mainClass).getDeclaredMethod("main", String[].class);
-            main.setAccessible(true); // its class need not be public
-            main.invoke(null, (Object) null);
-        } catch (InvocationTargetException e) {
-            throw ProgramFailure.unwrapped(e.getTargetException());
+            main = loader.main(mainClass);
         } catch (ReflectiveOperationException e) {
             throw new IllegalStateException(
                     mainClass + " has no method public static void main(String[])", e);
+        }
+        try {
+            main.invokeExact((String[]) null);
+        } catch (Throwable e) {
+            throw ProgramFailure.unwrapped(e);
         }
     }
 
@@ -122,5 +125,12 @@ public final class SimulatedBrick implements Action.Receiver {
     public void stop() {
         hardware.observe(Observer.NONE);
         threads.end(Outcome.of(Outcome.Kind.STOPPED));
+    }
+
+    /** Another brick may have the classes, once nothing runs in them any more. */
+    void leave() {
+        if (threads.areOver()) {
+            loader.leave();
+        }
     }
 }

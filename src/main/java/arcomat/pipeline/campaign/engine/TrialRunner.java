@@ -5,6 +5,7 @@ import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.device.Limits;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -15,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 
 import java.time.Duration;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
 
@@ -28,11 +30,13 @@ public final class TrialRunner implements Function<Trial, Row> {
 
     private final Freight freight;
     private final SourceFile text;
+    private final Map<String, LoadedProgram> programs = new TreeMap<>();
     private final Map<Map<String, String>, Stage> stages = new ConcurrentHashMap<>();
 
     public TrialRunner(Freight freight) {
         this.freight = freight;
         this.text = new SourceFile("world", freight.world());
+        freight.programs().forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each)));
     }
 
     /**
@@ -77,7 +81,7 @@ public final class TrialRunner implements Function<Trial, Row> {
             return new Stage(null, why);
         }
         try {
-            PreparedWorld world = PreparedWorld.of(parsed.world().get(), freight.programs());
+            PreparedWorld world = PreparedWorld.of(parsed.world().get(), programs);
             return new Stage(world, "");
         } catch (IllegalArgumentException e) {
             return new Stage(null, String.valueOf(e.getMessage()));

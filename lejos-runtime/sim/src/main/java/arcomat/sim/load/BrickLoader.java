@@ -2,33 +2,103 @@ package arcomat.sim.load;
 
 import arcomat.sim.device.Hardware;
 
-import java.io.IOException;
-import java.io.InputStream;
+import org.jspecify.annotations.Nullable;
+
+import java.lang.invoke.MethodHandle;
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.MethodType;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
 
 /**
  * The classes of one brick. What is static in a program or in lejos.* exists once per brick. A
  * program sees its own classes, lejos.* and the JDK, and nothing else of this process.
  */
 public final class BrickLoader extends ClassLoader implements Hardware.Inside {
-    private final Hardware hardware;
-    private final Program program;
-    private final Rewriter rewriter;
+    private static final MethodType PLAIN = MethodType.methodType(void.class);
+    private static final MethodType MAIN = MethodType.methodType(void.class, String[].class);
 
-    public BrickLoader(Program program, Hardware hardware) {
-        super("brick " + hardware.name(), BrickLoader.class.getClassLoader());
-        for (String name : program.classes().keySet()) {
-            if (isShared(name) || isInside(name)) {
-                throw new IllegalArgumentException(name + " lies in a package of the simulation");
-            }
-        }
-        this.hardware = hardware;
-        this.program = program;
-        this.rewriter = Rewriter.of(program.classes(), hardware.limits().counted());
+    private final Stock stock;
+
+    /** What classes do to be as if they had just been loaded. */
+    private final List<MethodHandle> forgetting = new ArrayList<>();
+
+    private @Nullable Hardware hardware;
+
+    BrickLoader(Stock stock) {
+        super("brick", BrickLoader.class.getClassLoader());
+        this.stock = stock;
     }
 
     @Override
     public Hardware hardware() {
-        return hardware;
+        return Objects.requireNonNull(hardware);
+    }
+
+    /** Belongs to a brick from now on. */
+    void beginFor(Hardware next) {
+        hardware = next;
+    }
+
+    /**
+     * Belongs to no brick any more, and is as if nothing had been loaded: another brick may have
+     * it. The program must be over, with all its threads.
+     */
+    public void leave() {
+        if (stock.repeats()) {
+            forgetting.forEach(BrickLoader::call);
+            hardware = null;
+            stock.add(this);
+        }
+    }
+
+    /**
+     * The program's main, whose class has begun. A handle: Java replaces a reflected method that is
+     * called again and again by a class of its own, which this loader would have to find.
+     *
+     * @throws ReflectiveOperationException if there is none
+     */
+    public MethodHandle main(String mainClass) throws ReflectiveOperationException {
+        Class<?> type = loadClass(mainClass);
+        Method main = type.getDeclaredMethod("main", String[].class);
+        if (!Modifier.isStatic(main.getModifiers())) {
+            throw new NoSuchMethodException("main is not static");
+        }
+        MethodHandle handle = lookup(type).unreflect(main).asType(MAIN);
+        if (stock.repeats()) {
+            hidden(type, Repetition.READY).ifPresent(BrickLoader::call);
+        }
+        return handle;
+    }
+
+    /** Its class need not be public. */
+    private static MethodHandles.Lookup lookup(Class<?> type) throws IllegalAccessException {
+        return MethodHandles.privateLookupIn(type, MethodHandles.lookup());
+    }
+
+    /** What {@link Repetition} has given to a class or to one above it. */
+    private static Optional<MethodHandle> hidden(Class<?> type, String method) {
+        try {
+            return Optional.of(lookup(type).findStatic(type, method, PLAIN));
+        } catch (NoSuchMethodException e) {
+            return Optional.empty();
+        } catch (IllegalAccessException e) {
+            throw new AssertionError("no module closes it", e);
+        }
+    }
+
+    private static void call(MethodHandle method) {
+        try {
+            method.invokeExact();
+        } catch (RuntimeException | Error e) {
+            throw e;
+        } catch (Throwable e) {
+            throw new AssertionError("it declares none", e);
+        }
     }
 
     @Override
@@ -43,11 +113,11 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
     }
 
     /** The JDK, and the simulation itself, where bricks meet. */
-    private static boolean isShared(String name) {
+    static boolean isShared(String name) {
         return name.startsWith("java.") || name.startsWith("arcomat.sim.") && !isInside(name);
     }
 
-    private static boolean isInside(String name) {
+    static boolean isInside(String name) {
         return isOfTheBrick(name) || name.startsWith("arcomat.sim.inside.");
     }
 
@@ -58,27 +128,16 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
 
     @Override
     protected Class<?> findClass(String name) throws ClassNotFoundException {
-        byte[] classFile = isInside(name) ? simulated(name) : ofProgram(name);
-        return defineClass(name, classFile, 0, classFile.length);
+        byte[] classFile = stock.files().find(name).orElseThrow(() -> missing(name));
+        Class<?> type = defineClass(name, classFile, 0, classFile.length);
+        if (stock.repeats()) {
+            hidden(type, Repetition.FORGET).ifPresent(forgetting::add);
+        }
+        return type;
     }
 
-    private byte[] ofProgram(String name) throws ClassNotFoundException {
-        byte[] classFile = program.classes().get(name);
-        if (classFile == null) {
-            throw new ClassNotFoundException(name + " is not in the program's jar");
-        }
-        return rewriter.rewrite(classFile);
-    }
-
-    private byte[] simulated(String name) throws ClassNotFoundException {
-        String path = name.replace('.', '/') + ".class";
-        try (InputStream stream = getParent().getResourceAsStream(path)) {
-            if (stream == null) {
-                throw new ClassNotFoundException(name + " is not simulated");
-            }
-            return stream.readAllBytes();
-        } catch (IOException e) {
-            throw new ClassNotFoundException(name + " cannot be read", e);
-        }
+    private static ClassNotFoundException missing(String name) {
+        return new ClassNotFoundException(
+                name + (isInside(name) ? " is not simulated" : " is not in the program's jar"));
     }
 }

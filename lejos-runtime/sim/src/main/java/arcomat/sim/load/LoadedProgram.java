@@ -1,0 +1,78 @@
+package arcomat.sim.load;
+
+import arcomat.sim.device.Hardware;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A program for bricks. One for many of them makes its class files ready once, and where all its
+ * classes can begin again, a brick takes over those that an earlier one has left: the PC's Java has
+ * compiled them by then. Else they are loaded anew for every brick. What a program does is the same
+ * either way. Bricks of several laboratories, in threads of their own, may share one.
+ */
+public final class LoadedProgram {
+    private final Program program;
+    private final boolean once;
+    private @Nullable Stock counted;
+    private @Nullable Stock free;
+
+    private LoadedProgram(Program program, boolean once) {
+        this.program = program;
+        this.once = once;
+    }
+
+    /** For one brick. */
+    public static LoadedProgram forOnce(Program program) {
+        return new LoadedProgram(program, true);
+    }
+
+    /** For many bricks, one after the other or at the same time. */
+    public static LoadedProgram forMany(Program program) {
+        return new LoadedProgram(program, false);
+    }
+
+    public Program program() {
+        return program;
+    }
+
+    public String mainClass() {
+        return program.mainClass();
+    }
+
+    /**
+     * The classes for a brick.
+     *
+     * @throws IllegalArgumentException if the program brings classes of leJOS or of the simulation
+     */
+    public BrickLoader take(Hardware hardware) {
+        return stock(hardware.limits().counted()).take(hardware);
+    }
+
+    /** Whether bricks with limits, or without, take over classes that others have left. */
+    public boolean repeats(boolean isCounted) {
+        return stock(isCounted).repeats();
+    }
+
+    private synchronized Stock stock(boolean isCounted) {
+        Stock stock = isCounted ? counted : free;
+        if (stock == null) {
+            stock = once ? Stock.forOnce(program, isCounted) : Stock.forMany(program, isCounted);
+            if (isCounted) {
+                counted = stock;
+            } else {
+                free = stock;
+            }
+        }
+        return stock;
+    }
+
+    /** Whether a method is none of the program's: it was added to let a class begin again. */
+    public static boolean isAdded(String method) {
+        return method.equals(Repetition.READY) || method.equals(Repetition.FIRST);
+    }
+
+    /** What a method of a class that begins again is called in its class file. */
+    public static String written(String method) {
+        return method.equals(Repetition.BEGIN) ? "<clinit>" : method;
+    }
+}
