@@ -9,6 +9,7 @@ import arcomat.pipeline.campaign.MakeCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign.Prepared;
 import arcomat.pipeline.campaign.PrepareCampaign.Ready;
+import arcomat.pipeline.campaign.SearchWorst;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.ThreadEngine;
@@ -82,9 +83,13 @@ final class CampaignCommand extends Command {
             return ExitStatus.FINDINGS;
         }
         Ready ready = prepared.ready().get();
-        return tell(
-                session.run(new MakeCampaign(ready, results, resumes, this::engine)),
-                ready.world());
+        int status =
+                tell(
+                        session.run(new MakeCampaign(ready, results, resumes, this::engine)),
+                        ready.world());
+        session.run(new SearchWorst(ready, this::engine))
+                .ifPresent(found -> print(CampaignText.found(found, ready.world())));
+        return status;
     }
 
     private Engine engine(Freight freight) {

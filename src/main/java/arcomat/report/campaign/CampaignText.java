@@ -3,8 +3,10 @@ package arcomat.report.campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.CampaignResult.Spread;
+import arcomat.campaign.Demand;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
+import arcomat.campaign.WorstRun;
 import arcomat.campaign.statistics.Confidence;
 import arcomat.campaign.statistics.ConfidenceInterval;
 import arcomat.campaign.statistics.Decision;
@@ -131,6 +133,18 @@ public final class CampaignText {
                 + (wrong ? "to see one that went wrong: " : "to see the closest call: ")
                 + command(worst, world)
                 + "\n";
+    }
+
+    /** What a search has found. */
+    public static String found(WorstRun worst, String world) {
+        String which = worst.search().side() == Demand.Side.BELOW ? "smallest" : "largest";
+        return "the %s %s that a search of %,d runs has found is %s: %s\n"
+                .formatted(
+                        which,
+                        worst.search().measure(),
+                        worst.runs(),
+                        number(worst.value()),
+                        command(worst.row(), world));
     }
 
     /** The command that makes a run again. */
