@@ -33,8 +33,8 @@ class ParquetTableTest {
             CampaignParser.parse(
                             new SourceFile(
                                     "c",
-                                    "world w\nvary light from 0 to 4\nvary steps of 1, 2.5\n"
-                                            + "vary driver of old, new\nsample random 10\n"))
+                                    "world w\nvary light from 0 to 4\nvary steps of 1 2.5\n"
+                                            + "vary driver of old new\nsample random 10\n"))
                     .campaign()
                     .orElseThrow();
 
