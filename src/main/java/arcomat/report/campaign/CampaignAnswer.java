@@ -4,8 +4,6 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.CampaignResult.Spread;
-import arcomat.campaign.Changes;
-import arcomat.campaign.Demand;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
 import arcomat.campaign.Variation;
@@ -83,9 +81,6 @@ record CampaignAnswer(
         }
     }
 
-    /** A bound that is required, and the side of it that is wanted. */
-    record Bound(String side, double value) {}
-
     /** How often something happened. */
     record Event(
             String name,
@@ -108,30 +103,8 @@ record CampaignAnswer(
                     finite(occurrence.proportion().estimate()),
                     interval.low(),
                     interval.high(),
-                    bounds(name, campaign));
+                    Bound.of(name, campaign));
         }
-    }
-
-    private static List<Bound> bounds(String name, Campaign campaign) {
-        return campaign.demands().stream()
-                .flatMap(
-                        demand ->
-                                demand
-                                        .match(
-                                                event -> bound(event, name),
-                                                share -> bound(share, name))
-                                        .stream())
-                .toList();
-    }
-
-    private static Optional<Bound> bound(Demand.Probability event, String name) {
-        return Optional.of(new Bound(event.side().word(), event.bound()))
-                .filter(bound -> event.event().equals(name));
-    }
-
-    private static Optional<Bound> bound(Demand.Share share, String name) {
-        return Optional.of(new Bound(share.side().word(), share.bound()))
-                .filter(bound -> share.measure().equals(name));
     }
 
     /**
@@ -180,7 +153,7 @@ record CampaignAnswer(
                     histogram.scale().width(),
                     histogram.scale().whole(),
                     histogram.counts(),
-                    bounds(name, campaign));
+                    Bound.of(name, campaign));
         }
     }
 
@@ -210,61 +183,6 @@ record CampaignAnswer(
         }
     }
 
-    /** Two words of a parameter on the same seeds; of the seeds that changed, the first ones. */
-    record Compared(
-            String parameter,
-            String before,
-            String after,
-            String event,
-            long pairs,
-            long better,
-            long worse,
-            List<Change> firstBetter,
-            List<Change> firstWorse) {
-        static Compared of(Campaign.Comparison asked, Changes changes, CampaignReport report) {
-            List<String> words =
-                    report.campaign().variations().stream()
-                            .filter(each -> each.parameter().equals(asked.parameter()))
-                            .flatMap(each -> each.steps(2).stream())
-                            .toList();
-            return new Compared(
-                    asked.parameter(),
-                    words.get(0),
-                    words.get(1),
-                    asked.event(),
-                    changes.pairs(),
-                    changes.better(),
-                    changes.worse(),
-                    changed(changes.firstBetter(), asked, report),
-                    changed(changes.firstWorse(), asked, report));
-        }
-
-        private static List<Change> changed(
-                List<Changes.Pair> pairs, Campaign.Comparison asked, CampaignReport report) {
-            return pairs.stream().map(pair -> Change.of(pair, asked, report.replay())).toList();
-        }
-    }
-
-    /**
-     * A seed on which the two words differ.
-     *
-     * @param values of the other parameters
-     * @param before the command that makes the run with the first word
-     * @param after and that with the second
-     */
-    record Change(long seed, Map<String, String> values, String before, String after) {
-        static Change of(Changes.Pair pair, Campaign.Comparison asked, Replay replay) {
-            Map<String, String> others =
-                    new java.util.LinkedHashMap<>(pair.after().trial().values());
-            others.remove(asked.parameter());
-            return new Change(
-                    pair.after().trial().seed(),
-                    others,
-                    replay.command(pair.before(), "build/before"),
-                    replay.command(pair.after(), "build/after"));
-        }
-    }
-
     static CampaignAnswer of(CampaignReport report) {
         Campaign campaign = report.campaign();
         CampaignResult result = report.result();
@@ -291,11 +209,7 @@ record CampaignAnswer(
                 result.notable().stream()
                         .map(each -> Run.of(each, campaign, report.replay()))
                         .toList(),
-                campaign.comparison()
-                        .flatMap(
-                                asked ->
-                                        overview.changes()
-                                                .map(all -> Compared.of(asked, all, report))));
+                Compared.of(report));
     }
 
     private static String verdict(CampaignResult result) {

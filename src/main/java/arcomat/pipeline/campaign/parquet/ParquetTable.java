@@ -63,6 +63,7 @@ public final class ParquetTable {
 
         /** Still asked for by the library's type; called by nobody who has no Hadoop. */
         @Override
+        @SuppressWarnings("deprecation")
         protected WriteSupport<Row> getWriteSupport(Configuration hadoop) {
             return new RowSupport(columns);
         }

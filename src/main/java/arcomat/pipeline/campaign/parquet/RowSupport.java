@@ -14,7 +14,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 
-
 /** Gives a row to the library, column by column. */
 final class RowSupport extends WriteSupport<Row> {
     private final List<TypedColumn> columns;
@@ -24,7 +23,9 @@ final class RowSupport extends WriteSupport<Row> {
         this.columns = columns;
     }
 
+    /** Still asked for by the library's type; called by nobody who has no Hadoop. */
     @Override
+    @SuppressWarnings("deprecation")
     public WriteContext init(Configuration hadoop) {
         return context();
     }
