@@ -58,8 +58,7 @@ public final class Pairing {
 
     /** Empty where nothing is compared. */
     public Optional<Changes> changes() {
-        return comparison.map(
-                asked -> new Changes(pairs, betterPairs, worsePairs, better, worse));
+        return comparison.map(asked -> new Changes(pairs, betterPairs, worsePairs, better, worse));
     }
 
     /** What should happen is the goal; everything else should not. */

@@ -48,8 +48,7 @@ public final class Axis {
 
     private static Axis ofRange(Variation variation, Range range, Plan plan, long runs) {
         double numbers = range.high() - range.low() + 1;
-        int steps =
-                plan.match(random -> 0, latin -> 0, Plan.Grid::steps);
+        int steps = plan.match(random -> 0, latin -> 0, Plan.Grid::steps);
         if (steps > 0 && steps <= MOST) {
             return ofSteps(variation.parameter(), variation.steps(steps));
         }

@@ -76,11 +76,9 @@ public record HeatMap(Axis across, Axis up, List<Long> runs, List<Layer> layers)
         HeatMap map() {
             List<Layer> layers = new ArrayList<>();
             for (int i = 0; i < columns.size(); i++) {
-                layers.add(
-                        new Layer(columns.get(i), sums.get(i).stream().map(Sum::cell).toList()));
+                layers.add(new Layer(columns.get(i), sums.get(i).stream().map(Sum::cell).toList()));
             }
-            return new HeatMap(
-                    across, up, java.util.Arrays.stream(runs).boxed().toList(), layers);
+            return new HeatMap(across, up, java.util.Arrays.stream(runs).boxed().toList(), layers);
         }
     }
 

@@ -12,8 +12,7 @@ import java.util.List;
  * @param never runs in which it did not come to a number: it is infinite
  * @param unknown runs that have none, such as a distance to another robot where there is one
  */
-public record Histogram(
-        Column column, Scale scale, List<Long> counts, long never, long unknown) {
+public record Histogram(Column column, Scale scale, List<Long> counts, long never, long unknown) {
     private static final int BINS = 24;
 
     public Histogram {

@@ -93,13 +93,7 @@ public record MakeCampaign(
             Overview overview = Overview.of(ready.campaign(), rows::rows);
             folder.keep(rows);
             return new Made(
-                    result,
-                    overview,
-                    rows.count(),
-                    planned,
-                    resumed,
-                    rows.hash(),
-                    engine.crew());
+                    result, overview, rows.count(), planned, resumed, rows.hash(), engine.crew());
         } catch (EngineFailure e) {
             throw new WrongUse("%s", e.getMessage());
         } catch (IOException e) {

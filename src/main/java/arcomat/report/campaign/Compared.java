@@ -49,8 +49,7 @@ record Compared(
                                         .map(changes -> of(asked, changes, report)));
     }
 
-    private static Compared of(
-            Campaign.Comparison asked, Changes changes, CampaignReport report) {
+    private static Compared of(Campaign.Comparison asked, Changes changes, CampaignReport report) {
         List<String> words =
                 report.campaign().variations().stream()
                         .filter(each -> each.parameter().equals(asked.parameter()))

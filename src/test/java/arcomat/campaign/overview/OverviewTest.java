@@ -28,8 +28,7 @@ class OverviewTest {
     }
 
     /** All runs, with an answer for each column. */
-    private static Overview overview(
-            Campaign campaign, BiFunction<Trial, Column, Double> answer) {
+    private static Overview overview(Campaign campaign, BiFunction<Trial, Column, Double> answer) {
         Trials trials = Trials.of(campaign);
         return Overview.of(
                 campaign,
@@ -86,8 +85,7 @@ class OverviewTest {
 
     @Test
     void nothingToCountIsNothing() {
-        Overview overview =
-                overview(campaign("sample random 3\n"), (trial, column) -> Double.NaN);
+        Overview overview = overview(campaign("sample random 3\n"), (trial, column) -> Double.NaN);
         assertThat(overview.histograms())
                 .allSatisfy(each -> assertThat(each.counts()).isEmpty())
                 .allSatisfy(each -> assertThat(each.unknown()).isEqualTo(3));
@@ -130,9 +128,7 @@ class OverviewTest {
     @Test
     void oneParameterHasAMapOfOneRow() {
         HeatMap map =
-                overview(
-                                campaign("vary a of x y\nsample random 100\n"),
-                                (trial, column) -> 0.0)
+                overview(campaign("vary a of x y\nsample random 100\n"), (trial, column) -> 0.0)
                         .maps()
                         .get(0);
         assertThat(map.up().parameter()).isEmpty();
@@ -153,9 +149,7 @@ class OverviewTest {
     @Test
     void wordsBeyondTheLastPlaceAreTheOthers() {
         String words =
-                String.join(
-                        " ",
-                        LongStream.range(0, 25).mapToObj(number -> "w" + number).toList());
+                String.join(" ", LongStream.range(0, 25).mapToObj(number -> "w" + number).toList());
         HeatMap map =
                 overview(
                                 campaign("vary a of " + words + "\nsample grid 1 seeds 2\n"),
@@ -175,7 +169,9 @@ class OverviewTest {
                         campaign,
                         (trial, column) -> {
                             boolean old = trial.values().get("who").equals("old");
-                            return old && trial.seed() > 10 || !old && trial.seed() <= 3 ? 1.0 : 0.0;
+                            return old && trial.seed() > 10 || !old && trial.seed() <= 3
+                                    ? 1.0
+                                    : 0.0;
                         });
         var changes = overview.changes().orElseThrow();
         assertThat(changes.pairs()).isEqualTo(100);

@@ -66,7 +66,9 @@ final class SampleCampaigns {
 
     static Stream<Row> rows(Campaign campaign) {
         Trials trials = Trials.of(campaign);
-        return LongStream.range(0, trials.count()).mapToObj(trials::trial).map(SampleCampaigns::row);
+        return LongStream.range(0, trials.count())
+                .mapToObj(trials::trial)
+                .map(SampleCampaigns::row);
     }
 
     /** The same for the same seed, but for what the driver makes of it. */

@@ -97,8 +97,7 @@ record TypedColumn(Type type, Predicate<Row> isKnown, Cell cell) {
     }
 
     private static TypedColumn text(String name, Function<Row, String> value) {
-        Type type =
-                Types.required(BINARY).as(LogicalTypeAnnotation.stringType()).named(name);
+        Type type = Types.required(BINARY).as(LogicalTypeAnnotation.stringType()).named(name);
         return new TypedColumn(
                 type,
                 row -> true,
