@@ -5,23 +5,31 @@ import arcomat.campaign.statistics.McNemar;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
 
 /** Pairs of runs that differ in what is compared, and in nothing else. */
-final class Pairing {
+public final class Pairing {
+    /** So many of either kind are kept, to be looked at. */
+    private static final int KEPT = 20;
+
     private final Optional<Campaign.Comparison> comparison;
     private final int column;
     private @Nullable Row first;
+    private final List<Changes.Pair> better = new ArrayList<>();
+    private final List<Changes.Pair> worse = new ArrayList<>();
     private long pairs;
-    private long better;
-    private long worse;
+    private long betterPairs;
+    private long worsePairs;
 
-    Pairing(Campaign campaign) {
+    public Pairing(Campaign campaign) {
         this.comparison = campaign.comparison();
         this.column = comparison.map(each -> campaign.column(each.event())).orElse(-1);
     }
 
-    void see(Row row) {
+    /** The next row. */
+    public void see(Row row) {
         if (comparison.isEmpty()) {
             return;
         }
@@ -31,9 +39,26 @@ final class Pairing {
             pairs++;
             boolean before = isGood(first);
             boolean after = isGood(row);
-            better += after && !before ? 1 : 0;
-            worse += before && !after ? 1 : 0;
+            Changes.Pair pair = new Changes.Pair(first, row);
+            if (after && !before) {
+                betterPairs++;
+                keep(pair, better);
+            } else if (before && !after) {
+                worsePairs++;
+                keep(pair, worse);
+            }
         }
+    }
+
+    private static void keep(Changes.Pair pair, List<Changes.Pair> kept) {
+        if (kept.size() < KEPT) {
+            kept.add(pair);
+        }
+    }
+
+    /** Empty where nothing is compared. */
+    public Optional<Changes> changes() {
+        return comparison.map(asked -> new Changes(pairs, betterPairs, worsePairs, better, worse));
     }
 
     /** What should happen is the goal; everything else should not. */
@@ -47,7 +72,7 @@ final class Pairing {
     }
 
     private Judgement judge(Campaign.Comparison asked) {
-        McNemar test = new McNemar(better, worse);
+        McNemar test = new McNemar(betterPairs, worsePairs);
         double error = 1 - asked.confidence();
         Decision decision = Decision.UNDECIDED;
         String word = "no difference is shown";
@@ -60,7 +85,7 @@ final class Pairing {
         }
         String because =
                 "%s: of %,d pairs %,d got better and %,d worse"
-                        .formatted(word, pairs, better, worse);
+                        .formatted(word, pairs, betterPairs, worsePairs);
         String subject =
                 "%s by %s at %s"
                         .formatted(

@@ -39,11 +39,17 @@ public final class TableText {
         cells.add(Long.toString(row.trial().number()));
         cells.add(Long.toString(row.trial().seed()));
         cells.addAll(row.trial().values().values());
-        cells.add(row.wasMade() ? "made" : row.ending().word() + ": " + row.remark());
+        cells.add(ending(row));
         for (int i = 0; i < campaign.columns().size(); i++) {
             cells.add(row.wasMade() ? number(row.answer(i)) : "");
         }
         return cells.stream().map(TableText::quoted).collect(Collectors.joining(","));
+    }
+
+    /** How a run ended, and why there are no answers where there are none. */
+    public static String ending(Row row) {
+        String word = row.ending().word();
+        return row.wasMade() ? word : word + ": " + row.remark();
     }
 
     /** Whole numbers without a fraction; what is none is empty. */

@@ -89,7 +89,7 @@ public record Variation(String parameter, Domain domain, Span place) {
     }
 
     /** The values that a grid has of it. */
-    List<String> steps(int count) {
+    public List<String> steps(int count) {
         return domain.match(range -> range.steps(count), Choice::words);
     }
 }

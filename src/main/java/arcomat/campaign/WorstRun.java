@@ -10,4 +10,9 @@ package arcomat.campaign;
  * @param runs how many were made
  * @param searches how often it began somewhere else, the first time included
  */
-public record WorstRun(Campaign.Search search, Row row, double value, int runs, int searches) {}
+public record WorstRun(Campaign.Search search, Row row, double value, int runs, int searches) {
+    /** As the campaign says it: smallest or largest. */
+    public String which() {
+        return search.side() == Demand.Side.BELOW ? "smallest" : "largest";
+    }
+}

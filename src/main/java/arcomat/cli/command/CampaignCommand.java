@@ -1,6 +1,9 @@
 package arcomat.cli.command;
 
+import arcomat.campaign.CampaignResult;
+import arcomat.campaign.WorstRun;
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.OutputFormat;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
@@ -10,10 +13,14 @@ import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign.Prepared;
 import arcomat.pipeline.campaign.PrepareCampaign.Ready;
 import arcomat.pipeline.campaign.SearchWorst;
+import arcomat.pipeline.campaign.WriteCampaignPage;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.ThreadEngine;
 import arcomat.pipeline.campaign.engine.TrialRunner;
+import arcomat.pipeline.file.ReportPage;
+import arcomat.report.campaign.CampaignJson;
+import arcomat.report.campaign.CampaignReport;
 import arcomat.report.campaign.CampaignText;
 import arcomat.report.finding.FindingsText;
 
@@ -21,6 +28,8 @@ import picocli.CommandLine;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+
+import java.util.Optional;
 
 /** {@code arcomat campaign}: many runs of a world, and what they prove. */
 @CommandLine.Command(
@@ -31,6 +40,7 @@ import picocli.CommandLine.Parameters;
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --out build/meeting",
             "  arcomat campaign models/coffee/campaigns/meeting.campaign --out build/meeting"
                     + " --resume",
+            "  arcomat campaign models/coffee/campaigns/meeting.campaign --report build/page",
             "",
             "Exit status: 0 all that was asked for holds; 1 something fails, or there are errors"
                     + " in the campaign, its world or its models; 3 the runs do not decide it;"
@@ -46,7 +56,9 @@ final class CampaignCommand extends Command {
             names = "--out",
             paramLabel = "DIR",
             defaultValue = "",
-            description = "Keep the table of all runs there, rows.csv; also while they are made.")
+            description =
+                    "Keep the table of all runs there, rows.csv and rows.parquet; also while they"
+                            + " are made.")
     private String results;
 
     @Option(
@@ -61,6 +73,21 @@ final class CampaignCommand extends Command {
             description = "Make so many runs at a time; default: as many as there are processors.")
     private int workers;
 
+    @Option(
+            names = "--report",
+            paramLabel = "DIR",
+            description =
+                    "Write a page that shows what came of it, DIR/index.html, and the same for"
+                            + " programs.")
+    private String report;
+
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            defaultValue = "text",
+            description = "How to write results: ${COMPLETION-CANDIDATES}; default text.")
+    private OutputFormat format;
+
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
@@ -71,25 +98,51 @@ final class CampaignCommand extends Command {
         if (resumes && results.isEmpty()) {
             throw new WrongUse("--resume goes on with the rows in --out: name that folder, too");
         }
+        if (report != null) {
+            new ReportPage(report, session.names()).requireWritable();
+        }
         Prepared prepared =
                 session.run(
                         new PrepareCampaign(
                                 campaign, bricks.limits(), bricks.patience(), Version.number()));
         tellAside(prepared.aside());
-        print(FindingsText.render(prepared.findings(), console().style()));
+        tellFindings(prepared);
         if (prepared.ready().isEmpty()) {
             printLine(
                     FindingsText.summary(prepared.findings(), prepared.files(), console().style()));
             return ExitStatus.FINDINGS;
         }
         Ready ready = prepared.ready().get();
-        int status =
-                tell(
-                        session.run(new MakeCampaign(ready, results, resumes, this::engine)),
-                        ready.world());
-        session.run(new SearchWorst(ready, this::engine))
-                .ifPresent(found -> print(CampaignText.found(found, ready.world())));
-        return status;
+        MakeCampaign.Made made =
+                session.run(new MakeCampaign(ready, results, resumes, this::engine));
+        Optional<WorstRun> worst = session.run(new SearchWorst(ready, this::engine));
+        CampaignReport shown = made.report(campaign, ready, worst);
+        if (format == OutputFormat.json) {
+            print(CampaignJson.render(shown));
+        } else {
+            tell(made, ready);
+            worst.ifPresent(each -> print(CampaignText.found(each, ready.replay())));
+        }
+        if (report != null) {
+            tellPage(session.run(new WriteCampaignPage(shown, report)));
+        }
+        return status(made.result());
+    }
+
+    /** What programs read has nothing else before it. */
+    private void tellFindings(Prepared prepared) {
+        String findings = FindingsText.render(prepared.findings(), console().style());
+        if (format == OutputFormat.json && prepared.ready().isPresent()) {
+            console().err().print(findings);
+        } else {
+            print(findings);
+        }
+    }
+
+    private void tellPage(String page) {
+        if (format == OutputFormat.text) {
+            printLine("wrote " + page);
+        }
     }
 
     private Engine engine(Freight freight) {
@@ -97,8 +150,9 @@ final class CampaignCommand extends Command {
         return new ThreadEngine(threads, new TrialRunner(freight));
     }
 
-    private int tell(MakeCampaign.Made made, String world) {
-        StringBuilder head = new StringBuilder("%,d runs of %s".formatted(made.runs(), world));
+    private void tell(MakeCampaign.Made made, Ready ready) {
+        StringBuilder head =
+                new StringBuilder("%,d runs of %s".formatted(made.runs(), ready.world()));
         if (made.runs() < made.planned()) {
             head.append(", decided before the %,d that were planned".formatted(made.planned()));
         }
@@ -109,11 +163,14 @@ final class CampaignCommand extends Command {
             head.append("; %,d were given up".formatted(made.result().givenUp()));
         }
         printLine(head.append("\n").toString());
-        print(new CampaignText(made.result(), world, console().style()).render());
+        print(new CampaignText(made.result(), ready.replay(), console().style()).render());
         printLine("table " + made.table() + (results.isEmpty() ? "" : ", in " + results));
-        if (made.result().fails()) {
+    }
+
+    private static int status(CampaignResult result) {
+        if (result.fails()) {
             return ExitStatus.FINDINGS;
         }
-        return made.result().isOpen() ? ExitStatus.UNKNOWN : ExitStatus.FINE;
+        return result.isOpen() ? ExitStatus.UNKNOWN : ExitStatus.FINE;
     }
 }

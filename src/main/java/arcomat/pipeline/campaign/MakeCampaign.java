@@ -5,6 +5,8 @@ import arcomat.campaign.Judge;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
+import arcomat.campaign.WorstRun;
+import arcomat.campaign.overview.Overview;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -12,12 +14,14 @@ import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.file.Failures;
+import arcomat.report.campaign.CampaignReport;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 
@@ -45,6 +49,7 @@ public record MakeCampaign(
     /**
      * What was made.
      *
+     * @param overview of all rows
      * @param runs how many rows the table has
      * @param planned how many it could have: less where the answer was clear before
      * @param resumed how many of them were there already
@@ -53,11 +58,24 @@ public record MakeCampaign(
      */
     public record Made(
             CampaignResult result,
+            Overview overview,
             long runs,
             long planned,
             long resumed,
             String table,
-            String crew) {}
+            String crew) {
+        /**
+         * For who shows it.
+         *
+         * @param file the campaign, as the user wrote it
+         * @param made what was run
+         */
+        public CampaignReport report(
+                String file, PrepareCampaign.Ready made, Optional<WorstRun> worst) {
+            return new CampaignReport(
+                    file, made.campaign(), made.replay(), result, overview, worst, planned, table);
+        }
+    }
 
     /**
      * @throws WrongUse where rows cannot be written, or are another campaign's
@@ -73,8 +91,10 @@ public record MakeCampaign(
             long planned = Trials.of(ready.campaign()).count();
             new Course(judge, rows, engine, planned).run(session);
             CampaignResult result = judge.result(rows::measured);
+            Overview overview = Overview.of(ready.campaign(), rows::rows);
             folder.keep(rows);
-            return new Made(result, rows.count(), planned, resumed, rows.hash(), engine.crew());
+            return new Made(
+                    result, overview, rows.count(), planned, resumed, rows.hash(), engine.crew());
         } catch (EngineFailure e) {
             throw new WrongUse("%s", e.getMessage());
         } catch (IOException e) {

@@ -8,6 +8,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
+import arcomat.report.campaign.Replay;
 import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -48,7 +49,12 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
      *
      * @param world path of its world, as the user would write it
      */
-    public record Ready(Campaign campaign, String world, Freight freight) {}
+    public record Ready(Campaign campaign, String world, Freight freight) {
+        /** How its runs are made again. */
+        public Replay replay() {
+            return new Replay(world, freight.limited());
+        }
+    }
 
     /**
      * @throws WrongUse where a file cannot be read

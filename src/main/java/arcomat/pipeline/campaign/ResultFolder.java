@@ -4,6 +4,7 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.Row;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.parquet.ParquetTable;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -20,6 +21,7 @@ import java.util.stream.Stream;
  */
 final class ResultFolder implements AutoCloseable {
     static final String TABLE = "rows.csv";
+    static final String TYPED = "rows.parquet";
     private static final String UNFINISHED = "rows.unfinished";
 
     private final Path folder;
@@ -86,7 +88,18 @@ final class ResultFolder implements AutoCloseable {
             throw e.getCause();
         }
         Files.move(fresh, folder.resolve(TABLE), StandardCopyOption.REPLACE_EXISTING);
+        keepTyped(rows);
         Files.delete(unfinished());
+    }
+
+    private void keepTyped(RowFile rows) throws IOException {
+        Path fresh = folder.resolve(TYPED + ".new");
+        try (Stream<Row> all = rows.rows()) {
+            ParquetTable.write(fresh, rows.campaign(), all);
+        } catch (UncheckedIOException e) {
+            throw e.getCause();
+        }
+        Files.move(fresh, folder.resolve(TYPED), StandardCopyOption.REPLACE_EXISTING);
     }
 
     @Override

@@ -110,6 +110,11 @@ final class RowFile implements AutoCloseable {
         }
     }
 
+    /** The campaign whose rows these are. */
+    Campaign campaign() {
+        return campaign;
+    }
+
     /** How many rows there are. */
     long count() {
         return count;

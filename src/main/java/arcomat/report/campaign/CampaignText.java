@@ -3,7 +3,6 @@ package arcomat.report.campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.CampaignResult.Spread;
-import arcomat.campaign.Demand;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
 import arcomat.campaign.WorstRun;
@@ -17,22 +16,21 @@ import arcomat.report.text.TextTable;
 import java.math.BigDecimal;
 import java.math.MathContext;
 import java.util.List;
-import java.util.Map;
 
 /** The result of a campaign for people: how often, how much, what that proves, what to look at. */
 public final class CampaignText {
     private static final Confidence USUAL = new Confidence(0.95);
 
+    /** Where the page of a run is written. */
+    private static final String RUN = "build/run";
+
     private final CampaignResult result;
-    private final String world;
+    private final Replay replay;
     private final Style style;
 
-    /**
-     * @param world the world's file, as a user would write it
-     */
-    public CampaignText(CampaignResult result, String world, Style style) {
+    public CampaignText(CampaignResult result, Replay replay, Style style) {
         this.result = result;
-        this.world = world;
+        this.replay = replay;
         this.style = style;
     }
 
@@ -131,29 +129,18 @@ public final class CampaignText {
                 result.judgements().stream().anyMatch(each -> each.decision() == Decision.FAILS);
         return "\n"
                 + (wrong ? "to see one that went wrong: " : "to see the closest call: ")
-                + command(worst, world)
+                + replay.command(worst, RUN)
                 + "\n";
     }
 
     /** What a search has found. */
-    public static String found(WorstRun worst, String world) {
-        String which = worst.search().side() == Demand.Side.BELOW ? "smallest" : "largest";
+    public static String found(WorstRun worst, Replay replay) {
         return "the %s %s that a search of %,d runs has found is %s: %s\n"
                 .formatted(
-                        which,
+                        worst.which(),
                         worst.search().measure(),
                         worst.runs(),
                         number(worst.value()),
-                        command(worst.row(), world));
-    }
-
-    /** The command that makes a run again. */
-    public static String command(Row row, String world) {
-        StringBuilder command = new StringBuilder("arcomat world ").append(world);
-        command.append(" --seed ").append(row.trial().seed());
-        for (Map.Entry<String, String> each : row.trial().values().entrySet()) {
-            command.append(" --set ").append(each.getKey()).append('=').append(each.getValue());
-        }
-        return Printable.escape(command.append(" --report build/run").toString());
+                        replay.command(worst.row(), RUN));
     }
 }

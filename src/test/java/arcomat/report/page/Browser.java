@@ -125,6 +125,13 @@ public final class Browser implements AutoCloseable {
                 "Emulation.setEmulatedMedia", Map.of("features", List.of(feature)));
     }
 
+    /** As if the window were so large, in pixels: smaller than a window can be made. */
+    public void resize(int width, int height) {
+        driver.executeCdpCommand(
+                "Emulation.setDeviceMetricsOverride",
+                Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", false));
+    }
+
     /** Keeps a picture of what is to be seen, for people. */
     public void picture(String name) {
         try {

@@ -1,0 +1,23 @@
+package arcomat.campaign;
+
+import java.util.List;
+
+/**
+ * What the second of two words that are compared has changed.
+ *
+ * @param pairs of runs that were both made
+ * @param better pairs in which only the second run was good
+ * @param worse pairs in which only the first one was
+ * @param firstBetter the first ones that got better
+ * @param firstWorse the first ones that got worse
+ */
+public record Changes(
+        long pairs, long better, long worse, List<Pair> firstBetter, List<Pair> firstWorse) {
+    public Changes {
+        firstBetter = List.copyOf(firstBetter);
+        firstWorse = List.copyOf(firstWorse);
+    }
+
+    /** Two runs that differ in what is compared. */
+    public record Pair(Row before, Row after) {}
+}

@@ -1,0 +1,82 @@
+package arcomat.report.campaign;
+
+import arcomat.campaign.Campaign;
+import arcomat.campaign.CampaignResult;
+import arcomat.campaign.Judgement;
+import arcomat.campaign.WorstRun;
+import arcomat.campaign.overview.Overview;
+import arcomat.campaign.statistics.Decision;
+import arcomat.report.page.Page.Tone;
+
+import java.util.Optional;
+import java.util.function.Predicate;
+
+/**
+ * A campaign that has come to its end, for whoever wants to know.
+ *
+ * @param file of the campaign, as the user wrote it
+ * @param campaign what was asked
+ * @param replay how its runs are made again
+ * @param result what came of it
+ * @param worst what a search has found; empty where there was none
+ * @param planned how many runs it could have had: less where the answer was clear before
+ * @param table what tells its table from any other
+ */
+public record CampaignReport(
+        String file,
+        Campaign campaign,
+        Replay replay,
+        CampaignResult result,
+        Overview overview,
+        Optional<WorstRun> worst,
+        long planned,
+        String table) {
+    /** How many rows the table has. */
+    public long runs() {
+        return result.made() + result.impossible() + result.givenUp();
+    }
+
+    /** How good news it is. */
+    Tone tone() {
+        if (result.fails()) {
+            return Tone.BAD;
+        }
+        if (result.isOpen()) {
+            return Tone.OPEN;
+        }
+        return demands(each -> true) == 0 ? Tone.NEUTRAL : Tone.GOOD;
+    }
+
+    /** What came of it, in a sentence. */
+    String headline() {
+        String runs = "%,d %s of %s".formatted(runs(), runs() == 1 ? "run" : "runs", world());
+        return runs + ": " + verdict();
+    }
+
+    private String world() {
+        return replay.world();
+    }
+
+    private String verdict() {
+        long all = demands(each -> true);
+        long failed = demands(each -> each.decision() == Decision.FAILS);
+        long open = demands(each -> each.decision() == Decision.UNDECIDED);
+        if (failed > 0) {
+            return "%,d of %,d requirements fail".formatted(failed, all)
+                    + (open > 0 ? ", %,d not decided".formatted(open) : "");
+        }
+        if (result.fails()) {
+            return "the new one is worse";
+        }
+        if (open > 0) {
+            return "%,d of %,d requirements not decided".formatted(open, all);
+        }
+        return all == 0
+                ? "nothing was required"
+                : all == 1 ? "what is required holds" : "all %,d requirements hold".formatted(all);
+    }
+
+    private long demands(Predicate<Judgement> which) {
+        return result.judgements().stream().filter(Judgement::isDemand).filter(which).count();
+    }
+}

@@ -1,0 +1,41 @@
+package arcomat.report.campaign;
+
+import arcomat.campaign.Row;
+import arcomat.report.text.Printable;
+
+import java.util.regex.Pattern;
+
+/**
+ * How runs of a campaign are made again, by a command that any shell takes.
+ *
+ * @param world the world's file, as a user would write it
+ * @param limited whether programs met the limits of real bricks
+ */
+public record Replay(String world, boolean limited) {
+    /** What a shell takes as it stands. */
+    private static final Pattern PLAIN = Pattern.compile("[\\w./:=,+@%-]+");
+
+    /**
+     * The command that makes a run again and shows it.
+     *
+     * @param report the folder of its page
+     */
+    public String command(Row row, String report) {
+        StringBuilder command = new StringBuilder("arcomat world ").append(word(world));
+        command.append(" --seed ").append(row.trial().seed());
+        row.trial()
+                .values()
+                .forEach(
+                        (name, value) ->
+                                command.append(" --set ").append(word(name + "=" + value)));
+        if (!limited) {
+            command.append(" --no-limits");
+        }
+        return Printable.escape(command.append(" --report ").append(word(report)).toString());
+    }
+
+    /** In quotes where it needs them. */
+    private static String word(String text) {
+        return PLAIN.matcher(text).matches() ? text : "'" + text.replace("'", "'\\''") + "'";
+    }
+}

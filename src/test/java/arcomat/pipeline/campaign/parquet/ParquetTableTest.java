@@ -1,0 +1,133 @@
+package arcomat.pipeline.campaign.parquet;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.campaign.Campaign;
+import arcomat.campaign.CampaignParser;
+import arcomat.campaign.Column;
+import arcomat.campaign.Row;
+import arcomat.campaign.Row.Ending;
+import arcomat.campaign.Trial;
+import arcomat.source.SourceFile;
+
+import blue.strategic.parquet.Hydrator;
+import blue.strategic.parquet.HydratorSupplier;
+import blue.strategic.parquet.ParquetReader;
+
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+
+/** A table is read again as it was written: types, what is unknown, and every row. */
+class ParquetTableTest {
+    private static final Campaign CAMPAIGN =
+            CampaignParser.parse(
+                            new SourceFile(
+                                    "c",
+                                    "world w\nvary light from 0 to 4\nvary steps of 1 2.5\n"
+                                            + "vary driver of old new\nsample random 10\n"))
+                    .campaign()
+                    .orElseThrow();
+
+    @TempDir private Path folder;
+
+    private static Row row(long number) {
+        Trial trial =
+                new Trial(
+                        number,
+                        number + 7,
+                        Map.of("light", number + ".25", "steps", "2.5", "driver", "new"));
+        if (number % 3 == 2) {
+            return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, "line 1: no");
+        }
+        List<Double> answers = new ArrayList<>();
+        for (Column column : CAMPAIGN.columns()) {
+            answers.add(column.isEvent() ? number % 2 : number / 8.0);
+        }
+        answers.set(CAMPAIGN.column("reached"), Double.POSITIVE_INFINITY);
+        answers.set(CAMPAIGN.column("distance"), Double.NaN);
+        return Row.made(trial, answers);
+    }
+
+    private Path write(String name, long rows) throws IOException {
+        Path file = folder.resolve(name);
+        try (Stream<Row> all = LongStream.range(0, rows).mapToObj(ParquetTableTest::row)) {
+            ParquetTable.write(file, CAMPAIGN, all);
+        }
+        return file;
+    }
+
+    private static List<Map<String, Object>> read(Path file) throws IOException {
+        HydratorSupplier<Map<String, Object>, Map<String, Object>> asMap =
+                HydratorSupplier.constantly(
+                        new Hydrator<>() {
+                            @Override
+                            public Map<String, Object> start() {
+                                return new TreeMap<>();
+                            }
+
+                            @Override
+                            public Map<String, Object> add(
+                                    Map<String, Object> row, String column, Object value) {
+                                if (value != null) {
+                                    row.put(column, value);
+                                }
+                                return row;
+                            }
+
+                            @Override
+                            public Map<String, Object> finish(Map<String, Object> row) {
+                                return row;
+                            }
+                        });
+        try (Stream<Map<String, Object>> rows = ParquetReader.streamContent(file.toFile(), asMap)) {
+            return rows.toList();
+        }
+    }
+
+    @Test
+    void cellsHaveTypes() throws IOException {
+        Map<String, Object> row = read(write("rows.parquet", 2)).get(1);
+        assertThat(row)
+                .containsEntry("run", 1L)
+                .containsEntry("seed", 8L)
+                .containsEntry("light", 1.25)
+                .containsEntry("steps", 2.5)
+                .containsEntry("driver", "new")
+                .containsEntry("ending", "made")
+                .containsEntry("collision", true)
+                .containsEntry("time", 0.125)
+                .containsEntry("reached", Double.POSITIVE_INFINITY)
+                .doesNotContainKey("distance");
+    }
+
+    @Test
+    void aRunThatWasNotMadeHasNoAnswers() throws IOException {
+        assertThat(read(write("rows.parquet", 3)).get(2))
+                .containsOnlyKeys("run", "seed", "light", "steps", "driver", "ending")
+                .containsEntry("ending", "impossible: line 1: no");
+    }
+
+    @Test
+    void manyRowsStayInOrder() throws IOException {
+        long rows = 100_000; // more than are written together
+        assertThat(read(write("rows.parquet", rows)))
+                .extracting(row -> row.get("run"))
+                .containsExactlyElementsOf(LongStream.range(0, rows).boxed().toList());
+    }
+
+    @Test
+    void theSameRowsAreTheSameBytes() throws IOException {
+        assertThat(write("a.parquet", 1000)).hasSameBinaryContentAs(write("b.parquet", 1000));
+        assertThat(Files.list(folder)).hasSize(2); // no file of checksums beside it
+    }
+}

@@ -1,0 +1,82 @@
+package arcomat.report.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.WriteCampaignPage;
+import arcomat.report.page.BrowserTest;
+
+import org.junit.jupiter.api.function.Executable;
+import org.openqa.selenium.Keys;
+
+import java.nio.file.Path;
+import java.util.Map;
+
+/** The page of a campaign in a browser: figures, the map with its keys, commands. */
+class CampaignPageBrowserTest extends BrowserTest {
+    @Override
+    protected Map<String, Executable> tests() {
+        return Map.of("what a campaign found", this::look);
+    }
+
+    private void look() throws WrongUse {
+        CampaignReport report = SampleCampaigns.report("yard.campaign", SampleCampaigns.COMPARED);
+        Session session = Session.in(Path.of(""), Progress.NONE);
+        session.run(new WriteCampaignPage(report, folder.toString()));
+        browser.open(folder.resolve("index.html").toUri().toString(), "#runs li");
+        browser.resize(1500, 2700); // all of it
+        says();
+        browser.picture("campaign");
+        map();
+        narrow();
+        browser.wear("dark");
+        browser.picture("campaign-dark");
+    }
+
+    private void says() {
+        assertThat(browser.text(".headline")).contains("requirements fail");
+        assertThat(browser.findAll("#verdicts li")).hasSize(4);
+        assertThat(browser.text("#events")).contains("collision", "surely");
+        assertThat(browser.findAll("#events .estimate")).hasSize(4);
+        assertThat(browser.findAll("#measures figure")).hasSize(6);
+        assertThat(browser.text("#measures")).contains("never in", "No run has a number");
+        assertThat(browser.text("#compared")).contains("Got better: the first 20 of", "None.");
+        assertThat(browser.text("#runs code")).startsWith("arcomat world models/yard");
+    }
+
+    private void map() {
+        int cells = browser.findAll(".heat tbody td").size();
+        assertThat(cells).isBetween(100, 400);
+        browser.run("document.querySelector('.heat td[tabindex=\"0\"]').focus()");
+        browser.press(Keys.ARROW_DOWN, Keys.ARROW_RIGHT);
+        assertThat(browser.text(".readout")).startsWith("speed ").contains("light ", " of ");
+        choose("question", "distance");
+        choose("part", "least");
+        assertThat(browser.findAll(".heat tbody td.amount")).isNotEmpty();
+        choose("y", "speed");
+        assertThat(browser.text(".heat caption")).startsWith("light across, speed upwards");
+        choose("x", "driver");
+        assertThat(browser.findAll(".heat tfoot th")).hasSize(2);
+        browser.picture("campaign-map");
+        choose("x", "light");
+        choose("question", "collision");
+    }
+
+    private void choose(String field, String value) {
+        browser.find("#heat-" + field + " option[value='" + value + "']").click();
+    }
+
+    /** On a telephone nothing sticks out. */
+    private void narrow() {
+        Object wide = browser.run("return document.documentElement.scrollWidth - innerWidth");
+        assertThat((Long) wide).isLessThanOrEqualTo(0);
+        browser.resize(390, 1200);
+        Object narrow = browser.run("return document.documentElement.scrollWidth - innerWidth");
+        browser.resize(390, 5200);
+        browser.picture("campaign-narrow");
+        assertThat((Long) narrow).isLessThanOrEqualTo(0);
+        browser.resize(1500, 2700);
+    }
+}

@@ -1,0 +1,91 @@
+package arcomat.report.campaign;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+
+import org.junit.jupiter.api.Test;
+
+import java.io.IOException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** The page of a campaign loads nothing, and takes words of campaigns for words. */
+class CampaignPageTest {
+    private static final String NASTY = "</script><b>&amp;";
+    private static final Pattern DATA =
+            Pattern.compile(
+                    "<script type=\"application/json\" id=\"data\">(.*?)</script>", Pattern.DOTALL);
+
+    private static JsonNode data(String page) throws IOException {
+        Matcher data = DATA.matcher(page);
+        assertThat(data.find()).isTrue();
+        return new ObjectMapper().readTree(data.group(1));
+    }
+
+    @Test
+    void wordsOfCampaignsStayWords() throws IOException {
+        String text = "world w\nvary who of " + NASTY + " other\nsample random 40\n";
+        String page = CampaignPage.render(SampleCampaigns.report(NASTY, text));
+        assertThat(page).doesNotContain(NASTY).doesNotContain("<b>");
+        assertThat(data(page).at("/answer/campaign").asText()).isEqualTo(NASTY);
+        assertThat(data(page).at("/maps/0/columns/0").asText()).isEqualTo(NASTY);
+    }
+
+    @Test
+    void nothingIsLoaded() {
+        String page =
+                CampaignPage.render(SampleCampaigns.report("a", "world w\nsample random 1\n"));
+        assertThat(page)
+                .contains("default-src 'none'")
+                .doesNotContain(" src=")
+                .doesNotContain("@import")
+                .doesNotContain("{{");
+        assertThat(page.replace("http://www.w3.org/2000/svg", "")).doesNotContain("http:");
+    }
+
+    /** A million runs make no larger page than a few thousand. */
+    @Test
+    void aPageHasCountsAndNoRows() {
+        String few = SampleCampaigns.COMPARED.replace("random 2000", "random 4000");
+        String many = SampleCampaigns.COMPARED.replace("random 2000", "random 20000");
+        int length = CampaignPage.render(SampleCampaigns.report("a", few)).length();
+        assertThat(CampaignPage.render(SampleCampaigns.report("a", many)).length())
+                .isLessThan(length * 11 / 10);
+    }
+
+    @Test
+    void aResultIsTheSameForPrograms() throws IOException {
+        CampaignReport report = SampleCampaigns.report("a", SampleCampaigns.COMPARED);
+        JsonNode json = new ObjectMapper().readTree(CampaignJson.render(report));
+        assertThat(json).isEqualTo(data(CampaignPage.render(report)).get("answer"));
+        assertThat(json.get("runs").asLong()).isEqualTo(4000);
+        assertThat(json.get("made").asLong() + json.get("impossible").asLong()).isEqualTo(4000);
+        assertThat(json.at("/verdicts/0/subject").asText()).startsWith("collision below 0.2");
+        assertThat(json.at("/events/0/bounds/0/value").asDouble()).isEqualTo(0.2);
+        assertThat(json.at("/compared/worse").asLong()).isZero();
+        assertThat(json.at("/compared/better").asLong()).isPositive();
+        assertThat(json.at("/compared/firstBetter")).hasSize(20);
+        // Some never got there: the greatest time is none, and the histogram says how many.
+        JsonNode reached = json.at("/measures/1");
+        assertThat(reached.get("name").asText()).isEqualTo("reached");
+        assertThat(reached.has("greatest")).isFalse();
+        assertThat(reached.get("never").asLong()).isPositive();
+    }
+
+    @Test
+    void aRunIsMadeAgainByACommand() throws IOException {
+        CampaignReport report =
+                SampleCampaigns.report(
+                        "a", "world w\nvary who of it's $HOME\nseeds from 7\nsample random 1\n");
+        JsonNode run =
+                new ObjectMapper().readTree(CampaignJson.render(report)).at("/notable/0/command");
+        assertThat(run.asText())
+                .isIn(
+                        "arcomat world models/yard/world/yard.world --seed 7 --set 'who=it'\\''s'"
+                                + " --report build/run",
+                        "arcomat world models/yard/world/yard.world --seed 7 --set 'who=$HOME'"
+                                + " --report build/run");
+    }
+}

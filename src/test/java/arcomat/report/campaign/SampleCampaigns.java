@@ -1,0 +1,123 @@
+package arcomat.report.campaign;
+
+import arcomat.campaign.Campaign;
+import arcomat.campaign.CampaignParser;
+import arcomat.campaign.Judge;
+import arcomat.campaign.Row;
+import arcomat.campaign.Row.Ending;
+import arcomat.campaign.Trial;
+import arcomat.campaign.Trials;
+import arcomat.campaign.overview.Overview;
+import arcomat.campaign.statistics.Measurements;
+import arcomat.source.SourceFile;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.LongStream;
+import java.util.stream.Stream;
+
+/** Campaigns with rows that nobody has run: the faster and the darker, the worse. */
+final class SampleCampaigns {
+    static final String COMPARED =
+            """
+            world ../world/yard.world
+            vary speed from 100 to 300
+            vary light from 0 to 4
+            vary driver of yard.Driver yard.CarefulDriver
+            sample random 2000
+            require collision below 0.2 at 95
+            require failure below 0.001 at 95
+            require 95 of reached below 20 at 95
+            compare driver by collision
+            """;
+
+    private SampleCampaigns() {}
+
+    static Campaign campaign(String text) {
+        return CampaignParser.parse(new SourceFile("sample.campaign", text))
+                .campaign()
+                .orElseThrow();
+    }
+
+    static CampaignReport report(String file, String text) {
+        Campaign campaign = campaign(text);
+        Judge judge = new Judge(campaign);
+        rows(campaign).forEach(judge::see);
+        return new CampaignReport(
+                file,
+                campaign,
+                new Replay("models/yard/world/yard.world", true),
+                judge.result(column -> measured(campaign, column)),
+                Overview.of(campaign, () -> rows(campaign)),
+                Optional.empty(),
+                Trials.of(campaign).count(),
+                "0123456789abcdef");
+    }
+
+    private static Measurements measured(Campaign campaign, String column) {
+        int place = campaign.column(column);
+        return Measurements.of(
+                () ->
+                        rows(campaign)
+                                .filter(Row::wasMade)
+                                .mapToDouble(row -> row.answer(place))
+                                .filter(number -> !Double.isNaN(number)));
+    }
+
+    static Stream<Row> rows(Campaign campaign) {
+        Trials trials = Trials.of(campaign);
+        return LongStream.range(0, trials.count())
+                .mapToObj(trials::trial)
+                .map(SampleCampaigns::row);
+    }
+
+    /** The same for the same seed, but for what the driver makes of it. */
+    private static Row row(Trial trial) {
+        SplittableRandom chance = new SplittableRandom(trial.seed());
+        double speed = number(trial, "speed", 200);
+        double light = number(trial, "light", 1);
+        if (speed > 299.5) {
+            return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, "line 7: too fast");
+        }
+        boolean careful = trial.values().getOrDefault("driver", "").contains("Careful");
+        double risk = (speed - 100) / 200 * light / 4;
+        double luck = chance.nextDouble();
+        boolean collides = luck < (careful ? risk * risk : risk);
+        boolean arrives = !collides || chance.nextDouble() < 0.3;
+        double time = 2200 / speed + 4 * chance.nextDouble();
+        List<Double> answers = new ArrayList<>();
+        for (String column :
+                List.of(
+                        "collision",
+                        "deadlock",
+                        "failure",
+                        "goal",
+                        "time",
+                        "reached",
+                        "delivered",
+                        "distance",
+                        "clearance",
+                        "late")) {
+            answers.add(
+                    switch (column) {
+                        case "collision" -> collides ? 1.0 : 0.0;
+                        case "goal" -> arrives ? 1.0 : 0.0;
+                        case "deadlock" -> !collides && luck > 0.995 ? 1.0 : 0.0;
+                        case "time" -> arrives ? time : 30;
+                        case "reached" -> arrives ? time : Double.POSITIVE_INFINITY;
+                        case "delivered" -> (double) (int) (4 * chance.nextDouble());
+                        case "distance" -> collides ? 0 : 300 * luck * (1 - risk);
+                        case "clearance" -> Double.NaN;
+                        default -> 0.0;
+                    });
+        }
+        return Row.made(trial, answers);
+    }
+
+    private static double number(Trial trial, String name, double otherwise) {
+        String value = trial.values().get(name);
+        return value == null ? otherwise : Double.parseDouble(value);
+    }
+}
