@@ -178,6 +178,7 @@ final class RowFile implements AutoCloseable {
         return Stream.concat(Stream.of(text.header()), lines());
     }
 
+    @SuppressWarnings("StreamResourceLeak") // whoever asks closes it
     private Stream<String> lines() {
         try {
             return Files.lines(file).skip(1);
