@@ -99,6 +99,13 @@ public final class Words {
         return words.get(position++);
     }
 
+    /** From the next word to the last one, which is then read. */
+    public Span rest(String expected) throws Unreadable {
+        Span start = next(expected).place();
+        position = words.size();
+        return start.to(words.get(words.size() - 1).place());
+    }
+
     /** The word that was read last is the next one again. */
     public void back() {
         position--;
