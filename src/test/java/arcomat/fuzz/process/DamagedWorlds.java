@@ -24,6 +24,7 @@ final class DamagedWorlds implements Kind {
             String shorter =
                     text.replaceAll("(?m)^goal .*", "").replace("seconds 900", "seconds 20");
             worlds.add(bytes(shorter));
+            worlds.add(bytes(withParameters(shorter)));
             worlds.add(
                     bytes(
                             shorter.replaceAll(
@@ -53,6 +54,13 @@ final class DamagedWorlds implements Kind {
         boolean page = dice.below(3) == 0;
         return new Input(
                 files, List.of(page ? call.and("--report", "page").writing("page") : call));
+    }
+
+    private static String withParameters(String world) {
+        return "parameter wide 40\nparameter root ..\nparameter on coffee.floor\n"
+                + world.replaceAll("(?m)^line 1", "line width $wide 1".replace("$", "\\$"))
+                        .replaceAll("in \\.\\.", "in \\$root")
+                        .replace("coffee.floor.", "$on.");
     }
 
     private static byte[] bytes(String text) {

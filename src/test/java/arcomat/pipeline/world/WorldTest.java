@@ -83,7 +83,12 @@ class WorldTest {
             throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
         WorldPrograms.Result result =
-                WorldPrograms.of(world, FOLDER + name, false, new Session(names, Progress.NONE));
+                WorldPrograms.of(
+                        world,
+                        FOLDER + name,
+                        false,
+                        new Session(names, Progress.NONE),
+                        new ProgramCache());
         assertThat(result.findings()).isEmpty();
         return result.equipment();
     }
