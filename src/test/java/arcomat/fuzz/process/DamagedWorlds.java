@@ -58,8 +58,8 @@ final class DamagedWorlds implements Kind {
 
     private static String withParameters(String world) {
         return "parameter wide 40\nparameter root ..\nparameter on coffee.floor\n"
-                + world.replaceAll("(?m)^line 1", "line width $wide 1".replace("$", "\\$"))
-                        .replaceAll("in \\.\\.", "in \\$root")
+                + world.replace("\nline 1", "\nline width $wide 1")
+                        .replace(" in ..", " in $root")
                         .replace("coffee.floor.", "$on.");
     }
 
