@@ -4,20 +4,27 @@ import arcomat.model.Component;
 import arcomat.model.Component.Composite;
 import arcomat.model.Component.Part;
 import arcomat.model.Expression;
+import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.model.Variable;
 
-import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 
 /** A decomposed component for some values of its parameters, as if these stood in its text. */
 public final class Specialization {
     private final Component component;
-    private final Substitution substitution;
+    private final Map<String, Expression> arguments = new HashMap<>();
 
-    private Specialization(Component component, List<Expression> arguments) {
+    private Specialization(Component component, List<Value> values) {
         this.component = component;
-        this.substitution = new Substitution(component, arguments);
+        for (int i = 0; i < values.size(); i++) {
+            Parameter parameter = component.parameters().get(i);
+            arguments.put(
+                    parameter.name(),
+                    new Expression.Constant(values.get(i), parameter.type(), component.span()));
+        }
     }
 
     /**
@@ -31,19 +38,15 @@ public final class Specialization {
         if (!(component.body() instanceof Composite body)) {
             throw new IllegalArgumentException(component.qualifiedName() + " has no parts");
         }
-        return new Specialization(component, constants(component, arguments)).of(body);
+        return new Specialization(component, arguments).of(body);
     }
 
-    private static List<Expression> constants(Component component, List<Value> arguments) {
-        List<Expression> constants = new ArrayList<>();
-        for (int i = 0; i < arguments.size(); i++) {
-            constants.add(
-                    new Expression.Constant(
-                            arguments.get(i),
-                            component.parameters().get(i).type(),
-                            component.span()));
-        }
-        return constants;
+    private Expression of(Expression expression) {
+        return expression.rewritten(
+                leaf ->
+                        leaf instanceof Expression.ParameterRead read
+                                ? arguments.getOrDefault(read.parameter().name(), read)
+                                : leaf);
     }
 
     private Component of(Composite body) {
@@ -68,17 +71,14 @@ public final class Specialization {
 
     private Variable of(Variable constant) {
         return new Variable(
-                constant.name(),
-                constant.type(),
-                substitution.apply(constant.initial()),
-                constant.span());
+                constant.name(), constant.type(), of(constant.initial()), constant.span());
     }
 
     private Part of(Part part) {
         return new Part(
                 part.name(),
                 part.component(),
-                part.arguments().stream().map(substitution::apply).toList(),
+                part.arguments().stream().map(this::of).toList(),
                 part.span());
     }
 }

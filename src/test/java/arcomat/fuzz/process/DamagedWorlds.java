@@ -24,7 +24,6 @@ final class DamagedWorlds implements Kind {
             String shorter =
                     text.replaceAll("(?m)^goal .*", "").replace("seconds 900", "seconds 20");
             worlds.add(bytes(shorter));
-            worlds.add(bytes(withParameters(shorter)));
             worlds.add(
                     bytes(
                             shorter.replaceAll(
@@ -54,13 +53,6 @@ final class DamagedWorlds implements Kind {
         boolean page = dice.below(3) == 0;
         return new Input(
                 files, List.of(page ? call.and("--report", "page").writing("page") : call));
-    }
-
-    private static String withParameters(String world) {
-        return "parameter wide 40\nparameter root ..\nparameter on coffee.floor\n"
-                + world.replace("\nline 1", "\nline width $wide 1")
-                        .replace(" in ..", " in $root")
-                        .replace("coffee.floor.", "$on.");
     }
 
     private static byte[] bytes(String text) {

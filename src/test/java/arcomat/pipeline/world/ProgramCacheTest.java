@@ -34,11 +34,13 @@ class ProgramCacheTest {
             import nxt.UltrasonicSensor;
 
             component Runner%s {
+                Integer pace = %s;
+
                 component UltrasonicSensor(SensorPort.S1) eye;
                 component RegulatedMotor(MotorPort.A) left;
                 component RegulatedMotor(MotorPort.B) right;
                 component LcdLogger(0) display;
-                component Mind(%s) mind;
+                component Mind(pace, %s) mind;
 
                 connect eye.distance -> mind.distance;
                 connect mind.speed -> left.speed, right.speed;
@@ -82,7 +84,7 @@ class ProgramCacheTest {
         Files.createDirectories(folder.resolve("m/p"));
         write(
                 "Runner",
-                RUNNER.formatted("(Integer cruise, String words = \"go\")", "cruise, words"));
+                RUNNER.formatted("(Integer cruise, String words = \"go\")", "cruise / 2", "words"));
         write("Mind", MIND);
         Files.writeString(folder.resolve("w.world"), WORLD);
     }
@@ -148,7 +150,7 @@ class ProgramCacheTest {
     @Test
     void anArgumentIsWhatAConstantIs() throws IOException {
         Program given = program("p.Runner(360, \"go (on), #1\")", new ProgramCache());
-        write("Runner", RUNNER.formatted("", "360, \"go (on), #1\""));
+        write("Runner", RUNNER.formatted("", "360 / 2", "\"go (on), #1\""));
         assertThat(bytes(given)).isEqualTo(bytes(program("p.Runner", new ProgramCache())));
     }
 
