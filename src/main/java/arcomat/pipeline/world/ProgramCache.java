@@ -33,8 +33,8 @@ import java.util.Map;
 import java.util.Objects;
 
 /**
- * Programs and devices of robots, each read or made, and loaded, once for any number of worlds: models
- * are checked once, whatever programs are made of them.
+ * Programs and devices of robots, each read or made, and loaded, once for any number of worlds:
+ * models are checked once, whatever programs are made of them.
  */
 public final class ProgramCache {
     private static final String TARGET = "lejos";

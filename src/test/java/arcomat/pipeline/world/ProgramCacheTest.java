@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.load.Program;
 import arcomat.source.SourceFile;
 import arcomat.world.World;
@@ -128,8 +129,8 @@ class ProgramCacheTest {
                         .orElseThrow();
         Session session = Session.in(folder, steps::add);
         WorldPrograms.Result result = WorldPrograms.of(world, "w.world", false, session, cache);
-        return Objects.requireNonNull(
-                Objects.requireNonNull(result.equipment().get("one")).program());
+        LoadedProgram loaded = Objects.requireNonNull(result.equipment().get("one")).program();
+        return Objects.requireNonNull(loaded).program();
     }
 
     private static Map<String, List<Byte>> bytes(Program program) {
