@@ -2,6 +2,7 @@ package arcomat.campaign;
 
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
@@ -9,6 +10,7 @@ import java.util.Optional;
  * A campaign as its text describes it.
  *
  * @param world path of the world's file, relative to the campaign's
+ * @param measures columns of its own
  * @param firstSeed of the first run; each further one has the next, or all points of a grid the
  *     same
  * @param stopsWhenDecided whether it may end before its last run, as soon as every requirement on a
@@ -17,6 +19,7 @@ import java.util.Optional;
 public record Campaign(
         World world,
         List<Variation> variations,
+        List<Measure> measures,
         Plan plan,
         long firstSeed,
         boolean stopsWhenDecided,
@@ -25,6 +28,7 @@ public record Campaign(
         Optional<Search> search) {
     public Campaign {
         variations = List.copyOf(variations);
+        measures = List.copyOf(measures);
         demands = List.copyOf(demands);
     }
 
@@ -55,7 +59,9 @@ public record Campaign(
 
     /** What every row of the table answers. */
     public List<Column> columns() {
-        return Column.builtIn();
+        List<Column> columns = new ArrayList<>(Column.builtIn());
+        measures.forEach(each -> columns.add(each.column()));
+        return columns;
     }
 
     /** The place of a column in a row. */

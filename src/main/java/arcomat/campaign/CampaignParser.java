@@ -29,7 +29,9 @@ public final class CampaignParser {
     static final String MEANINGLESS = "ARC1132";
 
     private static final List<String> STATEMENTS =
-            List.of("world", "vary", "sample", "seeds", "stop", "require", "compare", "worst");
+            List.of(
+                    "world", "vary", "measure", "event", "sample", "seeds", "stop", "require",
+                    "compare", "worst");
     private static final double FAR = 999_999_999;
     private static final int MOST = 999_999_999;
 
@@ -37,6 +39,7 @@ public final class CampaignParser {
     private final List<Diagnostic> findings = new ArrayList<>();
     private final Map<String, Span> once = new LinkedHashMap<>();
     private final Map<String, Variation> variations = new LinkedHashMap<>();
+    private final Map<String, Measure> measures = new LinkedHashMap<>();
     private final List<Demand> demands = new ArrayList<>();
     private Campaign.@Nullable World world;
     private @Nullable Plan plan;
@@ -84,6 +87,8 @@ public final class CampaignParser {
     private void statement(Words words, Word what) throws Unreadable {
         switch (what.text()) {
             case "vary" -> vary(words);
+            case "measure" -> define(Measure.number(words));
+            case "event" -> define(Measure.event(words));
             case "require" -> demands.add(requirement(words));
             default -> {
                 unique(what.text(), what.place());
@@ -119,6 +124,30 @@ public final class CampaignParser {
                     Diagnostic.error(TWICE, place, "there are two '" + name + "'")
                             .withRelated(before, "the first one"));
         }
+    }
+
+    private void define(Measure measure) throws Unreadable {
+        unique("column " + measure.name(), measure.place());
+        String name = measure.name();
+        boolean taken =
+                Quantity.words(true).contains(name)
+                        || Quantity.words(false).contains(name)
+                        || TableText.NAMES.contains(name);
+        if (taken) {
+            throw new Unreadable(
+                    Diagnostic.error(
+                            TWICE, measure.place(), "every table has a column '" + name + "'"));
+        }
+        measures.put(name, measure);
+    }
+
+    /** The columns that the text has named so far, and those that every table has. */
+    private List<String> columns(boolean event) {
+        List<String> names = new ArrayList<>(Quantity.words(event));
+        measures.values().stream()
+                .filter(each -> each.fold().isEvent() == event)
+                .forEach(each -> names.add(each.name()));
+        return names;
     }
 
     private void vary(Words words) throws Unreadable {
@@ -173,20 +202,20 @@ public final class CampaignParser {
         return way.equals("latin") ? new Plan.Latin(runs) : new Plan.Random(runs);
     }
 
-    private static Demand requirement(Words words) throws Unreadable {
+    private Demand requirement(Words words) throws Unreadable {
         Word start = words.next("an event, or a number in percent");
         if (Character.isDigit(start.text().charAt(0))) {
             words.back();
             double quantile = words.number("percent of the runs", 0.001, 99.999) / 100;
             words.expect("of");
-            String measure = words.choice("a measure", Quantity.words(false)).text();
+            String measure = words.choice("a measure", columns(false)).text();
             Side side = side(words);
             double bound = words.number("a bound", -FAR, FAR);
             return new Demand.Share(
                     quantile, measure, side, bound, confidence(words), start.place());
         }
         words.back();
-        String event = words.choice("an event", Quantity.words(true)).text();
+        String event = words.choice("an event", columns(true)).text();
         Side side = side(words);
         double bound = probability(words);
         return new Demand.Probability(event, side, bound, confidence(words), start.place());
@@ -216,16 +245,16 @@ public final class CampaignParser {
         return words.take("at") ? words.number("a confidence in percent", 51, 99.9999) / 100 : 0.95;
     }
 
-    private static Comparison comparison(Words words) throws Unreadable {
+    private Comparison comparison(Words words) throws Unreadable {
         Word parameter = words.next("the name of a parameter that varies");
         words.expect("by");
-        String event = words.choice("an event", Quantity.words(true)).text();
+        String event = words.choice("an event", columns(true)).text();
         return new Comparison(parameter.text(), event, confidence(words), parameter.place());
     }
 
-    private static Search search(Words words) throws Unreadable {
+    private Search search(Words words) throws Unreadable {
         Word which = words.choice("which is the worst", List.of("smallest", "largest"));
-        String measure = words.choice("a measure", Quantity.words(false)).text();
+        String measure = words.choice("a measure", columns(false)).text();
         words.expect("runs");
         int runs = words.count("how many runs", 10, MOST);
         Side side = which.text().equals("smallest") ? Side.BELOW : Side.ABOVE;
@@ -236,6 +265,7 @@ public final class CampaignParser {
         requireThere(world != null, "a world: write 'world FILE'");
         requireThere(plan != null, "a number of runs: write 'sample random N'");
         if (findings.isEmpty()) {
+            checkMeasures();
             checkComparison();
             checkSearch();
         }
@@ -248,6 +278,7 @@ public final class CampaignParser {
         return new Campaign(
                 Objects.requireNonNull(world),
                 List.copyOf(variations.values()),
+                List.copyOf(measures.values()),
                 Objects.requireNonNull(plan),
                 firstSeed,
                 stopsWhenDecided,
@@ -260,6 +291,21 @@ public final class CampaignParser {
     private void requireThere(boolean there, String what) {
         if (!there && findings.isEmpty()) {
             findings.add(Diagnostic.error(SYNTAX, file.span(0, 0), "a campaign has " + what));
+        }
+    }
+
+    /** Parameters are columns as well. */
+    private void checkMeasures() {
+        for (Measure each : measures.values()) {
+            Variation parameter = variations.get(each.name());
+            if (parameter != null) {
+                findings.add(
+                        Diagnostic.error(
+                                        TWICE,
+                                        each.place(),
+                                        "a parameter has the column '" + each.name() + "'")
+                                .withRelated(parameter.place(), "the parameter"));
+            }
         }
     }
 

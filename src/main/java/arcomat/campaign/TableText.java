@@ -15,6 +15,9 @@ public final class TableText {
     private static final List<String> FIRST = List.of("run", "seed");
     private static final String ENDING = "ending";
 
+    /** Columns that are neither a parameter nor an answer. */
+    static final List<String> NAMES = List.of("run", "seed", ENDING);
+
     private final Campaign campaign;
 
     public TableText(Campaign campaign) {

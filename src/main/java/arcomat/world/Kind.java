@@ -48,7 +48,7 @@ public record Kind(
      * What runs on the brick.
      *
      * @param form how it is given
-     * @param name path of a jar, or qualified name of a component
+     * @param name path of a jar, or qualified name of a component, with arguments if it takes some
      * @param folder of the model root of a component; else empty. Paths are relative to the world's
      *     file
      * @param place where the world says so

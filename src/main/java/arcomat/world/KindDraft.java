@@ -127,7 +127,7 @@ final class KindDraft {
             Word file = words.next("the path of a jar");
             return new Program(Program.Form.JAR, file.text(), "", file.place());
         }
-        Word component = words.next("the qualified name of a component");
+        Word component = words.call("the qualified name of a component");
         words.expect("in");
         String folder = words.next("the folder of its models").text();
         return new Program(Program.Form.COMPONENT, component.text(), folder, component.place());

@@ -5,11 +5,13 @@ import arcomat.world.Scene.DrinkerState;
 import arcomat.world.Scene.Happening;
 import arcomat.world.Scene.Happening.What;
 import arcomat.world.Scene.RobotState;
+import arcomat.world.World.Cup;
 import arcomat.world.World.Drinker;
 import arcomat.world.World.Noise;
 import arcomat.world.World.Robot;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -34,6 +36,10 @@ public final class Physics {
     private final World world;
     private final double[] leftRoll;
     private final double[] rightRoll;
+
+    /** How much of the speed of its wheels a robot takes up in a step, with each cup. */
+    private final double[][] takenUp;
+
     private final long[] switchedOn;
     private final Scene start;
     private final Stations stations;
@@ -45,11 +51,13 @@ public final class Physics {
         int count = world.robots().size();
         leftRoll = new double[count];
         rightRoll = new double[count];
+        takenUp = new double[count][];
         switchedOn = new long[count];
         List<RobotState> robots = new ArrayList<>();
         for (int i = 0; i < count; i++) {
             Robot robot = world.robots().get(i);
             int mate = i;
+            takenUp[i] = takenUp(robot.kind().mass());
             robot.kind()
                     .wheels()
                     .ifPresent(
@@ -67,6 +75,12 @@ public final class Physics {
         start = new Scene(0, robots, drinkers, List.of());
         stations = new Stations(world);
         people = new People(world);
+    }
+
+    private static double[] takenUp(double mass) {
+        return Arrays.stream(Cup.values())
+                .mapToDouble(cup -> 1 - StrictMath.exp(-SECONDS * GRIP / (mass + cup.mass)))
+                .toArray();
     }
 
     private double drawn(Chance chance, int robot, Purpose purpose) {
@@ -145,12 +159,11 @@ public final class Physics {
         Robot robot = world.robots().get(index);
         RobotState state = robots.get(index);
         Wheels wheels = robot.kind().wheels().orElseThrow();
-        double mass = robot.kind().mass() + state.cup().mass;
-        double takenUp = 1 - StrictMath.exp(-SECONDS * GRIP / mass);
+        double share = takenUp[index][state.cup().ordinal()];
         double left = shafts[wheels.left() - 1] * leftRoll[index];
         double right = shafts[wheels.right() - 1] * rightRoll[index];
-        left = state.left() + (left - state.left()) * takenUp;
-        right = state.right() + (right - state.right()) * takenUp;
+        left = state.left() + (left - state.left()) * share;
+        right = state.right() + (right - state.right()) * share;
         Pose pose = state.pose().driven(left, right, wheels.track(), SECONDS);
         String obstacle = obstacle(index, pose, 0, robots, drinkers);
         if (obstacle.isEmpty()) {

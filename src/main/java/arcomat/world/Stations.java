@@ -43,8 +43,18 @@ final class Stations {
 
     private final World world;
 
+    /** What does something to cups, by robot: most robots have none of it. */
+    private final List<List<Device>> arms;
+
     Stations(World world) {
         this.world = world;
+        this.arms = world.robots().stream().map(robot -> arms(robot.kind())).toList();
+    }
+
+    private static List<Device> arms(Kind kind) {
+        return kind.devices().stream()
+                .filter(each -> each instanceof Device.Slide || each instanceof Device.Finger)
+                .toList();
     }
 
     void step(
@@ -53,8 +63,7 @@ final class Stations {
             double seconds,
             List<Happening> happenings) {
         for (int i = 0; i < robots.size(); i++) {
-            Kind kind = world.robots().get(i).kind();
-            for (Device device : kind.devices()) {
+            for (Device device : arms.get(i)) {
                 if (device instanceof Device.Slide slide) {
                     double way = shafts[i][slide.motor() - 1] * seconds;
                     int stock = robots.get(i).stock();

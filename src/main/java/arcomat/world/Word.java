@@ -3,6 +3,7 @@ package arcomat.world;
 import arcomat.source.Diagnostic;
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 
@@ -25,6 +26,13 @@ public record Word(String text, Span place, List<Given> values) {
 
     /** A parameter with its value in this run. */
     public record Given(WorldParameter parameter, String value) {}
+
+    /** This one and the next one of the line, with a blank between them. */
+    Word and(Word next) {
+        List<Given> all = new ArrayList<>(values);
+        all.addAll(next.values);
+        return new Word(text + " " + next.text, place.to(next.place), all);
+    }
 
     /** A finding about this word, which says where its text comes from if that is elsewhere. */
     Diagnostic error(String code, String message) {

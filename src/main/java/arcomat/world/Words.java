@@ -9,14 +9,21 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** The words of one line, read from left to right; {@code #} begins a comment. */
+/**
+ * The words of one line, read from left to right; {@code #} begins a comment. Between quotation
+ * marks there may be blanks in a word.
+ */
 public final class Words {
     static final String SYNTAX = "ARC1121";
 
     /** No floor is larger, in mm. */
     static final double FAR = 1_000_000;
 
-    private static final Pattern WORD = Pattern.compile("[^\\s#]+|#.*");
+    private static final Pattern WORD = Pattern.compile("(?:\"[^\"]*\"|[^\\s#])+|#.*");
+
+    /** A bracket that is not closed; quotation marks may stand around others. */
+    private static final Pattern BRACKETS = Pattern.compile("[^(\"]*\\((?:\"[^\"]*\"|[^)\"])*");
+
     private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_-]{0,15}");
     private static final Pattern PARAMETER = Pattern.compile("[A-Za-z][A-Za-z0-9_]*");
 
@@ -99,9 +106,25 @@ public final class Words {
         return words.get(position++);
     }
 
+    /** From the next word to the last one, which is then read. */
+    public Span rest(String expected) throws Unreadable {
+        Span start = next(expected).place();
+        position = words.size();
+        return start.to(words.get(words.size() - 1).place());
+    }
+
     /** The word that was read last is the next one again. */
     public void back() {
         position--;
+    }
+
+    /** A word with all that follows it in brackets: {@code p.Rover(3, "left")} is one. */
+    Word call(String expected) throws Unreadable {
+        Word call = next(expected);
+        while (BRACKETS.matcher(call.text()).matches()) {
+            call = call.and(next("')'"));
+        }
+        return call;
     }
 
     /** Reads the word, if it is the next one. */

@@ -13,12 +13,17 @@ public final class Measurements {
     /** A number's 64 bits are found out in four parts. */
     private static final int PART = 16;
 
+    /** So many numbers that begin alike are sorted: 8 MB. */
+    private static final int SORTED = 1 << 20;
+
     private final Supplier<DoubleStream> values;
     private final long size;
+    private final int sorted;
 
-    private Measurements(Supplier<DoubleStream> values, long size) {
+    private Measurements(Supplier<DoubleStream> values, long size, int sorted) {
         this.values = values;
         this.size = size;
+        this.sorted = sorted;
     }
 
     /**
@@ -27,8 +32,15 @@ public final class Measurements {
      * @param values the same ones each time, in whatever order
      */
     public static Measurements of(Supplier<DoubleStream> values) {
+        return of(values, SORTED);
+    }
+
+    /**
+     * @param sorted how many may be in memory at once
+     */
+    static Measurements of(Supplier<DoubleStream> values, int sorted) {
         try (DoubleStream all = values.get()) {
-            return new Measurements(values, all.count());
+            return new Measurements(values, all.count(), sorted);
         }
     }
 
@@ -55,8 +67,9 @@ public final class Measurements {
     }
 
     /**
-     * The smallest number but for {@code rank - 1}; half a MB and four passes, however many there
-     * are: each pass counts how many numbers begin in which way.
+     * The smallest number but for {@code rank - 1}. Each pass counts in which ways numbers go on
+     * that begin like it, until they are few enough to be sorted: two passes for some ten million
+     * numbers, five and a MB however many there are.
      *
      * @param rank from 1 to {@link #size}
      */
@@ -64,42 +77,61 @@ public final class Measurements {
         if (rank < 1 || rank > size) {
             throw new IllegalArgumentException(rank + " of " + size);
         }
-        long begin = 0;
+        Beginning beginning = new Beginning(0, 0);
         long left = rank;
-        for (int shift = Long.SIZE - PART; shift >= 0; shift -= PART) {
-            long[] counts = continuations(begin, shift);
+        long alike = size;
+        while (alike > sorted && !beginning.isWhole()) {
+            long[] counts = continuations(beginning);
             int next = 0;
             while (left > counts[next]) {
                 left -= counts[next++];
             }
-            begin = begin << PART | next;
+            beginning = beginning.with(next);
+            alike = counts[next];
         }
-        return number(begin);
+        return beginning.isWhole() ? beginning.number() : sorted(beginning)[(int) left - 1];
     }
 
-    private long[] continuations(long begin, int shift) {
+    private long[] continuations(Beginning beginning) {
         long[] counts = new long[1 << PART];
         try (DoubleStream all = values.get()) {
-            all.forEach(
-                    value -> {
-                        long bits = key(value) >>> shift;
-                        if (bits >>> PART == begin) {
-                            counts[(int) bits & (1 << PART) - 1]++;
-                        }
-                    });
+            all.filter(beginning::isOf).forEach(value -> counts[beginning.next(value)]++);
         }
         return counts;
     }
 
-    /**
-     * Larger for a larger number, where neither has a sign: the bits of negative ones turn round.
-     */
-    private static long key(double value) {
-        long bits = Double.doubleToLongBits(value);
-        return bits < 0 ? ~bits : bits ^ Long.MIN_VALUE;
+    private double[] sorted(Beginning beginning) {
+        try (DoubleStream all = values.get()) {
+            return all.filter(beginning::isOf).sorted().toArray();
+        }
     }
 
-    private static double number(long key) {
-        return Double.longBitsToDouble(key < 0 ? key ^ Long.MIN_VALUE : ~key);
+    /** The first {@code length} bits of a number, of a key that is larger for a larger number. */
+    private record Beginning(long bits, int length) {
+        boolean isOf(double value) {
+            return length == 0 || key(value) >>> Long.SIZE - length == bits;
+        }
+
+        int next(double value) {
+            return (int) (key(value) >>> Long.SIZE - length - PART) & (1 << PART) - 1;
+        }
+
+        Beginning with(int next) {
+            return new Beginning(bits << PART | next, length + PART);
+        }
+
+        boolean isWhole() {
+            return length == Long.SIZE;
+        }
+
+        double number() {
+            return Double.longBitsToDouble(bits < 0 ? bits ^ Long.MIN_VALUE : ~bits);
+        }
+
+        /** Without a sign; the bits of negative numbers turn round. */
+        private static long key(double value) {
+            long bits = Double.doubleToLongBits(value);
+            return bits < 0 ? ~bits : bits ^ Long.MIN_VALUE;
+        }
     }
 }

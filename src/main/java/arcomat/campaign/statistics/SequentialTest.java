@@ -7,8 +7,10 @@ package arcomat.campaign.statistics;
  * against "p = near", where {@code near} is a smaller probability. With an error of 1 - confidence:
  *
  * <ul>
- *   <li>where p >= bound, it ever says {@code HOLDS} with a probability of at most the error;
- *   <li>where p <= near, it ever says {@code FAILS} with a probability of at most the error;
+ *   <li>where {@code p >= bound}, it ever says {@code HOLDS} with a probability of at most the
+ *       error;
+ *   <li>where {@code p <= near}, it ever says {@code FAILS} with a probability of at most the
+ *       error;
  *   <li>where p lies between the two, it says either. So {@code FAILS} proves that p is greater
  *       than {@code near}, and not that it is greater than the bound.
  * </ul>

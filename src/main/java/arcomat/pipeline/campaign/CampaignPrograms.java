@@ -9,6 +9,7 @@ import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
+import arcomat.pipeline.world.ProgramCache;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -50,6 +51,7 @@ final class CampaignPrograms {
     private final String file;
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
     private final Map<String, Program> programs = new TreeMap<>();
+    private final ProgramCache made = new ProgramCache();
     private Aside aside = Aside.NOTHING;
     private int files = 1;
 
@@ -133,7 +135,7 @@ final class CampaignPrograms {
     }
 
     private void prepare(Map<String, String> values, Session session) throws WrongUse {
-        PreparedWorld world = session.run(new PrepareWorld(file, false, values));
+        PreparedWorld world = new PrepareWorld(file, false, values).of(text, session, made);
         aside = aside.and(world.aside());
         files = Math.max(files, world.files());
         findings.addAll(world.findings());

@@ -6,6 +6,7 @@ import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
 import arcomat.report.campaign.Replay;
@@ -71,6 +72,7 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         SourceFile world = FileReader.required("world", worldFile, session.names());
         CampaignPrograms.Result programs = CampaignPrograms.of(campaign, world, worldFile, session);
         List<Diagnostic> findings = new ArrayList<>(programs.findings());
+        findings.addAll(Measuring.of(campaign, world).findings());
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }

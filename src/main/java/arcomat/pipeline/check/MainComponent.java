@@ -6,6 +6,7 @@ import arcomat.model.Parameter;
 import arcomat.model.Value;
 import arcomat.pipeline.WrongUse;
 import arcomat.semantics.expression.Arguments;
+import arcomat.semantics.expression.Specialization;
 import arcomat.source.Nearest;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -50,6 +51,24 @@ public record MainComponent(Component component, List<Value> arguments) {
     public static List<ComponentSymbol> symbols(String written, Workspace models) {
         Matcher matcher = WRITTEN.matcher(written);
         return matcher.matches() ? models.components(matcher.group(1)) : List.of();
+    }
+
+    /**
+     * The component as a program starts it: with nobody to give it arguments.
+     *
+     * @throws WrongUse where it takes some and has no parts to pass them on to
+     */
+    public Component closed() throws WrongUse {
+        if (arguments.isEmpty()) {
+            return component;
+        }
+        if (!component.isComposite() || component.platform()) {
+            throw new WrongUse(
+                    "'%s' takes arguments and has no parts: as a program it would have neither"
+                            + " sensors nor motors; name a component that it is a part of",
+                    component.qualifiedName());
+        }
+        return Specialization.of(component, arguments);
     }
 
     /** The only component that is there to be deployed, for a command that names none. */

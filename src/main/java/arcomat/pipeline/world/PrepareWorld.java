@@ -40,18 +40,37 @@ public record PrepareWorld(String file, boolean runDevices, Map<String, String> 
      */
     @Override
     public PreparedWorld run(Session session) throws WrongUse {
-        SourceFile text = FileReader.required("world", file, session.names());
+        return run(session, new ProgramCache());
+    }
+
+    /**
+     * As {@link #run(Session)}, one of several worlds that share what their robots need.
+     *
+     * @param programs those that are there already; more are added
+     * @throws WrongUse where the world cannot be read, or does not have a parameter
+     */
+    public PreparedWorld run(Session session, ProgramCache programs) throws WrongUse {
+        return of(FileReader.required("world", file, session.names()), session, programs);
+    }
+
+    /**
+     * The same for a text that has been read.
+     *
+     * @throws WrongUse where it does not have a parameter
+     */
+    public PreparedWorld of(SourceFile text, Session session, ProgramCache programs)
+            throws WrongUse {
         requireParameters(text);
         WorldParser.Parsed parsed = WorldParser.parse(text, values);
         if (parsed.world().isEmpty()) {
             return new PreparedWorld(parsed.findings(), Aside.NOTHING, 1, null, Map.of());
         }
         World world = parsed.world().get();
-        WorldPrograms.Result programs = WorldPrograms.of(world, file, runDevices, session);
+        WorldPrograms.Result brought = WorldPrograms.of(world, file, runDevices, session, programs);
         List<Diagnostic> findings = new ArrayList<>(parsed.findings());
-        findings.addAll(programs.findings());
+        findings.addAll(brought.findings());
         return new PreparedWorld(
-                findings, programs.aside(), 1 + programs.files(), world, programs.equipment());
+                findings, brought.aside(), 1 + brought.files(), world, brought.equipment());
     }
 
     private void requireParameters(SourceFile text) throws WrongUse {

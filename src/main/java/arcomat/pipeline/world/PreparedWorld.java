@@ -141,7 +141,16 @@ public final class PreparedWorld {
 
     /** As {@link #run(Seeds, Duration, Limits)}, and keeps what it comes to. */
     public Summary summarize(Seeds seeds, Duration patience, Limits limits) {
-        WorldCounter counter = new WorldCounter(ready(), seeds.first());
+        return summarize(seeds, patience, limits, Onlooker.NOBODY);
+    }
+
+    /**
+     * The same while somebody looks on.
+     *
+     * @param beside sees what is counted
+     */
+    public Summary summarize(Seeds seeds, Duration patience, Limits limits, Onlooker beside) {
+        WorldCounter counter = new WorldCounter(ready(), seeds.first(), beside);
         watch(seeds, patience, limits, counter);
         return counter.summary();
     }

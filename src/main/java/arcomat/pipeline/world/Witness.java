@@ -1,23 +1,14 @@
 package arcomat.pipeline.world;
 
 import arcomat.sim.device.Observer;
-import arcomat.world.Scene;
 import arcomat.world.World.Robot;
 
 /**
  * Who watches a run of a world. A witness changes nothing: whoever watches, the run is the same.
  */
-public interface Witness {
+public interface Witness extends Onlooker {
     /** Who hears what the program of a robot does. Asked once, when the robot is switched on. */
     Observer of(Robot robot);
-
-    /**
-     * The world at a moment: as it begins, and after each step.
-     *
-     * @param instruments what there is to read on the robots at this moment; later it is something
-     *     else
-     */
-    void see(Scene scene, Instruments instruments);
 
     /** A program has stopped with an error; told at the end. */
     void failed(String robot, String reason);

@@ -11,8 +11,13 @@ import arcomat.world.World.Robot;
 /** Keeps of a run what a campaign asks, and no frames. */
 final class WorldCounter implements Witness {
     private final Tally tally;
+    private final Onlooker beside;
 
-    WorldCounter(World world, long seed) {
+    /**
+     * @param beside sees the same
+     */
+    WorldCounter(World world, long seed, Onlooker beside) {
+        this.beside = beside;
         tally = new Tally(world, seed);
     }
 
@@ -38,6 +43,7 @@ final class WorldCounter implements Witness {
     @Override
     public void see(Scene scene, Instruments instruments) {
         tally.see(scene);
+        beside.see(scene, instruments);
     }
 
     @Override

@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.function.Supplier;
 
 /**
  * A world and the bricks of its robots in lock step: each step of the world takes the speeds of the
@@ -39,7 +40,7 @@ final class WorldRun implements Witness.Instruments {
     private final SimulatedBrick[] bricks;
     private final List<List<Device.Sensor>> sensors = new ArrayList<>();
     private final double[][] shafts;
-    private final int[][] readings;
+    private final List<List<Supplier<Stimulus>>> sources = new ArrayList<>();
     private final Witness witness;
 
     @SuppressWarnings("NullAway.Init") // a run begins with it
@@ -54,11 +55,19 @@ final class WorldRun implements Witness.Instruments {
         senses = new Senses(world, seeds);
         bricks = new SimulatedBrick[count];
         shafts = new double[count][MOTORS.length];
-        readings = new int[count][];
         world.robots().forEach(robot -> sensors.add(robot.kind().sensors()));
         for (int i = 0; i < count; i++) {
-            readings[i] = new int[sensors.get(i).size()];
+            sources.add(sources(i));
         }
+    }
+
+    /** What sensors see is looked at when their programs ask: most of the time none does. */
+    private List<Supplier<Stimulus>> sources(int index) {
+        List<Supplier<Stimulus>> sources = new ArrayList<>();
+        for (Device.Sensor sensor : sensors.get(index)) {
+            sources.add(() -> Stimulus.value(senses.read(scene, index, sensor)));
+        }
+        return sources;
     }
 
     /**
@@ -119,36 +128,38 @@ final class WorldRun implements Witness.Instruments {
         if (laboratory.time() > 0) {
             for (int i = 0; i < bricks.length; i++) {
                 for (int m = 0; bricks[i] != null && m < MOTORS.length; m++) {
-                    shafts[i][m] = bricks[i].motor(MOTORS[m]).speed();
+                    shafts[i][m] = bricks[i].speed(MOTORS[m]);
                 }
             }
             scene = physics.step(scene, shafts);
         }
         for (int i = 0; i < bricks.length; i++) {
-            expose(i);
+            if (bricks[i] != null) {
+                expose(i);
+            }
         }
         witness.see(scene, this);
     }
 
+    /** Its sensors see the scene as it is, from now to the next step. */
     private void expose(int index) {
         List<Device.Sensor> own = sensors.get(index);
         for (int s = 0; s < own.size(); s++) {
-            readings[index][s] = senses.read(scene, index, own.get(s));
-            if (bricks[index] != null) {
-                SensorName socket = SOCKETS[own.get(s).socket() - 1];
-                bricks[index].expose(socket, Stimulus.value(readings[index][s]));
-            }
+            SensorName socket = SOCKETS[own.get(s).socket() - 1];
+            bricks[index].expose(socket, sources.get(index).get(s));
         }
     }
 
     @Override
     public int[] readings(int robot) {
-        return readings[robot];
+        return sensors.get(robot).stream()
+                .mapToInt(sensor -> senses.read(scene, robot, sensor))
+                .toArray();
     }
 
     @Override
     public String display(int robot) {
         SimulatedBrick brick = bricks[robot];
-        return brick == null ? "" : brick.screen().get(0);
+        return brick == null ? "" : brick.row(0);
     }
 }

@@ -33,13 +33,18 @@ class QuantileTest {
         Arrays.sort(sorted);
         for (int rank = 1; rank <= sorted.length; rank++) {
             assertThat(of(values).ranked(rank)).isEqualTo(sorted[rank - 1]);
+            assertThat(Measurements.of(() -> Arrays.stream(values), 2).ranked(rank))
+                    .as("with no more than two in memory")
+                    .isEqualTo(sorted[rank - 1]);
         }
     }
 
     @Test
     void infinityAndWhatIsNoNumberHaveRanks() {
-        Measurements odd =
-                of(Double.NaN, 0.0, Double.POSITIVE_INFINITY, -0.0, Double.NEGATIVE_INFINITY, 2);
+        double[] values = {
+            Double.NaN, 0.0, Double.POSITIVE_INFINITY, -0.0, Double.NEGATIVE_INFINITY, 2
+        };
+        Measurements odd = Measurements.of(() -> Arrays.stream(values), 0);
         assertThat(
                         DoubleStream.iterate(1, rank -> rank <= 6, rank -> rank + 1)
                                 .map(rank -> odd.ranked((long) rank)))

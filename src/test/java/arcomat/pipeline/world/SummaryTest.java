@@ -62,9 +62,11 @@ class SummaryTest {
         Path models = Path.of("models/coffee").toAbsolutePath();
         String text =
                 Files.readString(models.resolve("world/meeting.world"))
-                        .replace(
-                                "coffee.floor.Courier in ..", "coffee.fetcher.Fetcher in " + models)
-                        .replace("seconds 22", "seconds 40\nnoise place 40 heading 20");
+                        .replace("coffee.floor.Courier", "coffee.fetcher.Fetcher")
+                        .replace("$fetcher in ..", "$fetcher in " + models)
+                        .replace("seconds 22", "seconds 40")
+                        .replace("parameter place 4", "parameter place 40")
+                        .replace("parameter turned 1.5", "parameter turned 20");
         Files.writeString(folder.resolve("rough.world"), text);
         PreparedWorld rough =
                 Session.in(folder, Progress.NONE).run(new PrepareWorld("rough.world", false));

@@ -83,7 +83,12 @@ class WorldTest {
             throws WrongUse {
         PathNames names = new PathNames(Path.of("").toAbsolutePath());
         WorldPrograms.Result result =
-                WorldPrograms.of(world, FOLDER + name, false, new Session(names, Progress.NONE));
+                WorldPrograms.of(
+                        world,
+                        FOLDER + name,
+                        false,
+                        new Session(names, Progress.NONE),
+                        new ProgramCache());
         assertThat(result.findings()).isEmpty();
         return result.equipment();
     }
@@ -216,7 +221,9 @@ class WorldTest {
                         List.of(),
                         List.of(models.toString())));
         String text = meeting.robots().get(0).place().file().text();
-        String jars = text.replace("component coffee.floor.Courier in ..", "jar brick/Courier.jar");
+        String jars =
+                text.replace("parameter fetcher coffee.floor.Courier", "")
+                        .replace("component $fetcher in ..", "jar brick/Courier.jar");
         Files.writeString(folder.resolve("jars.world"), jars);
         PreparedWorld prepared = session.run(new PrepareWorld("jars.world", false));
         assertThat(prepared.findings()).isEmpty();

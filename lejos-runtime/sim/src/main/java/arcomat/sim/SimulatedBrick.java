@@ -18,6 +18,7 @@ import arcomat.sim.time.VirtualTime;
 
 import java.lang.invoke.MethodHandle;
 import java.util.List;
+import java.util.function.Supplier;
 
 /**
  * A brick with a program, in a {@link Laboratory}. Everything here acts at the moment at which the
@@ -96,6 +97,16 @@ public final class SimulatedBrick implements Action.Receiver {
         hardware.socket(socket.ordinal()).expose(stimulus);
     }
 
+    /**
+     * Exposes a sensor to something that need not be known before the program asks for it.
+     *
+     * @param source says what it is; asked once at most. It must not wait, nor let time pass, and
+     *     has to say the same until the sensor is exposed to something else
+     */
+    public void expose(SensorName socket, Supplier<Stimulus> source) {
+        hardware.socket(socket.ordinal()).expose(source);
+    }
+
     @Override
     public void press(Key key) {
         hardware.keypad().press(key);
@@ -109,6 +120,16 @@ public final class SimulatedBrick implements Action.Receiver {
     public MotorState motor(MotorName name) {
         MotorDevice motor = hardware.motor(name.ordinal());
         return new MotorState(motor.order(), motor.value(), motor.speed(), motor.tachoCount());
+    }
+
+    /** The speed of a motor in degrees per second, as it turns now. */
+    public double speed(MotorName name) {
+        return hardware.motor(name.ordinal()).speed();
+    }
+
+    /** A row of the screen, from 0, without spaces at its end. */
+    public String row(int number) {
+        return hardware.screen().row(number);
     }
 
     /** The rows of the screen from top to bottom, without spaces at their ends. */

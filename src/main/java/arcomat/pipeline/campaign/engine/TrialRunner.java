@@ -1,20 +1,27 @@
 package arcomat.pipeline.campaign.engine;
 
+import arcomat.campaign.Campaign;
+import arcomat.campaign.CampaignParser;
 import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
+import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.device.Limits;
 import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.world.Seeds;
 import arcomat.world.Summary;
+import arcomat.world.World;
 import arcomat.world.WorldParser;
 
 import org.jspecify.annotations.Nullable;
 
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
@@ -31,35 +38,52 @@ public final class TrialRunner implements Function<Trial, Row> {
     private final Freight freight;
     private final SourceFile text;
     private final Map<String, LoadedProgram> programs = new TreeMap<>();
+    private final Measuring measuring;
     private final Map<Map<String, String>, Stage> stages = new ConcurrentHashMap<>();
 
     public TrialRunner(Freight freight) {
         this.freight = freight;
         this.text = new SourceFile("world", freight.world());
         freight.programs().forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each)));
+        this.measuring = Measuring.of(campaign(freight), text);
+    }
+
+    private static Campaign campaign(Freight freight) {
+        SourceFile campaign = new SourceFile("campaign", freight.campaign());
+        return CampaignParser.parse(campaign).campaign().orElseThrow();
     }
 
     /**
      * A world with values.
      *
-     * @param remark why there is none; else empty
+     * @param measuring what the campaign asks beside what every campaign does
+     * @param remark why there is no world; else empty
      */
-    private record Stage(@Nullable PreparedWorld world, String remark) {}
+    private record Stage(
+            @Nullable PreparedWorld world, Measuring.@Nullable InWorld measuring, String remark) {
+        static Stage none(String remark) {
+            return new Stage(null, null, remark);
+        }
+    }
 
     @Override
     public Row apply(Trial trial) {
         Stage stage = stage(trial.values());
-        if (stage.world() == null) {
+        if (stage.world() == null || stage.measuring() == null) {
             return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, stage.remark());
         }
+        Measuring.Run measured = stage.measuring().start();
         try {
             Summary summary =
                     stage.world()
                             .summarize(
-                                    trial.seed(),
+                                    Seeds.of(trial.seed()),
                                     Duration.ofSeconds(freight.patienceSeconds()),
-                                    freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE);
-            return Row.made(trial, Answers.of(summary));
+                                    freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
+                                    measured);
+            List<Double> answers = new ArrayList<>(Answers.of(summary));
+            answers.addAll(measured.answers());
+            return Row.made(trial, answers);
         } catch (OutOfPatience e) {
             String why = "after " + freight.patienceSeconds() + " s of the PC's time";
             return Row.withoutAnswers(trial, Ending.GIVEN_UP, why);
@@ -78,13 +102,14 @@ public final class TrialRunner implements Function<Trial, Row> {
         if (parsed.world().isEmpty()) {
             Diagnostic first = parsed.findings().get(0);
             String why = "line " + first.span().startPosition().line() + ": " + first.message();
-            return new Stage(null, why);
+            return Stage.none(why);
         }
         try {
-            PreparedWorld world = PreparedWorld.of(parsed.world().get(), programs);
-            return new Stage(world, "");
+            World world = parsed.world().get();
+            PreparedWorld prepared = PreparedWorld.of(world, programs);
+            return new Stage(prepared, measuring.in(world), "");
         } catch (IllegalArgumentException e) {
-            return new Stage(null, String.valueOf(e.getMessage()));
+            return Stage.none(String.valueOf(e.getMessage()));
         }
     }
 }

@@ -72,9 +72,14 @@ public final class Screen {
     public List<String> rows() {
         List<String> rows = new ArrayList<>();
         for (int row = 0; row < ROWS; row++) {
-            rows.add(new String(cells, row * COLUMNS, COLUMNS).stripTrailing());
+            rows.add(row(row));
         }
         return List.copyOf(rows);
+    }
+
+    /** One row, without spaces at its end. */
+    public String row(int number) {
+        return new String(cells, number * COLUMNS, COLUMNS).stripTrailing();
     }
 
     /** The points; who writes here draws. */

@@ -2,6 +2,10 @@ package arcomat.sim.device;
 
 import arcomat.sim.bus.Surroundings;
 
+import org.jspecify.annotations.Nullable;
+
+import java.util.function.Supplier;
+
 /** One of the four sockets for sensors, with whatever the sensor in it is exposed to. */
 public final class SensorSocket implements Surroundings {
     private static final int RAW_LIMIT = 1023;
@@ -19,6 +23,10 @@ public final class SensorSocket implements Surroundings {
     private final I2CBus bus;
     private final ColorEye eye = new ColorEye(this);
     private Stimulus stimulus = Stimulus.NONE;
+
+    /** Says what the stimulus is; null where that is known. */
+    private @Nullable Supplier<Stimulus> source;
+
     private boolean isTold;
 
     SensorSocket(Hardware hardware, int number) {
@@ -39,11 +47,23 @@ public final class SensorSocket implements Surroundings {
 
     public void expose(Stimulus newStimulus) {
         stimulus = newStimulus;
+        source = null;
         isTold = false;
         bus.connect(!is(Stimulus.Kind.NONE));
     }
 
+    /** As {@link #expose(Stimulus)}, to something that is asked when the program wants to know. */
+    public void expose(Supplier<Stimulus> newSource) {
+        source = newSource;
+        isTold = false;
+        bus.connect(true);
+    }
+
     public Stimulus stimulus() {
+        if (source != null) {
+            stimulus = source.get();
+            source = null;
+        }
         return stimulus;
     }
 
@@ -59,7 +79,7 @@ public final class SensorSocket implements Surroundings {
 
     @Override
     public int value() {
-        return stimulus.number();
+        return stimulus().number();
     }
 
     @Override
@@ -83,16 +103,16 @@ public final class SensorSocket implements Surroundings {
     int color() {
         boolean known = is(Stimulus.Kind.COLOR) || is(Stimulus.Kind.VALUE);
         check(known && isWithin(NO_COLOR, LAST_COLOR), "a colour sensor");
-        return known ? stimulus.number() : NO_COLOR;
+        return known ? stimulus().number() : NO_COLOR;
     }
 
     /** The raw value of a switch. */
     public int rawSwitch() {
         check(!is(Stimulus.Kind.COLOR) && (is(Stimulus.Kind.RAW) || isWithin(0, 1)), "a switch");
-        return switch (stimulus.kind()) {
+        return switch (stimulus().kind()) {
             case NONE -> RAW_LIMIT;
-            case VALUE, SWITCH, COLOR -> stimulus.number() != 0 ? RAW_PRESSED : RAW_LIMIT;
-            case RAW -> stimulus.number();
+            case VALUE, SWITCH, COLOR -> stimulus().number() != 0 ? RAW_PRESSED : RAW_LIMIT;
+            case RAW -> stimulus().number();
         };
     }
 
@@ -102,26 +122,26 @@ public final class SensorSocket implements Surroundings {
      */
     public int rawLevel() {
         check(!is(Stimulus.Kind.COLOR) && !is(Stimulus.Kind.SWITCH), "a light or sound sensor");
-        return switch (stimulus.kind()) {
+        return switch (stimulus().kind()) {
             case NONE -> RAW_LIMIT;
-            case VALUE, SWITCH, COLOR -> RAW_LIMIT - awayFromZero(stimulus.number());
-            case RAW -> stimulus.number();
+            case VALUE, SWITCH, COLOR -> RAW_LIMIT - awayFromZero(stimulus().number());
+            case RAW -> stimulus().number();
         };
     }
 
     private boolean is(Stimulus.Kind kind) {
-        return stimulus.kind() == kind;
+        return stimulus().kind() == kind;
     }
 
     private boolean isWithin(int least, int most) {
-        return stimulus.number() >= least && stimulus.number() <= most;
+        return stimulus().number() >= least && stimulus().number() <= most;
     }
 
     /** A socket without anything is no fault of the program, nor of the script. */
     private void check(boolean fits, String sensor) {
         if (!fits && !isTold && !is(Stimulus.Kind.NONE)) {
             isTold = true;
-            hardware.observer().misfit(hardware.time().now(), number, sensor, stimulus);
+            hardware.observer().misfit(hardware.time().now(), number, sensor, stimulus());
         }
     }
 
@@ -133,7 +153,7 @@ public final class SensorSocket implements Surroundings {
 
     /** For a device that does not say what it is: the number as it is. */
     public int rawAny() {
-        return stimulus.kind() == Stimulus.Kind.NONE ? RAW_LIMIT : stimulus.number();
+        return stimulus().kind() == Stimulus.Kind.NONE ? RAW_LIMIT : stimulus().number();
     }
 
     /** Tells whoever watches what a program has read here. */

@@ -1,0 +1,18 @@
+package arcomat.pipeline.world;
+
+import arcomat.world.Scene;
+
+/** Who looks at a world while it runs, and changes nothing. */
+@FunctionalInterface
+public interface Onlooker {
+    /** Sees nothing. */
+    Onlooker NOBODY = (scene, instruments) -> {};
+
+    /**
+     * The world at a moment: as it begins, and after each step.
+     *
+     * @param instruments what there is to read on the robots at this moment; later it is something
+     *     else
+     */
+    void see(Scene scene, Witness.Instruments instruments);
+}
