@@ -61,7 +61,9 @@ final class GenerateCommand extends Command {
     @Option(
             names = "--main",
             paramLabel = "QNAME",
-            description = "Only this component, with its parts and a program for it.")
+            description =
+                    "Only this component, with its parts and a program for it; with its arguments"
+                            + " if it takes any: 'p.Robot(2)'.")
     private String main;
 
     @Option(

@@ -6,7 +6,6 @@ import arcomat.generate.Request;
 import arcomat.generate.Target;
 import arcomat.generate.monitor.SelfWatch;
 import arcomat.generate.plan.Choosing;
-import arcomat.model.Component;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -167,13 +166,6 @@ public record GenerateCode(
         if (main.isEmpty()) {
             return Request.all(models.model(), choosing);
         }
-        Component program = MainComponent.find(main.get(), models).component();
-        if (!program.parameters().isEmpty()) {
-            throw new WrongUse(
-                    "a program has nobody to give it arguments, and '%s' takes some; give --main a"
-                            + " component with a part that says them",
-                    program.qualifiedName());
-        }
-        return Request.program(program, choosing);
+        return Request.program(MainComponent.find(main.get(), models).closed(), choosing);
     }
 }
