@@ -62,8 +62,8 @@ final class GenerateCommand extends Command {
             names = "--main",
             paramLabel = "QNAME",
             description =
-                    "Only this component, with its parts and a program for it; with its arguments"
-                            + " if it takes any: 'p.Robot(2)'.")
+                    "Only this component, with its parts and a program for it; p.Robot(2) gives it"
+                            + " arguments.")
     private String main;
 
     @Option(
