@@ -140,7 +140,7 @@ abstract class Bench {
             String subject =
                     "%s of %s %s %s at %s"
                             .formatted(
-                                    percent(demand.quantile()),
+                                    percent(demand.share()),
                                     demand.measure(),
                                     demand.side().word(),
                                     number(demand.bound()),
@@ -158,8 +158,9 @@ abstract class Bench {
             Quantile quantile = new Quantile(demand.quantile());
             ConfidenceInterval interval = quantile.interval(numbers, each);
             String because =
-                    "it is %s, surely from %s to %s"
+                    "so many are %s %s; the truth is from %s to %s"
                             .formatted(
+                                    demand.side().word(),
                                     number(quantile.estimate(numbers)),
                                     number(interval.low()),
                                     number(interval.high()));

@@ -39,15 +39,23 @@ public sealed interface Demand {
     }
 
     /**
-     * Where most runs are.
+     * On which side of a bound most runs are.
      *
-     * @param quantile from 0 to 1: the share of the runs whose measure is smaller
+     * @param share from 0 to 1: of the runs that have to be on that side
      * @param measure a column of numbers
      * @param confidence from 0 to 1
      */
     record Share(
-            double quantile, String measure, Side side, double bound, double confidence, Span place)
+            double share, String measure, Side side, double bound, double confidence, Span place)
             implements Demand {
+        /**
+         * The share of the runs below the number that is asked about: where most are to be above a
+         * bound, it is the rest of them.
+         */
+        double quantile() {
+            return side == Side.BELOW ? share : 1 - share;
+        }
+
         @Override
         public <R> R match(Function<Probability, R> probability, Function<Share, R> share) {
             return share.apply(this);
