@@ -7,6 +7,7 @@ import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.measure.Measuring;
+import arcomat.pipeline.campaign.watch.WatchFreight;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
 import arcomat.report.campaign.Replay;
@@ -76,6 +77,13 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
+        WatchFreight watching =
+                WatchFreight.of(
+                        campaign, programs.named(), programs.programs(), worldFile, session);
+        findings.addAll(watching.findings());
+        if (findings.stream().anyMatch(Diagnostic::isError)) {
+            return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
+        }
         Freight freight =
                 new Freight(
                         version,
@@ -83,7 +91,8 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                         world.text(),
                         limits.equals(Limits.OF_THE_BRICK),
                         patience.toSeconds(),
-                        programs.programs());
+                        watching.programs(),
+                        watching.monitors());
         return new Prepared(
                 findings,
                 1 + programs.files(),
