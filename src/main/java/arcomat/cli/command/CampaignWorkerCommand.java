@@ -1,0 +1,61 @@
+package arcomat.cli.command;
+
+import arcomat.cli.option.ClusterOptions;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.cli.terminal.Version;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.engine.EngineFailure;
+import arcomat.pipeline.campaign.engine.EngineLibrary;
+import arcomat.pipeline.campaign.engine.EngineProvider;
+import arcomat.pipeline.campaign.engine.WorkerPlan;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+/** {@code arcomat campaign-worker}: makes runs for campaigns of other processes. */
+@CommandLine.Command(
+        name = "campaign-worker",
+        description =
+                "Makes runs for campaigns that are started elsewhere, one after the other, until it"
+                        + " is stopped. It runs the programs that they send, contained as the"
+                        + " command world contains them.",
+        footer = {
+            "  arcomat campaign-worker --cluster yard",
+            "  arcomat campaign-worker --cluster yard --at lab1.example:5701 --secret yard.secret",
+            "",
+            "Exit status: 0 its campaign is over, with --once; 2 wrong use, or a campaign of"
+                    + " another version."
+        })
+final class CampaignWorkerCommand extends Command {
+    @Mixin private ClusterOptions clusters = new ClusterOptions();
+
+    @Option(
+            names = "--workers",
+            paramLabel = "N",
+            defaultValue = "0",
+            description = "Make so many runs at a time; default: as many as there are processors.")
+    private int workers;
+
+    @Option(names = "--once", description = "End with the first campaign.")
+    private boolean once;
+
+    @Override
+    int run(Session session) throws WrongUse {
+        if (workers < 0) {
+            throw new WrongUse("--workers " + workers + " is less than 1");
+        }
+        int threads = workers > 0 ? workers : Runtime.getRuntime().availableProcessors();
+        WorkerPlan plan =
+                new WorkerPlan(
+                        clusters.meeting(session.names()), threads, Version.number(), once);
+        EngineProvider provider = EngineLibrary.required();
+        try {
+            provider.work(plan, ClusterOptions.lines(console().out()));
+        } catch (EngineFailure e) {
+            throw new WrongUse("%s", e.getMessage());
+        }
+        return ExitStatus.FINE;
+    }
+}
