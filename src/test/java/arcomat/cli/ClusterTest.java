@@ -168,7 +168,13 @@ class ClusterTest {
         worker("worker.log");
         write("other.campaign", 60);
         Process other =
-                start("other.log", "campaign", "other.campaign", "--cluster", "yard", "--at",
+                start(
+                        "other.log",
+                        "campaign",
+                        "other.campaign",
+                        "--cluster",
+                        "yard",
+                        "--at",
                         address);
         assertThat(other.waitFor()).isZero();
         assertThat(distributed("campaign.log", "--out", "out").waitFor()).isZero();

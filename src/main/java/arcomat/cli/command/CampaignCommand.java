@@ -150,9 +150,7 @@ final class CampaignCommand extends Command {
     }
 
     private Function<Freight, Engine> engines(Session session) throws WrongUse {
-        return clusters.isWanted()
-                ? clusters.engines(session.names(), console())
-                : this::threads;
+        return clusters.isWanted() ? clusters.engines(session.names(), console()) : this::threads;
     }
 
     private Engine threads(Freight freight) {

@@ -48,8 +48,7 @@ final class CampaignWorkerCommand extends Command {
         }
         int threads = workers > 0 ? workers : Runtime.getRuntime().availableProcessors();
         WorkerPlan plan =
-                new WorkerPlan(
-                        clusters.meeting(session.names()), threads, Version.number(), once);
+                new WorkerPlan(clusters.meeting(session.names()), threads, Version.number(), once);
         EngineProvider provider = EngineLibrary.required();
         try {
             provider.work(plan, ClusterOptions.lines(console().out()));

@@ -97,8 +97,11 @@ public final class ClusterOptions {
     }
 
     private int port(String text) throws WrongUse {
-        if (!text.matches("\\d{1,5}") || Integer.parseInt(text) > HIGHEST_PORT || text.matches("0+")) {
-            throw new WrongUse("--at %s: '%s' is no port, which is a number from 1 to %d",
+        if (!text.matches("\\d{1,5}")
+                || Integer.parseInt(text) > HIGHEST_PORT
+                || text.matches("0+")) {
+            throw new WrongUse(
+                    "--at %s: '%s' is no port, which is a number from 1 to %d",
                     address, text, HIGHEST_PORT);
         }
         return Integer.parseInt(text);

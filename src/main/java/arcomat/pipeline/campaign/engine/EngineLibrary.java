@@ -38,8 +38,8 @@ public final class EngineLibrary {
                         () ->
                                 new WrongUse(
                                         "there is no engine for clusters: the folder lib/%s of the"
-                                            + " installation is missing, or"
-                                            + " arcomat-cluster-hazelcast on the class path",
+                                                + " installation is missing, or"
+                                                + " arcomat-cluster-hazelcast on the class path",
                                         FOLDER));
     }
 

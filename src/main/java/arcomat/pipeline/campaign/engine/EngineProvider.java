@@ -14,8 +14,8 @@ public interface EngineProvider {
     Engine open(Freight freight, Meeting meeting, Consumer<String> told);
 
     /**
-     * Makes runs for the campaigns that come to the meeting, one after the other, until the thread is
-     * interrupted.
+     * Makes runs for the campaigns that come to the meeting, one after the other, until the thread
+     * is interrupted.
      *
      * @param told is told, in lines for people, what it is doing
      * @throws EngineFailure where it can make no runs, as for a campaign of another version

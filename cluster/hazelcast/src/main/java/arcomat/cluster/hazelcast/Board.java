@@ -11,9 +11,9 @@ import java.util.UUID;
 
 /**
  * What the campaign and its workers share: a notice of which campaign there is, a box for letters,
- * and a queue of trials for each worker. The names of box and queues hold what tells the campaign from
- * every other one, and this course of it from others: what a worker of another one may still have
- * to say goes nowhere.
+ * and a queue of trials for each worker. The names of box and queues hold what tells the campaign
+ * from every other one, and this course of it from others: what a worker of another one may still
+ * have to say goes nowhere.
  *
  * @param notice which campaign there is, in words that every version can read
  * @param goods the campaign's freight
@@ -36,8 +36,7 @@ record Board(HazelcastInstance hazelcast, IMap<String, String> notice, IMap<Stri
 
     /** The version comes first: what else there is may be another version's. */
     Notice post(Freight freight) {
-        Notice posted =
-                new Notice(freight.version(), freight.hash(), UUID.randomUUID().toString());
+        Notice posted = new Notice(freight.version(), freight.hash(), UUID.randomUUID().toString());
         goods.put(posted.campaign(), freight.packed());
         notice.put(VERSION, posted.version());
         notice.put(CAMPAIGN, posted.campaign());

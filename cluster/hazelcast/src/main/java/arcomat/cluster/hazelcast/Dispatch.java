@@ -79,8 +79,7 @@ final class Dispatch {
         if (gone == null) {
             return 0;
         }
-        List<Trial> lost =
-                gone.held.stream().filter(wanted::containsKey).map(wanted::get).toList();
+        List<Trial> lost = gone.held.stream().filter(wanted::containsKey).map(wanted::get).toList();
         for (int i = lost.size() - 1; i >= 0; i--) {
             waiting.addFirst(lost.get(i));
         }

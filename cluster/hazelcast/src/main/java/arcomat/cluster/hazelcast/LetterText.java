@@ -21,8 +21,8 @@ import java.util.Map;
 import java.util.UUID;
 
 /**
- * Letters and trials as bytes of a form of their own: nothing that travels can name a class. What is
- * read is believed in nothing: it may come from anybody.
+ * Letters and trials as bytes of a form of their own: nothing that travels can name a class. What
+ * is read is believed in nothing: it may come from anybody.
  */
 final class LetterText {
     private static final byte HELLO = 1;

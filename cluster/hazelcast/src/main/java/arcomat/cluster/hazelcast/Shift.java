@@ -92,7 +92,8 @@ final class Shift {
             }
             return new Letter.Answers(worker, answers);
         } catch (IOException | RuntimeException | Error e) {
-            failure = new EngineFailure("a run could not be made, this is a fault of arcomat: " + e);
+            failure =
+                    new EngineFailure("a run could not be made, this is a fault of arcomat: " + e);
             return new Letter.Breakdown(worker, String.valueOf(e));
         }
     }
