@@ -17,13 +17,13 @@ import picocli.CommandLine.Option;
 /** {@code arcomat campaign-worker}: makes runs for campaigns of other processes. */
 @CommandLine.Command(
         name = "campaign-worker",
-        description =
-                "Makes runs for campaigns that are started elsewhere, one after the other, until it"
-                        + " is stopped. It runs the programs that they send, contained as the"
-                        + " command world contains them.",
+        description = "Makes runs for campaigns of other processes, one campaign after the other.",
         footer = {
             "  arcomat campaign-worker --cluster yard",
             "  arcomat campaign-worker --cluster yard --at lab1.example:5701 --secret yard.secret",
+            "",
+            "It runs until it is stopped. The programs that campaigns send are contained as the command"
+                    + " world contains them.",
             "",
             "Exit status: 0 its campaign is over, with --once; 2 wrong use, or a campaign of"
                     + " another version."

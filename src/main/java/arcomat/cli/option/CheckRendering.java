@@ -1,6 +1,5 @@
-package arcomat.cli.command;
+package arcomat.cli.option;
 
-import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.MachineFormats;
@@ -25,11 +24,11 @@ import java.util.Optional;
  * @param command that looked at the models
  * @param strict whether a warning is a failure
  */
-record CheckRendering(String command, CheckReport report, boolean strict, MachineFormats machine)
+public record CheckRendering(String command, CheckReport report, boolean strict, MachineFormats machine)
         implements Rendering {
 
     /** Of models that have errors, for a command that cannot go on. */
-    static CheckRendering refused(String command, CheckResult check, Console console) {
+    public static CheckRendering refused(String command, CheckResult check, Console console) {
         CheckReport report =
                 new CheckReport(
                         check.paths(), check.findings(), check.suppressed(), Optional.empty());
@@ -37,7 +36,7 @@ record CheckRendering(String command, CheckReport report, boolean strict, Machin
     }
 
     /** With the findings about files that a command went on without. */
-    static List<Reported> withAside(List<Reported> results, Aside aside) {
+    public static List<Reported> withAside(List<Reported> results, Aside aside) {
         List<Reported> all = new ArrayList<>(results);
         all.addAll(report(aside).reported());
         return all;
