@@ -22,8 +22,8 @@ import picocli.CommandLine.Option;
             "  arcomat campaign-worker --cluster yard",
             "  arcomat campaign-worker --cluster yard --at lab1.example:5701 --secret yard.secret",
             "",
-            "It runs until it is stopped. The programs that campaigns send are contained as the command"
-                    + " world contains them.",
+            "It runs until it is stopped. The programs that campaigns send are contained as the"
+                    + " command world contains them.",
             "",
             "Exit status: 0 its campaign is over, with --once; 2 wrong use, or a campaign of"
                     + " another version."
@@ -38,7 +38,9 @@ final class CampaignWorkerCommand extends Command {
             description = "Make so many runs at a time; default: as many as there are processors.")
     private int workers;
 
-    @Option(names = "--once", description = "End with the first campaign.")
+    @Option(
+            names = "--once",
+            description = "End with the first campaign, 10 s after it, if no other one comes.")
     private boolean once;
 
     @Override

@@ -24,7 +24,8 @@ import java.util.Optional;
  * @param command that looked at the models
  * @param strict whether a warning is a failure
  */
-public record CheckRendering(String command, CheckReport report, boolean strict, MachineFormats machine)
+public record CheckRendering(
+        String command, CheckReport report, boolean strict, MachineFormats machine)
         implements Rendering {
 
     /** Of models that have errors, for a command that cannot go on. */
@@ -43,7 +44,7 @@ public record CheckRendering(String command, CheckReport report, boolean strict,
     }
 
     /** With the files that a command went on without, as far as something was found in them. */
-    static List<Case> withCasesAside(List<Case> results, Aside aside) {
+    public static List<Case> withCasesAside(List<Case> results, Aside aside) {
         List<Case> all = new ArrayList<>(results);
         all.addAll(new FileCases(report(aside), false).all());
         return all;

@@ -15,12 +15,19 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.util.Optional;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 
 /** The worker's side: waits for campaigns, and makes their runs one campaign after the other. */
 final class HazelcastWorker {
     /** How often it looks whether a campaign has begun. */
     private static final int LOOK_MILLIS = 300;
+
+    /**
+     * Who is to end with a campaign waits so long for more of it: a search for the worst run
+     * follows the runs, and one that was killed goes on.
+     */
+    private static final long LAST_NANOS = TimeUnit.SECONDS.toNanos(10);
 
     private final WorkerPlan plan;
     private final Consumer<String> told;
@@ -37,26 +44,34 @@ final class HazelcastWorker {
 
     void work() {
         try {
-            do {
-                HazelcastInstance hazelcast = await();
+            Optional<HazelcastInstance> hazelcast = await(Long.MAX_VALUE);
+            while (hazelcast.isPresent()) {
                 try {
-                    serve(hazelcast);
+                    serve(hazelcast.get());
                 } finally {
-                    hazelcast.getLifecycleService().terminate();
+                    hazelcast.get().getLifecycleService().terminate();
                 }
-            } while (!plan.once());
+                hazelcast = await(plan.once() ? LAST_NANOS : Long.MAX_VALUE);
+            }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    /** Connects as soon as there is somebody who answers to the cluster's name. */
-    private HazelcastInstance await() throws InterruptedException {
+    /**
+     * Connects as soon as there is somebody who answers to the cluster's name.
+     *
+     * @param patience in nanoseconds
+     * @return none if nobody came in that time
+     */
+    private Optional<HazelcastInstance> await(long patience) throws InterruptedException {
         Meeting meeting = plan.meeting();
-        while (true) {
+        long begun = System.nanoTime();
+        while (System.nanoTime() - begun < patience) {
             if (isOpen(meeting)) {
                 try {
-                    return HazelcastClient.newHazelcastClient(Settings.worker(meeting));
+                    return Optional.of(
+                            HazelcastClient.newHazelcastClient(Settings.worker(meeting)));
                 } catch (IllegalStateException e) {
                     say(
                             "what listens at "
@@ -74,6 +89,7 @@ final class HazelcastWorker {
             }
             Thread.sleep(LOOK_MILLIS);
         }
+        return Optional.empty();
     }
 
     /** What it does not change is not said again. */
