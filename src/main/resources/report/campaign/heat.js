@@ -3,6 +3,8 @@
 const PARTS = { known: 0, least: 1, mean: 2, greatest: 3 };
 /** Cells in which a number can be read. */
 const READABLE = 10;
+/** Columns whose names are written across. */
+const ROOMY = 4;
 
 class Heat {
   constructor(maps) {
@@ -117,7 +119,16 @@ class Heat {
     }
     const heads = this.columns.map((label) => element("th", { scope: "col", title: label }, element("span", {}, begin(label))));
     const caption = element("caption", {}, this.y === "" ? `by ${this.x}` : `${this.x} across, ${this.y} upwards`);
-    return element("table", { class: isReadable ? "heat readable" : "heat", onkeydown: (event) => this.key(event) }, caption, element("tbody", {}, ...body), element("tfoot", {}, element("tr", {}, element("td", {}), ...heads)));
+    const looks = (isReadable ? " readable" : "") + (this.columns.length <= ROOMY ? " roomy" : "");
+    return element("table", { class: "heat" + looks, onkeydown: (event) => this.key(event) }, caption, this.widths(), element("tbody", {}, ...body), element("tfoot", {}, element("tr", {}, element("td", {}), ...heads)));
+  }
+
+  /** Names of rows get what they need, as far as there is room; cells share the rest. */
+  widths() {
+    const names = element("col", {});
+    const longest = Math.max(...this.rows.map((label) => begin(label).length));
+    names.style.width = clamp(0.5 * longest + 1, 2.2, 9) + "rem";
+    return element("colgroup", {}, names, ...this.columns.map(() => element("col", {})));
   }
 
   field(column, row, isReadable) {

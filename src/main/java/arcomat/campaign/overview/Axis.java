@@ -16,7 +16,7 @@ public final class Axis {
     static final int MOST = 20;
 
     /** Runs that a place has on the average; fewer say nothing, and a map of them is noise. */
-    private static final double RUNS_PER_CELL = 10;
+    private static final double RUNS_PER_CELL = 20;
 
     private static final int LEAST = 4;
 
