@@ -157,13 +157,16 @@ abstract class Bench {
             Confidence each = new Confidence(1 - 2 * (1 - demand.confidence()));
             Quantile quantile = new Quantile(demand.quantile());
             ConfidenceInterval interval = quantile.interval(numbers, each);
-            String because =
-                    "it is %s, surely from %s to %s"
-                            .formatted(
-                                    number(quantile.estimate(numbers)),
-                                    number(interval.low()),
-                                    number(interval.high()));
+            String because = figures(quantile.estimate(numbers), interval);
             return new Judgement(subject, true, decide(interval), because);
+        }
+
+        private static String figures(double estimate, ConfidenceInterval interval) {
+            if (Double.isInfinite(estimate)) {
+                return "too many runs never came to that, so there is no such number";
+            }
+            return "it is %s, surely from %s to %s"
+                    .formatted(number(estimate), number(interval.low()), number(interval.high()));
         }
 
         private Decision decide(ConfidenceInterval interval) {
