@@ -12,8 +12,8 @@ class Heat {
     this.parameters = [...new Set(maps.flatMap((map) => [map.x, map.y]))].filter((name) => name !== "");
     this.x = maps[0].x;
     this.y = maps[0].y;
-    this.question = maps[0].layers.find((layer) => layer.event).name;
-    this.part = "mean";
+    this.question = telling(maps[0].layers).name;
+    this.part = this.layer.event ? "mean" : "least";
     this.place = null;
     this.grid = element("div", { class: "heat-grid" });
     this.legend = element("p", { class: "legend" });
@@ -97,9 +97,7 @@ class Heat {
 
   ask(question) {
     this.question = question;
-    if (this.layer.event) {
-      this.part = "mean";
-    }
+    this.part = this.layer.event ? "mean" : this.part;
   }
 
   /** Who takes the parameter of the other axis gives it the own one. */
@@ -191,6 +189,19 @@ class Heat {
     to.focus();
     event.preventDefault();
   }
+}
+
+/** An event that happened in some cells more often than in others; else the first measure that differs. */
+function telling(layers) {
+  const differs = (layer, part) => {
+    const cells = layer.cells.filter((_, index) => index % 4 === part && layer.cells[index - part] > 0);
+    return Math.max(...cells) > Math.min(...cells);
+  };
+  const events = layers.filter((layer) => layer.event && differs(layer, PARTS.mean));
+  const unwanted = events.find((layer) => layer.name !== "goal");
+  const measures = layers.filter((layer) => !layer.event && differs(layer, PARTS.least));
+  const distance = measures.find((layer) => layer.name === "distance");
+  return unwanted || events[0] || distance || measures[0] || layers[0];
 }
 
 /** Of a part of a range, where it begins: so much fits below a cell. */
