@@ -10,7 +10,7 @@ import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.campaign.watch.WatchFreight;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
-import arcomat.report.campaign.Replay;
+import arcomat.report.campaign.RunAgain;
 import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -53,8 +53,8 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
      */
     public record Ready(Campaign campaign, String world, Freight freight) {
         /** How its runs are made again. */
-        public Replay replay() {
-            return new Replay(world, freight.limited());
+        public RunAgain replay() {
+            return new RunAgain(world, freight.limited());
         }
     }
 
