@@ -132,7 +132,7 @@ class Heat {
   field(column, row, isReadable) {
     const cell = this.cell(column, row);
     const isFirst = column === 0 && row === this.rows.length - 1;
-    const text = cell.known === 0 ? "" : this.layer.event ? percent(cell.mean) : number(cell[this.part]);
+    const text = cell.known === 0 ? "" : plain(Number((this.layer.event ? 100 * cell.mean : cell[this.part]).toPrecision(this.layer.event ? 2 : 3)));
     const field = element("td", { tabindex: isFirst ? 0 : -1, "data-column": column, "data-row": row, "aria-label": this.told(column, row) }, isReadable ? text : "");
     if (cell.known === 0) {
       field.className = "empty";
