@@ -157,14 +157,20 @@ abstract class Bench {
             Confidence each = new Confidence(1 - 2 * (1 - demand.confidence()));
             Quantile quantile = new Quantile(demand.quantile());
             ConfidenceInterval interval = quantile.interval(numbers, each);
-            String because =
-                    "so many are %s %s; the truth is from %s to %s"
-                            .formatted(
-                                    demand.side().word(),
-                                    number(quantile.estimate(numbers)),
-                                    number(interval.low()),
-                                    number(interval.high()));
+            String because = figures(quantile.estimate(numbers), interval);
             return new Judgement(subject, true, decide(interval), because);
+        }
+
+        private String figures(double estimate, ConfidenceInterval interval) {
+            if (Double.isInfinite(estimate)) {
+                return "too many runs never came to that, so there is no such number";
+            }
+            return "so many are %s %s; the truth is from %s to %s"
+                    .formatted(
+                            demand.side().word(),
+                            number(estimate),
+                            number(interval.low()),
+                            number(interval.high()));
         }
 
         private Decision decide(ConfidenceInterval interval) {

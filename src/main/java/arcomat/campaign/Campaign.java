@@ -11,6 +11,7 @@ import java.util.Optional;
  *
  * @param world path of the world's file, relative to the campaign's
  * @param measures columns of its own
+ * @param watches events of its own
  * @param firstSeed of the first run; each further one has the next, or all points of a grid the
  *     same
  * @param stopsWhenDecided whether it may end before its last run, as soon as every requirement on a
@@ -20,6 +21,7 @@ public record Campaign(
         World world,
         List<Variation> variations,
         List<Measure> measures,
+        List<Watched> watches,
         Plan plan,
         long firstSeed,
         boolean stopsWhenDecided,
@@ -29,6 +31,7 @@ public record Campaign(
     public Campaign {
         variations = List.copyOf(variations);
         measures = List.copyOf(measures);
+        watches = List.copyOf(watches);
         demands = List.copyOf(demands);
     }
 
@@ -61,6 +64,7 @@ public record Campaign(
     public List<Column> columns() {
         List<Column> columns = new ArrayList<>(Column.builtIn());
         measures.forEach(each -> columns.add(each.column()));
+        watches.forEach(each -> columns.add(each.column()));
         return columns;
     }
 

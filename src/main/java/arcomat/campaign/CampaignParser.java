@@ -30,8 +30,8 @@ public final class CampaignParser {
 
     private static final List<String> STATEMENTS =
             List.of(
-                    "world", "vary", "measure", "event", "sample", "seeds", "stop", "require",
-                    "compare", "worst");
+                    "world", "vary", "measure", "event", "watch", "sample", "seeds", "stop",
+                    "require", "compare", "worst");
     private static final double FAR = 999_999_999;
     private static final int MOST = 999_999_999;
 
@@ -40,6 +40,7 @@ public final class CampaignParser {
     private final Map<String, Span> once = new LinkedHashMap<>();
     private final Map<String, Variation> variations = new LinkedHashMap<>();
     private final Map<String, Measure> measures = new LinkedHashMap<>();
+    private final Map<String, Watched> watches = new LinkedHashMap<>();
     private final List<Demand> demands = new ArrayList<>();
     private Campaign.@Nullable World world;
     private @Nullable Plan plan;
@@ -89,6 +90,7 @@ public final class CampaignParser {
             case "vary" -> vary(words);
             case "measure" -> define(Measure.number(words));
             case "event" -> define(Measure.event(words));
+            case "watch" -> define(Watched.of(words));
             case "require" -> demands.add(requirement(words));
             default -> {
                 unique(what.text(), what.place());
@@ -127,18 +129,25 @@ public final class CampaignParser {
     }
 
     private void define(Measure measure) throws Unreadable {
-        unique("column " + measure.name(), measure.place());
-        String name = measure.name();
+        requireColumn(measure.name(), measure.place());
+        measures.put(measure.name(), measure);
+    }
+
+    private void define(Watched watched) throws Unreadable {
+        requireColumn(watched.name(), watched.place());
+        watches.put(watched.name(), watched);
+    }
+
+    private void requireColumn(String name, Span place) throws Unreadable {
+        unique("column " + name, place);
         boolean taken =
                 Quantity.words(true).contains(name)
                         || Quantity.words(false).contains(name)
                         || TableText.NAMES.contains(name);
         if (taken) {
             throw new Unreadable(
-                    Diagnostic.error(
-                            TWICE, measure.place(), "every table has a column '" + name + "'"));
+                    Diagnostic.error(TWICE, place, "every table has a column '" + name + "'"));
         }
-        measures.put(name, measure);
     }
 
     /** The columns that the text has named so far, and those that every table has. */
@@ -147,6 +156,9 @@ public final class CampaignParser {
         measures.values().stream()
                 .filter(each -> each.fold().isEvent() == event)
                 .forEach(each -> names.add(each.name()));
+        if (event) {
+            names.addAll(watches.keySet());
+        }
         return names;
     }
 
@@ -265,7 +277,7 @@ public final class CampaignParser {
         requireThere(world != null, "a world: write 'world FILE'");
         requireThere(plan != null, "a number of runs: write 'sample random N'");
         if (findings.isEmpty()) {
-            checkMeasures();
+            checkColumns();
             checkComparison();
             checkSearch();
         }
@@ -279,6 +291,7 @@ public final class CampaignParser {
                 Objects.requireNonNull(world),
                 List.copyOf(variations.values()),
                 List.copyOf(measures.values()),
+                List.copyOf(watches.values()),
                 Objects.requireNonNull(plan),
                 firstSeed,
                 stopsWhenDecided,
@@ -295,17 +308,17 @@ public final class CampaignParser {
     }
 
     /** Parameters are columns as well. */
-    private void checkMeasures() {
-        for (Measure each : measures.values()) {
-            Variation parameter = variations.get(each.name());
-            if (parameter != null) {
-                findings.add(
-                        Diagnostic.error(
-                                        TWICE,
-                                        each.place(),
-                                        "a parameter has the column '" + each.name() + "'")
-                                .withRelated(parameter.place(), "the parameter"));
-            }
+    private void checkColumns() {
+        measures.values().forEach(each -> requireNoParameter(each.name(), each.place()));
+        watches.values().forEach(each -> requireNoParameter(each.name(), each.place()));
+    }
+
+    private void requireNoParameter(String name, Span place) {
+        Variation parameter = variations.get(name);
+        if (parameter != null) {
+            findings.add(
+                    Diagnostic.error(TWICE, place, "a parameter has the column '" + name + "'")
+                            .withRelated(parameter.place(), "the parameter"));
         }
     }
 

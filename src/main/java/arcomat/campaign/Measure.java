@@ -76,7 +76,7 @@ public record Measure(String name, Fold fold, Span expression, Span place) {
     }
 
     /** Whatever columns are called stands in demands, where numbers have a meaning of their own. */
-    private static Word columnName(Words words) throws Unreadable {
+    static Word columnName(Words words) throws Unreadable {
         Word name = words.next("a name for the column");
         if (!name.text().matches("[A-Za-z][A-Za-z0-9_-]*")) {
             throw words.wrong(

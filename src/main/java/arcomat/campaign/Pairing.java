@@ -17,8 +17,8 @@ public final class Pairing {
     private final Optional<Campaign.Comparison> comparison;
     private final int column;
     private @Nullable Row first;
-    private final List<Changes.Pair> better = new ArrayList<>();
-    private final List<Changes.Pair> worse = new ArrayList<>();
+    private final List<ChangedPairs.Pair> better = new ArrayList<>();
+    private final List<ChangedPairs.Pair> worse = new ArrayList<>();
     private long pairs;
     private long betterPairs;
     private long worsePairs;
@@ -39,7 +39,7 @@ public final class Pairing {
             pairs++;
             boolean before = isGood(first);
             boolean after = isGood(row);
-            Changes.Pair pair = new Changes.Pair(first, row);
+            ChangedPairs.Pair pair = new ChangedPairs.Pair(first, row);
             if (after && !before) {
                 betterPairs++;
                 keep(pair, better);
@@ -50,15 +50,16 @@ public final class Pairing {
         }
     }
 
-    private static void keep(Changes.Pair pair, List<Changes.Pair> kept) {
+    private static void keep(ChangedPairs.Pair pair, List<ChangedPairs.Pair> kept) {
         if (kept.size() < KEPT) {
             kept.add(pair);
         }
     }
 
     /** Empty where nothing is compared. */
-    public Optional<Changes> changes() {
-        return comparison.map(asked -> new Changes(pairs, betterPairs, worsePairs, better, worse));
+    public Optional<ChangedPairs> changes() {
+        return comparison.map(
+                asked -> new ChangedPairs(pairs, betterPairs, worsePairs, better, worse));
     }
 
     /** What should happen is the goal; everything else should not. */

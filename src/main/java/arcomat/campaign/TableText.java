@@ -28,12 +28,21 @@ public final class TableText {
     public String header() {
         return Stream.of(
                         FIRST.stream(),
-                        campaign.variations().stream().map(Variation::parameter),
+                        campaign.variations().stream().map(this::column),
                         Stream.of(ENDING),
                         campaign.columns().stream().map(Column::name))
                 .flatMap(names -> names)
                 .map(TableText::quoted)
                 .collect(Collectors.joining(","));
+    }
+
+    /** The column of a parameter: its name, told apart where another column is called so. */
+    public String column(Variation variation) {
+        String name = variation.parameter();
+        boolean taken =
+                NAMES.contains(name)
+                        || campaign.columns().stream().anyMatch(each -> each.name().equals(name));
+        return taken ? "parameter " + name : name;
     }
 
     /** The line of a row, without its end. */

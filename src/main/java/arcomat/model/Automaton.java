@@ -79,6 +79,21 @@ public record Automaton(
         return with(completion, others, transitions);
     }
 
+    /** The same where a robot that watches itself does something else at a violation. */
+    public Automaton with(Violated other) {
+        return new Automaton(
+                name,
+                completion,
+                omitted,
+                other,
+                states,
+                variables,
+                initials,
+                transitions,
+                places,
+                span);
+    }
+
     private Automaton with(Completion end, List<Initial> begin, List<Transition> steps) {
         return new Automaton(
                 name, end, omitted, violated, states, variables, begin, steps, places, span);

@@ -3,6 +3,8 @@
 const PARTS = { known: 0, least: 1, mean: 2, greatest: 3 };
 /** Cells in which a number can be read. */
 const READABLE = 10;
+/** Columns whose names are written across. */
+const ROOMY = 4;
 
 class Heat {
   constructor(maps) {
@@ -10,8 +12,8 @@ class Heat {
     this.parameters = [...new Set(maps.flatMap((map) => [map.x, map.y]))].filter((name) => name !== "");
     this.x = maps[0].x;
     this.y = maps[0].y;
-    this.question = maps[0].layers.find((layer) => layer.event).name;
-    this.part = "mean";
+    this.question = telling(maps[0].layers).name;
+    this.part = this.layer.event ? "mean" : "least";
     this.place = null;
     this.grid = element("div", { class: "heat-grid" });
     this.legend = element("p", { class: "legend" });
@@ -95,9 +97,7 @@ class Heat {
 
   ask(question) {
     this.question = question;
-    if (this.layer.event) {
-      this.part = "mean";
-    }
+    this.part = this.layer.event ? "mean" : this.part;
   }
 
   /** Who takes the parameter of the other axis gives it the own one. */
@@ -117,13 +117,22 @@ class Heat {
     }
     const heads = this.columns.map((label) => element("th", { scope: "col", title: label }, element("span", {}, begin(label))));
     const caption = element("caption", {}, this.y === "" ? `by ${this.x}` : `${this.x} across, ${this.y} upwards`);
-    return element("table", { class: isReadable ? "heat readable" : "heat", onkeydown: (event) => this.key(event) }, caption, element("tbody", {}, ...body), element("tfoot", {}, element("tr", {}, element("td", {}), ...heads)));
+    const looks = (isReadable ? " readable" : "") + (this.columns.length <= ROOMY ? " roomy" : "");
+    return element("table", { class: "heat" + looks, onkeydown: (event) => this.key(event) }, caption, this.widths(), element("tbody", {}, ...body), element("tfoot", {}, element("tr", {}, element("td", {}), ...heads)));
+  }
+
+  /** Names of rows get what they need, as far as there is room; cells share the rest. */
+  widths() {
+    const names = element("col", {});
+    const longest = Math.max(...this.rows.map((label) => begin(label).length));
+    names.style.width = clamp(0.5 * longest + 1, 2.2, 9) + "rem";
+    return element("colgroup", {}, names, ...this.columns.map(() => element("col", {})));
   }
 
   field(column, row, isReadable) {
     const cell = this.cell(column, row);
     const isFirst = column === 0 && row === this.rows.length - 1;
-    const text = cell.known === 0 ? "" : this.layer.event ? percent(cell.mean) : number(cell[this.part]);
+    const text = cell.known === 0 ? "" : plain(Number((this.layer.event ? 100 * cell.mean : cell[this.part]).toPrecision(this.layer.event ? 2 : 3)));
     const field = element("td", { tabindex: isFirst ? 0 : -1, "data-column": column, "data-row": row, "aria-label": this.told(column, row) }, isReadable ? text : "");
     if (cell.known === 0) {
       field.className = "empty";
@@ -180,6 +189,19 @@ class Heat {
     to.focus();
     event.preventDefault();
   }
+}
+
+/** An event that happened in some cells more often than in others; else the first measure that differs. */
+function telling(layers) {
+  const differs = (layer, part) => {
+    const cells = layer.cells.filter((_, index) => index % 4 === part && layer.cells[index - part] > 0);
+    return Math.max(...cells) > Math.min(...cells);
+  };
+  const events = layers.filter((layer) => layer.event && differs(layer, PARTS.mean));
+  const unwanted = events.find((layer) => layer.name !== "goal");
+  const measures = layers.filter((layer) => !layer.event && differs(layer, PARTS.least));
+  const distance = measures.find((layer) => layer.name === "distance");
+  return unwanted || events[0] || distance || measures[0] || layers[0];
 }
 
 /** Of a part of a range, where it begins: so much fits below a cell. */

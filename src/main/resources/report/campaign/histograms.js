@@ -38,7 +38,8 @@ function bars(measure, bins) {
   const width = 100 / measure.bins.length;
   return measure.bins.map((size, index) => {
     const height = (86 * size) / most;
-    const box = { x: index * width + width * 0.05 + "%", width: width * 0.9 + "%", y: 90 - height + "%", height: height + "%" };
+    const isAlone = measure.width === 0;
+    const box = { x: (isAlone ? 45 : index * width + width * 0.05) + "%", width: (isAlone ? 10 : width * 0.9) + "%", y: 90 - height + "%", height: height + "%" };
     return shape("rect", { class: "bin", ...box }, shape("title", {}, `${bins.label(index)}: ${runs(size)}`));
   });
 }

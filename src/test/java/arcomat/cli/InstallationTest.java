@@ -75,12 +75,14 @@ class InstallationTest {
             assertThat(INSTALLATION.resolve(file)).isNotEmptyFile();
         }
         String bill = Files.readString(INSTALLATION.resolve("sbom.cdx.json"));
-        for (String jar : Folders.list(INSTALLATION.resolve("lib"))) {
-            Path file = INSTALLATION.resolve("lib").resolve(jar);
-            byte[] digest = MessageDigest.getInstance("SHA-256").digest(Files.readAllBytes(file));
-            assertThat(bill.contains(HexFormat.of().formatHex(digest)))
-                    .as(jar)
-                    .isEqualTo(jar.endsWith(".jar"));
+        try (Stream<Path> held = Files.walk(INSTALLATION.resolve("lib"))) {
+            for (Path file : (Iterable<Path>) held.filter(Files::isRegularFile)::iterator) {
+                byte[] content = Files.readAllBytes(file);
+                byte[] digest = MessageDigest.getInstance("SHA-256").digest(content);
+                assertThat(bill.contains(HexFormat.of().formatHex(digest)))
+                        .as(file.toString())
+                        .isEqualTo(file.toString().endsWith(".jar"));
+            }
         }
     }
 

@@ -16,7 +16,7 @@ public final class Axis {
     static final int MOST = 20;
 
     /** Runs that a place has on the average; fewer say nothing, and a map of them is noise. */
-    private static final double RUNS_PER_CELL = 10;
+    private static final double RUNS_PER_CELL = 20;
 
     private static final int LEAST = 4;
 
@@ -55,11 +55,18 @@ public final class Axis {
         if (range.whole() && numbers <= MOST) {
             return ofSteps(variation.parameter(), variation.steps((int) numbers));
         }
-        return ofParts(variation.parameter(), range, parts(runs));
+        int most = (int) Math.max(LEAST, Math.min(MOST, Math.sqrt(runs / RUNS_PER_CELL)));
+        return ofParts(variation.parameter(), range, parts(range.high() - range.low(), most));
     }
 
-    private static int parts(long runs) {
-        return (int) Math.max(LEAST, Math.min(MOST, Math.sqrt(runs / RUNS_PER_CELL)));
+    /** As many as there may be, or somewhat fewer that begin at numbers with two digits. */
+    private static int parts(double length, int most) {
+        for (int parts = most; 2 * parts >= most && parts >= LEAST; parts--) {
+            if (Scale.isShort(length / parts)) {
+                return parts;
+            }
+        }
+        return most;
     }
 
     private static Axis ofSteps(String parameter, List<String> steps) {

@@ -1,7 +1,7 @@
 package arcomat.campaign.overview;
 
 import arcomat.campaign.Campaign;
-import arcomat.campaign.Changes;
+import arcomat.campaign.ChangedPairs;
 import arcomat.campaign.Column;
 import arcomat.campaign.Pairing;
 import arcomat.campaign.Row;
@@ -26,7 +26,7 @@ public record Overview(
         long lastSeed,
         List<Histogram> histograms,
         List<HeatMap> maps,
-        Optional<Changes> changes) {
+        Optional<ChangedPairs> changes) {
     /** So many parameters can be chosen for a map: ten pairs are 4,000 cells. */
     private static final int PARAMETERS = 5;
 

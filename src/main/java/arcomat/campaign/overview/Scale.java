@@ -52,6 +52,12 @@ public record Scale(double low, double width, int steps, boolean whole) {
                 : (int) Math.max(0, Math.min(steps - 1, Math.floor((number - low) / width)));
     }
 
+    /** Whether two digits say it all. */
+    static boolean isShort(double width) {
+        double rounded = new BigDecimal(width).round(new MathContext(2)).doubleValue();
+        return Math.abs(rounded - width) <= 1e-9 * width;
+    }
+
     /** With as many digits as can be read. */
     static String number(double value) {
         BigDecimal rounded = new BigDecimal(value).round(new MathContext(DIGITS));

@@ -1,5 +1,6 @@
 package arcomat.cli.command;
 
+import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.OutputFormat;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.terminal.ExitStatus;

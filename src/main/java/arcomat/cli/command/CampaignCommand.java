@@ -3,6 +3,7 @@ package arcomat.cli.command;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.WorstRun;
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.ClusterOptions;
 import arcomat.cli.option.OutputFormat;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
@@ -30,6 +31,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 import java.util.Optional;
+import java.util.function.Function;
 
 /** {@code arcomat campaign}: many runs of a world, and what they prove. */
 @CommandLine.Command(
@@ -88,6 +90,8 @@ final class CampaignCommand extends Command {
             description = "How to write results: ${COMPLETION-CANDIDATES}; default text.")
     private OutputFormat format;
 
+    @Mixin private ClusterOptions clusters = new ClusterOptions();
+
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
@@ -113,9 +117,9 @@ final class CampaignCommand extends Command {
             return ExitStatus.FINDINGS;
         }
         Ready ready = prepared.ready().get();
-        MakeCampaign.Made made =
-                session.run(new MakeCampaign(ready, results, resumes, this::engine));
-        Optional<WorstRun> worst = session.run(new SearchWorst(ready, this::engine));
+        Function<Freight, Engine> engines = engines(session);
+        MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
+        Optional<WorstRun> worst = session.run(new SearchWorst(ready, engines));
         CampaignReport shown = made.report(campaign, ready, worst);
         if (format == OutputFormat.json) {
             print(CampaignJson.render(shown));
@@ -145,7 +149,11 @@ final class CampaignCommand extends Command {
         }
     }
 
-    private Engine engine(Freight freight) {
+    private Function<Freight, Engine> engines(Session session) throws WrongUse {
+        return clusters.isWanted() ? clusters.engines(session.names(), console()) : this::threads;
+    }
+
+    private Engine threads(Freight freight) {
         int threads = workers > 0 ? workers : Runtime.getRuntime().availableProcessors();
         return new ThreadEngine(threads, new TrialRunner(freight));
     }

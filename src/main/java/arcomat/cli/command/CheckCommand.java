@@ -1,6 +1,7 @@
 package arcomat.cli.command;
 
 import arcomat.cli.option.BaselineOptions;
+import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;

@@ -27,6 +27,7 @@ public final class Commands {
                     "run-brick",
                     "world",
                     "campaign",
+                    "campaign-worker",
                     "link",
                     "explain");
 
@@ -58,6 +59,7 @@ public final class Commands {
             case "run-brick" -> new RunBrickCommand();
             case "world" -> new WorldCommand();
             case "campaign" -> new CampaignCommand();
+            case "campaign-worker" -> new CampaignWorkerCommand();
             case "link" -> new LinkCommand();
             case "explain" -> new ExplainCommand();
             default -> throw new IllegalArgumentException(name);

@@ -1,6 +1,7 @@
 package arcomat.cli.command;
 
 import arcomat.analysis.evolution.Gate;
+import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;

@@ -3,6 +3,7 @@ package arcomat.cli.command;
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportFormat.Rendering;

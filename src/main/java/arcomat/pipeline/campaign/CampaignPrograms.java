@@ -13,11 +13,13 @@ import arcomat.pipeline.world.ProgramCache;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.world.Kind;
 import arcomat.world.World;
 import arcomat.world.WorldParameter;
 import arcomat.world.WorldParser;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -52,6 +54,7 @@ final class CampaignPrograms {
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
     private final Map<String, Program> programs = new TreeMap<>();
     private final ProgramCache made = new ProgramCache();
+    private final Map<String, Kind.Program> named = new TreeMap<>();
     private Aside aside = Aside.NOTHING;
     private int files = 1;
 
@@ -65,12 +68,17 @@ final class CampaignPrograms {
      * What came of it.
      *
      * @param programs by what worlds say of them
+     * @param named what worlds say of them
      * @param findings about the campaign, the world and models
      * @param files how many files were read
      * @param aside models that programs are made without
      */
     record Result(
-            Map<String, Program> programs, List<Diagnostic> findings, int files, Aside aside) {}
+            Map<String, Program> programs,
+            Collection<Kind.Program> named,
+            List<Diagnostic> findings,
+            int files,
+            Aside aside) {}
 
     /**
      * @param file of the world, as the user would write it
@@ -82,7 +90,8 @@ final class CampaignPrograms {
         if (all.findings.isEmpty()) {
             all.make(session);
         }
-        return new Result(all.programs, List.copyOf(all.findings), all.files, all.aside);
+        return new Result(
+                all.programs, all.named.values(), List.copyOf(all.findings), all.files, all.aside);
     }
 
     private void requireParameters() {
@@ -147,7 +156,9 @@ final class CampaignPrograms {
         return WorldParser.parse(text, values).world().stream()
                 .flatMap(world -> world.robots().stream())
                 .map(World.Robot::kind)
-                .map(kind -> kind.program().key())
+                .map(Kind::program)
+                .peek(program -> named.put(program.key(), program))
+                .map(Kind.Program::key)
                 .collect(Collectors.toCollection(TreeSet::new));
     }
 

@@ -90,7 +90,7 @@ public record MakeCampaign(
             long resumed = rows.count();
             long planned = Trials.of(ready.campaign()).count();
             new Course(judge, rows, engine, planned).run(session);
-            CampaignResult result = judge.result(rows::measured);
+            CampaignResult result = judged(judge, rows);
             Overview overview = Overview.of(ready.campaign(), rows::rows);
             folder.keep(rows);
             return new Made(
@@ -101,6 +101,12 @@ public record MakeCampaign(
             throw Failures.cannot("write to", results, e);
         } catch (UncheckedIOException e) {
             throw Failures.cannot("read from", results, e.getCause());
+        }
+    }
+
+    private static CampaignResult judged(Judge judge, RowFile rows) throws IOException {
+        try (ColumnFiles columns = rows.columns()) {
+            return judge.result(columns::measured);
         }
     }
 

@@ -7,9 +7,10 @@ import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.measure.Measuring;
+import arcomat.pipeline.campaign.watch.WatchFreight;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.file.FileReader;
-import arcomat.report.campaign.Replay;
+import arcomat.report.campaign.RunAgain;
 import arcomat.sim.device.Limits;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -52,8 +53,8 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
      */
     public record Ready(Campaign campaign, String world, Freight freight) {
         /** How its runs are made again. */
-        public Replay replay() {
-            return new Replay(world, freight.limited());
+        public RunAgain replay() {
+            return new RunAgain(world, freight.limited());
         }
     }
 
@@ -76,6 +77,13 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
+        WatchFreight watching =
+                WatchFreight.of(
+                        campaign, programs.named(), programs.programs(), worldFile, session);
+        findings.addAll(watching.findings());
+        if (findings.stream().anyMatch(Diagnostic::isError)) {
+            return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
+        }
         Freight freight =
                 new Freight(
                         version,
@@ -83,7 +91,8 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                         world.text(),
                         limits.equals(Limits.OF_THE_BRICK),
                         patience.toSeconds(),
-                        programs.programs());
+                        watching.programs(),
+                        watching.monitors());
         return new Prepared(
                 findings,
                 1 + programs.files(),

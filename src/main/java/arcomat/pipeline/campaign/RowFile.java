@@ -3,7 +3,6 @@ package arcomat.pipeline.campaign;
 import arcomat.campaign.Campaign;
 import arcomat.campaign.Row;
 import arcomat.campaign.TableText;
-import arcomat.campaign.statistics.Measurements;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
@@ -14,10 +13,8 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
-import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.function.Consumer;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /**
@@ -27,9 +24,6 @@ import java.util.stream.Stream;
  */
 final class RowFile implements AutoCloseable {
     private static final String HEAD = "# campaign ";
-
-    /** So many numbers are kept where they are looked at several times: 16 MB. */
-    private static final int IN_MEMORY = 2_000_000;
 
     private final Path file;
     private final Campaign campaign;
@@ -147,25 +141,11 @@ final class RowFile implements AutoCloseable {
         }
     }
 
-    /** The numbers of a column, of the rows that were made; those that are none are left out. */
-    Measurements measured(String column) {
-        int place = campaign.column(column);
-        if (count > IN_MEMORY) {
-            return Measurements.of(() -> numbers(place));
+    /** The numbers of each measure, to be read often; to be closed. */
+    ColumnFiles columns() throws IOException {
+        try (Stream<Row> all = rows()) {
+            return ColumnFiles.of(campaign, all);
         }
-        double[] all;
-        try (DoubleStream numbers = numbers(place)) {
-            all = numbers.toArray();
-        }
-        return Measurements.of(() -> Arrays.stream(all));
-    }
-
-    private DoubleStream numbers(int place) {
-        Stream<Row> rows = rows();
-        return rows.filter(Row::wasMade)
-                .mapToDouble(row -> row.answer(place))
-                .filter(number -> !Double.isNaN(number))
-                .onClose(rows::close);
     }
 
     /** All rows, read from the file; to be closed. */

@@ -15,4 +15,11 @@ public interface Onlooker {
      *     else
      */
     void see(Scene scene, Witness.Instruments instruments);
+
+    /**
+     * A program has come to a method at which it has a probe.
+     *
+     * @param type full name of the class of the method's object
+     */
+    default void entered(String robot, String type, String method) {}
 }

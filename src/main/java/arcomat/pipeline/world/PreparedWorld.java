@@ -139,6 +139,11 @@ public final class PreparedWorld {
         return run(Seeds.of(seed), patience, limits);
     }
 
+    /** What it comes to, run as long as usual, on bricks as they are. */
+    public Summary summarize(long seed) {
+        return summarize(seed, Laboratory.PATIENCE, Limits.OF_THE_BRICK);
+    }
+
     /** As {@link #run(Seeds, Duration, Limits)}, and keeps what it comes to. */
     public Summary summarize(Seeds seeds, Duration patience, Limits limits) {
         return summarize(seeds, patience, limits, Onlooker.NOBODY);

@@ -34,6 +34,11 @@ final class WorldCounter implements Witness {
             }
 
             @Override
+            public void entered(long time, String type, String method) {
+                beside.entered(robot.name(), type, method);
+            }
+
+            @Override
             public void packetSent(long time, byte[] packet, int length) {
                 tally.sent((int) (time / VirtualTime.MILLISECOND));
             }

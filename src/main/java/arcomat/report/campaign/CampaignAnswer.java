@@ -173,7 +173,7 @@ record CampaignAnswer(
             List<String> events,
             Map<String, Double> measures,
             String command) {
-        static Run of(Row row, Campaign campaign, Replay replay) {
+        static Run of(Row row, Campaign campaign, RunAgain replay) {
             RowAnswers answers = RowAnswers.of(row, campaign);
             return new Run(
                     row.trial().number(),

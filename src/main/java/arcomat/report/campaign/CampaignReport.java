@@ -25,7 +25,7 @@ import java.util.function.Predicate;
 public record CampaignReport(
         String file,
         Campaign campaign,
-        Replay replay,
+        RunAgain replay,
         CampaignResult result,
         Overview overview,
         Optional<WorstRun> worst,

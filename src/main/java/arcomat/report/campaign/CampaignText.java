@@ -25,10 +25,10 @@ public final class CampaignText {
     private static final String RUN = "build/run";
 
     private final CampaignResult result;
-    private final Replay replay;
+    private final RunAgain replay;
     private final Style style;
 
-    public CampaignText(CampaignResult result, Replay replay, Style style) {
+    public CampaignText(CampaignResult result, RunAgain replay, Style style) {
         this.result = result;
         this.replay = replay;
         this.style = style;
@@ -134,7 +134,7 @@ public final class CampaignText {
     }
 
     /** What a search has found. */
-    public static String found(WorstRun worst, Replay replay) {
+    public static String found(WorstRun worst, RunAgain replay) {
         return "the %s %s that a search of %,d runs has found is %s: %s\n"
                 .formatted(
                         worst.which(),

@@ -1,7 +1,7 @@
 package arcomat.report.campaign;
 
 import arcomat.campaign.Campaign;
-import arcomat.campaign.Changes;
+import arcomat.campaign.ChangedPairs;
 
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -27,7 +27,7 @@ record Compared(
      * @param after and that with the second
      */
     record Change(long seed, Map<String, String> values, String before, String after) {
-        static Change of(Changes.Pair pair, String parameter, Replay replay) {
+        static Change of(ChangedPairs.Pair pair, String parameter, RunAgain replay) {
             Map<String, String> others = new LinkedHashMap<>(pair.after().trial().values());
             others.remove(parameter);
             return new Change(
@@ -49,7 +49,8 @@ record Compared(
                                         .map(changes -> of(asked, changes, report)));
     }
 
-    private static Compared of(Campaign.Comparison asked, Changes changes, CampaignReport report) {
+    private static Compared of(
+            Campaign.Comparison asked, ChangedPairs changes, CampaignReport report) {
         List<String> words =
                 report.campaign().variations().stream()
                         .filter(each -> each.parameter().equals(asked.parameter()))
@@ -68,7 +69,7 @@ record Compared(
     }
 
     private static List<Change> changed(
-            List<Changes.Pair> pairs, Campaign.Comparison asked, CampaignReport report) {
+            List<ChangedPairs.Pair> pairs, Campaign.Comparison asked, CampaignReport report) {
         return pairs.stream()
                 .map(pair -> Change.of(pair, asked.parameter(), report.replay()))
                 .toList();

@@ -115,9 +115,9 @@ class OverviewTest {
     void manyRunsMakeAFineMapAndFewACoarseOne() {
         String vary = "vary a from 0 to 1\nvary b from 1 to 7 whole\n";
         assertThat(places(vary + "sample random 50\n")).containsExactly(4, 7);
-        assertThat(places(vary + "sample random 1000\n")).containsExactly(10, 7);
+        assertThat(places(vary + "sample random 1000\n")).containsExactly(5, 7);
         assertThat(places(vary + "sample latin 100000\n")).containsExactly(20, 7);
-        assertThat(places(vary + "sample grid 200\n")).containsExactly(11, 7);
+        assertThat(places(vary + "sample grid 200\n")).containsExactly(5, 7);
     }
 
     private static List<Integer> places(String text) {

@@ -48,7 +48,7 @@ final class SampleCampaigns {
         return new CampaignReport(
                 file,
                 campaign,
-                new Replay("models/yard/world/yard.world", true),
+                new RunAgain("models/yard/world/yard.world", true),
                 judge.result(column -> measured(campaign, column)),
                 Overview.of(campaign, () -> rows(campaign)),
                 Optional.empty(),

@@ -125,6 +125,11 @@ public final class Browser implements AutoCloseable {
                 "Emulation.setEmulatedMedia", Map.of("features", List.of(feature)));
     }
 
+    /** As it is printed. */
+    public void print() {
+        driver.executeCdpCommand("Emulation.setEmulatedMedia", Map.of("media", "print"));
+    }
+
     /** As if the window were so large, in pixels: smaller than a window can be made. */
     public void resize(int width, int height) {
         driver.executeCdpCommand(

@@ -38,6 +38,7 @@ class PublishedArtifactsTest {
                 + " parquet-floor picocli slf4j-nop smtinterpol",
         "arcomat-brick-api, asm",
         "arcomat-brick-simulation, arcomat-brick-api asm asm-tree",
+        "arcomat-cluster-hazelcast, arcomat hazelcast",
         "arcomat-gradle-plugin, ''",
         "arcomat-runtime, ''",
         "arcomat.gradle.plugin, arcomat-gradle-plugin"
@@ -67,6 +68,7 @@ class PublishedArtifactsTest {
         "arcomat, arcomat/cli/Main",
         "arcomat-brick-api, arcomat/brick/api/StubJar",
         "arcomat-brick-simulation, lejos/nxt/Motor",
+        "arcomat-cluster-hazelcast, arcomat/cluster/hazelcast/HazelcastProvider",
         "arcomat-gradle-plugin, arcomat/gradle/ArcomatPlugin",
         "arcomat-runtime, arcomat/rt/Choice"
     })

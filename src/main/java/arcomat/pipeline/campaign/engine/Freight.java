@@ -26,6 +26,7 @@ import java.util.zip.ZipOutputStream;
  * @param limited whether programs meet the limits of real bricks
  * @param patienceSeconds what a run may take by the PC's clock
  * @param programs by what the world's text says of them
+ * @param monitors columns of the table by the full names of classes that watch in these programs
  */
 public record Freight(
         String version,
@@ -33,14 +34,28 @@ public record Freight(
         String world,
         boolean limited,
         long patienceSeconds,
-        Map<String, Program> programs) {
+        Map<String, Program> programs,
+        Map<String, String> monitors) {
     private static final String SETTINGS = "settings";
     private static final String CAMPAIGN = "campaign";
     private static final String WORLD = "world";
     private static final String PROGRAMS = "programs/";
+    private static final String MONITORS = "monitors/";
 
     public Freight {
         programs = Map.copyOf(programs);
+        monitors = Map.copyOf(monitors);
+    }
+
+    /** Whose programs watch nothing. */
+    public Freight(
+            String version,
+            String campaign,
+            String world,
+            boolean limited,
+            long patienceSeconds,
+            Map<String, Program> programs) {
+        this(version, campaign, world, limited, patienceSeconds, programs, Map.of());
     }
 
     /** Contents by name, in an order of their own. */
@@ -50,6 +65,9 @@ public record Freight(
         entries.put(SETTINGS, settings.getBytes(StandardCharsets.UTF_8));
         entries.put(CAMPAIGN, campaign.getBytes(StandardCharsets.UTF_8));
         entries.put(WORLD, world.getBytes(StandardCharsets.UTF_8));
+        monitors.forEach(
+                (type, column) ->
+                        entries.put(MONITORS + type, column.getBytes(StandardCharsets.UTF_8)));
         programs.forEach((key, program) -> pack(key, program, entries));
         return entries;
     }
@@ -93,7 +111,20 @@ public record Freight(
                 text(entries, WORLD),
                 Boolean.parseBoolean(settings[1]),
                 Long.parseLong(settings[2]),
-                programs(entries));
+                programs(entries),
+                monitors(entries));
+    }
+
+    private static Map<String, String> monitors(Map<String, byte[]> entries) {
+        Map<String, String> monitors = new TreeMap<>();
+        entries.forEach(
+                (name, column) -> {
+                    if (name.startsWith(MONITORS)) {
+                        String type = name.substring(MONITORS.length());
+                        monitors.put(type, new String(column, StandardCharsets.UTF_8));
+                    }
+                });
+        return monitors;
     }
 
     private static Map<String, byte[]> entries(byte[] bytes) throws IOException {

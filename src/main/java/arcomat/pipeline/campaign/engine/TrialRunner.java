@@ -5,10 +5,12 @@ import arcomat.campaign.CampaignParser;
 import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
+import arcomat.campaign.Watched;
 import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.device.Limits;
 import arcomat.sim.load.LoadedProgram;
+import arcomat.sim.load.Probe;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -39,13 +41,18 @@ public final class TrialRunner implements Function<Trial, Row> {
     private final SourceFile text;
     private final Map<String, LoadedProgram> programs = new TreeMap<>();
     private final Measuring measuring;
+    private final List<Watched> watches;
     private final Map<Map<String, String>, Stage> stages = new ConcurrentHashMap<>();
 
     public TrialRunner(Freight freight) {
         this.freight = freight;
         this.text = new SourceFile("world", freight.world());
-        freight.programs().forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each)));
-        this.measuring = Measuring.of(campaign(freight), text);
+        List<Probe> probes = Sightings.probes(freight.monitors());
+        freight.programs()
+                .forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each, probes)));
+        Campaign campaign = campaign(freight);
+        this.measuring = Measuring.of(campaign, text);
+        this.watches = campaign.watches();
     }
 
     private static Campaign campaign(Freight freight) {
@@ -73,6 +80,7 @@ public final class TrialRunner implements Function<Trial, Row> {
             return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, stage.remark());
         }
         Measuring.Run measured = stage.measuring().start();
+        Sightings sightings = new Sightings(freight.monitors(), measured);
         try {
             Summary summary =
                     stage.world()
@@ -80,9 +88,13 @@ public final class TrialRunner implements Function<Trial, Row> {
                                     Seeds.of(trial.seed()),
                                     Duration.ofSeconds(freight.patienceSeconds()),
                                     freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
-                                    measured);
+                                    sightings);
+            if (sightings.doubt().isPresent()) {
+                return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
+            }
             List<Double> answers = new ArrayList<>(Answers.of(summary));
             answers.addAll(measured.answers());
+            answers.addAll(sightings.answers(watches));
             return Row.made(trial, answers);
         } catch (OutOfPatience e) {
             String why = "after " + freight.patienceSeconds() + " s of the PC's time";

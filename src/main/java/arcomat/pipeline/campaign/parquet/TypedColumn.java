@@ -44,7 +44,8 @@ record TypedColumn(Type type, Predicate<Row> isKnown, Cell cell) {
         List<TypedColumn> all = new ArrayList<>();
         all.add(whole("run", row -> row.trial().number()));
         all.add(whole("seed", row -> row.trial().seed()));
-        campaign.variations().forEach(each -> all.add(ofParameter(each)));
+        TableText text = new TableText(campaign);
+        campaign.variations().forEach(each -> all.add(ofParameter(each, text.column(each))));
         all.add(text("ending", TableText::ending));
         List<Column> answers = campaign.columns();
         for (int i = 0; i < answers.size(); i++) {
@@ -53,9 +54,9 @@ record TypedColumn(Type type, Predicate<Row> isKnown, Cell cell) {
         return all;
     }
 
-    private static TypedColumn ofParameter(Variation variation) {
-        String name = variation.parameter();
-        Function<Row, String> value = row -> row.trial().values().getOrDefault(name, "");
+    private static TypedColumn ofParameter(Variation variation, String name) {
+        String parameter = variation.parameter();
+        Function<Row, String> value = row -> row.trial().values().getOrDefault(parameter, "");
         return isNumber(variation)
                 ? number(name, row -> true, row -> Double.parseDouble(value.apply(row)))
                 : text(name, value);

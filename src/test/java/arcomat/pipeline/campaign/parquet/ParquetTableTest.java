@@ -34,7 +34,8 @@ class ParquetTableTest {
                             new SourceFile(
                                     "c",
                                     "world w\nvary light from 0 to 4\nvary steps of 1 2.5\n"
-                                            + "vary driver of old new\nsample random 10\n"))
+                                            + "vary driver of old new\n"
+                                            + "vary time from 1 to 9 whole\nsample random 10\n"))
                     .campaign()
                     .orElseThrow();
 
@@ -45,7 +46,15 @@ class ParquetTableTest {
                 new Trial(
                         number,
                         number + 7,
-                        Map.of("light", number + ".25", "steps", "2.5", "driver", "new"));
+                        Map.of(
+                                "light",
+                                number + ".25",
+                                "steps",
+                                "2.5",
+                                "driver",
+                                "new",
+                                "time",
+                                "8"));
         if (number % 3 == 2) {
             return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, "line 1: no");
         }
@@ -105,6 +114,7 @@ class ParquetTableTest {
                 .containsEntry("driver", "new")
                 .containsEntry("ending", "made")
                 .containsEntry("collision", true)
+                .containsEntry("parameter time", 8.0)
                 .containsEntry("time", 0.125)
                 .containsEntry("reached", Double.POSITIVE_INFINITY)
                 .doesNotContainKey("distance");
@@ -113,7 +123,8 @@ class ParquetTableTest {
     @Test
     void aRunThatWasNotMadeHasNoAnswers() throws IOException {
         assertThat(read(write("rows.parquet", 3)).get(2))
-                .containsOnlyKeys("run", "seed", "light", "steps", "driver", "ending")
+                .containsOnlyKeys(
+                        "run", "seed", "light", "steps", "driver", "parameter time", "ending")
                 .containsEntry("ending", "impossible: line 1: no");
     }
 

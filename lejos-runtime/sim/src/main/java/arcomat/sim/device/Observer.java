@@ -34,6 +34,13 @@ public interface Observer {
     /** A round of the main loop took so long that it ended without a wait. */
     default void late(long from, long until) {}
 
+    /**
+     * A method begins at which there is a probe.
+     *
+     * @param type full name of the class of its object
+     */
+    default void entered(long time, String type, String method) {}
+
     /** Sees nothing. */
     Observer NONE =
             new Observer() {

@@ -4,6 +4,8 @@ import arcomat.sim.device.Hardware;
 
 import org.jspecify.annotations.Nullable;
 
+import java.util.List;
+
 /**
  * A program for bricks. One for many of them makes its class files ready once, and where all its
  * classes can begin again, a brick takes over those that an earlier one has left: the PC's Java has
@@ -13,22 +15,29 @@ import org.jspecify.annotations.Nullable;
 public final class LoadedProgram {
     private final Program program;
     private final boolean once;
+    private final List<Probe> probes;
     private @Nullable Stock counted;
     private @Nullable Stock free;
 
-    private LoadedProgram(Program program, boolean once) {
+    private LoadedProgram(Program program, boolean once, List<Probe> probes) {
         this.program = program;
         this.once = once;
+        this.probes = List.copyOf(probes);
     }
 
     /** For one brick. */
     public static LoadedProgram forOnce(Program program) {
-        return new LoadedProgram(program, true);
+        return new LoadedProgram(program, true, List.of());
     }
 
     /** For many bricks, one after the other or at the same time. */
     public static LoadedProgram forMany(Program program) {
-        return new LoadedProgram(program, false);
+        return forMany(program, List.of());
+    }
+
+    /** The same, with probes in it: observers of its bricks are told when it comes to them. */
+    public static LoadedProgram forMany(Program program, List<Probe> probes) {
+        return new LoadedProgram(program, false, probes);
     }
 
     public Program program() {
@@ -56,7 +65,10 @@ public final class LoadedProgram {
     private synchronized Stock stock(boolean isCounted) {
         Stock stock = isCounted ? counted : free;
         if (stock == null) {
-            stock = once ? Stock.forOnce(program, isCounted) : Stock.forMany(program, isCounted);
+            stock =
+                    once
+                            ? Stock.forOnce(program, isCounted)
+                            : Stock.forMany(program, isCounted, probes);
             if (isCounted) {
                 counted = stock;
             } else {

@@ -3,24 +3,28 @@ package arcomat.sim.load;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
+import java.util.List;
 import java.util.Optional;
 
 /** The class files of a program with its calls redirected, and those of leJOS as they are. */
 final class Redirected implements ClassFiles {
     private final Program program;
     private final Rewriter rewriter;
+    private final List<Probe> probes;
 
     /**
      * @param counted whether the program has the brick's memory, its calls and its speed
+     * @param probes that are put into the program
      * @throws IllegalArgumentException if the program brings classes of leJOS or of the simulation
      */
-    Redirected(Program program, boolean counted) {
+    Redirected(Program program, boolean counted, List<Probe> probes) {
         for (String name : program.classes().keySet()) {
             if (BrickLoader.isShared(name) || BrickLoader.isInside(name)) {
                 throw new IllegalArgumentException(name + " lies in a package of the simulation");
             }
         }
         this.program = program;
+        this.probes = probes;
         this.rewriter = Rewriter.of(program.classes(), counted);
     }
 
@@ -28,7 +32,9 @@ final class Redirected implements ClassFiles {
     public Optional<byte[]> find(String name) {
         return BrickLoader.isInside(name)
                 ? simulated(name)
-                : Optional.ofNullable(program.classes().get(name)).map(rewriter::rewrite);
+                : Optional.ofNullable(program.classes().get(name))
+                        .map(rewriter::rewrite)
+                        .map(file -> Probing.of(name, file, probes));
     }
 
     private static Optional<byte[]> simulated(String name) {

@@ -2,6 +2,7 @@ package arcomat.sim.load;
 
 import arcomat.sim.device.Hardware;
 
+import java.util.List;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 
@@ -18,12 +19,12 @@ final class Stock {
 
     /** For one brick: what it does not need is not looked at. */
     static Stock forOnce(Program program, boolean counted) {
-        return new Stock(new Redirected(program, counted), false);
+        return new Stock(new Redirected(program, counted, List.of()), false);
     }
 
     /** For many bricks, one after the other or at the same time. */
-    static Stock forMany(Program program, boolean counted) {
-        ClassFiles files = new Kept(new Redirected(program, counted));
+    static Stock forMany(Program program, boolean counted, List<Probe> probes) {
+        ClassFiles files = new Kept(new Redirected(program, counted, probes));
         try {
             return new Stock(repeatable(program, files), true);
         } catch (RuntimeException e) {

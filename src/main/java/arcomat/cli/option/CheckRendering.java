@@ -1,6 +1,5 @@
-package arcomat.cli.command;
+package arcomat.cli.option;
 
-import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportFormat.Rendering;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.MachineFormats;
@@ -25,11 +24,12 @@ import java.util.Optional;
  * @param command that looked at the models
  * @param strict whether a warning is a failure
  */
-record CheckRendering(String command, CheckReport report, boolean strict, MachineFormats machine)
+public record CheckRendering(
+        String command, CheckReport report, boolean strict, MachineFormats machine)
         implements Rendering {
 
     /** Of models that have errors, for a command that cannot go on. */
-    static CheckRendering refused(String command, CheckResult check, Console console) {
+    public static CheckRendering refused(String command, CheckResult check, Console console) {
         CheckReport report =
                 new CheckReport(
                         check.paths(), check.findings(), check.suppressed(), Optional.empty());
@@ -37,14 +37,14 @@ record CheckRendering(String command, CheckReport report, boolean strict, Machin
     }
 
     /** With the findings about files that a command went on without. */
-    static List<Reported> withAside(List<Reported> results, Aside aside) {
+    public static List<Reported> withAside(List<Reported> results, Aside aside) {
         List<Reported> all = new ArrayList<>(results);
         all.addAll(report(aside).reported());
         return all;
     }
 
     /** With the files that a command went on without, as far as something was found in them. */
-    static List<Case> withCasesAside(List<Case> results, Aside aside) {
+    public static List<Case> withCasesAside(List<Case> results, Aside aside) {
         List<Case> all = new ArrayList<>(results);
         all.addAll(new FileCases(report(aside), false).all());
         return all;

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
  * @param world the world's file, as a user would write it
  * @param limited whether programs met the limits of real bricks
  */
-public record Replay(String world, boolean limited) {
+public record RunAgain(String world, boolean limited) {
     /** What a shell takes as it stands. */
     private static final Pattern PLAIN = Pattern.compile("[\\w./:=,+@%-]+");
 

@@ -11,9 +11,9 @@ import java.util.List;
  * @param firstBetter the first ones that got better
  * @param firstWorse the first ones that got worse
  */
-public record Changes(
+public record ChangedPairs(
         long pairs, long better, long worse, List<Pair> firstBetter, List<Pair> firstWorse) {
-    public Changes {
+    public ChangedPairs {
         firstBetter = List.copyOf(firstBetter);
         firstWorse = List.copyOf(firstWorse);
     }

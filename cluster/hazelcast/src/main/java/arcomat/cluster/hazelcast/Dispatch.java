@@ -1,0 +1,143 @@
+package arcomat.cluster.hazelcast;
+
+import arcomat.campaign.Trial;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.UUID;
+
+/**
+ * Which trials are wanted, and who has which: knows nothing of networks. A trial is wanted until it
+ * is answered for the first time, whoever answers.
+ */
+final class Dispatch {
+    /**
+     * Trials that a worker holds for each of its threads: it goes on with the next ones while its
+     * answers travel. What it holds is made again if it dies.
+     */
+    private static final int HELD = 16;
+
+    /** Trials of one message at most. */
+    private static final int BATCH = 32;
+
+    private final Deque<Trial> waiting = new ArrayDeque<>();
+    private final Map<Long, Trial> wanted = new HashMap<>();
+    private final Map<UUID, Worker> workers = new LinkedHashMap<>();
+
+    private static final class Worker {
+        private final UUID name;
+        private final int threads;
+        private final Set<Long> held = new LinkedHashSet<>();
+
+        Worker(UUID name, int threads) {
+            this.name = name;
+            this.threads = threads;
+        }
+
+        double load() {
+            return (double) held.size() / threads;
+        }
+
+        int room() {
+            return HELD * threads - held.size();
+        }
+    }
+
+    /** Trials for a worker. */
+    record Batch(UUID worker, List<Trial> trials) {}
+
+    void submit(List<Trial> trials) {
+        for (Trial each : trials) {
+            wanted.put(each.number(), each);
+            waiting.add(each);
+        }
+    }
+
+    /**
+     * @param threads how many trials it makes at a time, at least 1
+     */
+    void join(UUID worker, int threads) {
+        workers.put(worker, new Worker(worker, threads));
+    }
+
+    /**
+     * What it held comes first now: later trials wait for it.
+     *
+     * @return how many trials have to be made by others
+     */
+    int leave(UUID worker) {
+        Worker gone = workers.remove(worker);
+        if (gone == null) {
+            return 0;
+        }
+        List<Trial> lost = gone.held.stream().filter(wanted::containsKey).map(wanted::get).toList();
+        for (int i = lost.size() - 1; i >= 0; i--) {
+            waiting.addFirst(lost.get(i));
+        }
+        return lost.size();
+    }
+
+    /** Gives out what is waiting, as far as workers have room for it. */
+    List<Batch> assign() {
+        List<Batch> batches = new ArrayList<>();
+        // Several messages for each thread, so that all have an end at about the same time.
+        int size = Math.max(1, Math.min(BATCH, waiting.size() / (2 * Math.max(1, threads()))));
+        Optional<Worker> next = idlest();
+        while (next.isPresent() && !waiting.isEmpty()) {
+            batches.add(batch(next.get(), Math.min(size, next.get().room())));
+            next = idlest();
+        }
+        batches.removeIf(batch -> batch.trials().isEmpty());
+        return batches;
+    }
+
+    private Optional<Worker> idlest() {
+        return workers.values().stream()
+                .filter(each -> each.room() > 0)
+                .min(Comparator.comparingDouble(Worker::load));
+    }
+
+    private Batch batch(Worker worker, int size) {
+        List<Trial> trials = new ArrayList<>();
+        while (trials.size() < size && !waiting.isEmpty()) {
+            Trial trial = waiting.removeFirst();
+            // One that was given up for lost may have been answered since.
+            if (wanted.containsKey(trial.number())) {
+                worker.held.add(trial.number());
+                trials.add(trial);
+            }
+        }
+        return new Batch(worker.name, trials);
+    }
+
+    /**
+     * An answer has come.
+     *
+     * @return the trial; none if nobody waits for it any more
+     */
+    Optional<Trial> answer(UUID from, long number) {
+        Worker worker = workers.get(from);
+        if (worker != null) {
+            worker.held.remove(number);
+        }
+        return Optional.ofNullable(wanted.remove(number));
+    }
+
+    Set<UUID> workers() {
+        return Set.copyOf(workers.keySet());
+    }
+
+    /** How many trials can be made at a time. */
+    int threads() {
+        return workers.values().stream().mapToInt(worker -> worker.threads).sum();
+    }
+}

@@ -1,0 +1,15 @@
+package arcomat.sim.inside;
+
+import arcomat.sim.device.Hardware;
+
+/** What somebody who looks at a program is told by it, and the program knows nothing of. */
+public final class BrickProbes {
+    private static final Hardware BRICK = Hardware.of(BrickProbes.class);
+
+    private BrickProbes() {}
+
+    /** A method begins that somebody has asked about. */
+    public static void entered(Object object, String method) {
+        BRICK.observer().entered(BRICK.time().now(), object.getClass().getName(), method);
+    }
+}
