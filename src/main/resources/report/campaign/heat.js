@@ -116,9 +116,14 @@ class Heat {
       body.push(element("tr", {}, element("th", { scope: "row", title: this.rows[row] }, begin(this.rows[row])), ...cells));
     }
     const heads = this.columns.map((label) => element("th", { scope: "col", title: label }, element("span", {}, begin(label))));
-    const caption = element("caption", {}, this.y === "" ? `by ${this.x}` : `${this.x} across, ${this.y} upwards`);
+    const caption = element("caption", {}, `${this.y === "" ? "by " + this.x : `${this.x} across, ${this.y} upwards`}: ${this.shown()}`);
     const looks = (isReadable ? " readable" : "") + (this.columns.length <= ROOMY ? " roomy" : "");
     return element("table", { class: "heat" + looks, onkeydown: (event) => this.key(event) }, caption, this.widths(), element("tbody", {}, ...body), element("tfoot", {}, element("tr", {}, element("td", {}), ...heads)));
+  }
+
+  /** What the cells say; on paper there is no choice that does. */
+  shown() {
+    return this.layer.event ? `percent of runs in which ${this.layer.meaning}` : `${this.part} ${this.layer.name} (${this.layer.meaning})`;
   }
 
   /** Names of rows get what they need, as far as there is room; cells share the rest. */
