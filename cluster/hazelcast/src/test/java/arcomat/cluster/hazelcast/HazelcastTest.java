@@ -30,13 +30,18 @@ import java.util.stream.LongStream;
 @Tag("slow")
 @Timeout(180)
 class HazelcastTest {
-    private static final Freight FREIGHT =
-            new Freight("1.0", "", "floor 1000 1000\nseconds 0.1\n", true, 60, Map.of());
+    private static final Freight FREIGHT = freight("seconds 0.1\n");
 
     private final EngineProvider provider =
             ServiceLoader.load(EngineProvider.class).findFirst().orElseThrow();
     private final List<String> told = new CopyOnWriteArrayList<>();
     private final List<String> toldWorker = new CopyOnWriteArrayList<>();
+
+    private static Freight freight(String seconds) {
+        String campaign = "world yard.world\nsample random 300\n";
+        String world = "floor 1000 1000\n" + seconds;
+        return new Freight("1.0", campaign, world, true, 60, Map.of());
+    }
 
     private static Meeting meeting(String name, String secret) throws IOException {
         try (ServerSocket free = new ServerSocket(0)) {
@@ -82,8 +87,7 @@ class HazelcastTest {
         Meeting meeting = meeting("yard", "");
         Thread worker = worker(meeting, "1.0");
         for (String world : List.of("seconds 0.1\n", "seconds 0.2\n")) {
-            Freight freight =
-                    new Freight("1.0", "", "floor 1000 1000\n" + world, true, 60, Map.of());
+            Freight freight = freight(world);
             try (Engine engine = provider.open(freight, meeting, told::add)) {
                 assertThat(engine.capacity()).isEqualTo(1);
                 engine.submit(trials(0, 300));
