@@ -59,7 +59,8 @@ public final class EngineLibrary {
             URL[] jars = jars(tool.resolveSibling(FOLDER)).toArray(new URL[0]);
             return new URLClassLoader(jars, EngineLibrary.class.getClassLoader());
         } catch (IOException | URISyntaxException e) {
-            throw new WrongUse("the engine for clusters cannot be read: %s", e.getMessage());
+            throw new WrongUse(
+                    "the engine for clusters cannot be read: %s", String.valueOf(e.getMessage()));
         }
     }
 

@@ -41,7 +41,6 @@ final class HazelcastEngine implements Engine {
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(200);
 
     private final Freight freight;
-    private final Meeting meeting;
     private final Consumer<String> told;
     private final HazelcastInstance hazelcast;
     private final Board board;
@@ -54,13 +53,11 @@ final class HazelcastEngine implements Engine {
 
     private HazelcastEngine(
             Freight freight,
-            Meeting meeting,
             Consumer<String> told,
             HazelcastInstance hazelcast,
             Board board,
             Board.Notice notice) {
         this.freight = freight;
-        this.meeting = meeting;
         this.told = told;
         this.hazelcast = hazelcast;
         this.board = board;
@@ -78,7 +75,7 @@ final class HazelcastEngine implements Engine {
         }
         Board board = Board.of(hazelcast);
         HazelcastEngine engine =
-                new HazelcastEngine(freight, meeting, told, hazelcast, board, board.post(freight));
+                new HazelcastEngine(freight, told, hazelcast, board, board.post(freight));
         told.accept(
                 "cluster '"
                         + meeting.name()
