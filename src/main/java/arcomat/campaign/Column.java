@@ -21,7 +21,12 @@ public record Column(String name, boolean isEvent, String meaning) {
     /** When each level of a splitting was reached. */
     static List<Column> within(Campaign.Split split) {
         return split.columns().stream()
-                .map(name -> new Column(name, false, "seconds until " + split.measure() + " was so"))
+                .map(
+                        name ->
+                                new Column(
+                                        name,
+                                        false,
+                                        "seconds until " + split.measure() + " was so"))
                 .toList();
     }
 }

@@ -47,11 +47,7 @@ public final class Approach {
     /** For each level the first step of the world at which it was reached. */
     public List<OptionalLong> ticks() {
         return IntStream.range(0, ticks.length)
-                .mapToObj(
-                        i ->
-                                ticks[i] == NEVER
-                                        ? OptionalLong.empty()
-                                        : OptionalLong.of(ticks[i]))
+                .mapToObj(i -> ticks[i] == NEVER ? OptionalLong.empty() : OptionalLong.of(ticks[i]))
                 .toList();
     }
 }

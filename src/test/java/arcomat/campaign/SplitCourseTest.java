@@ -50,8 +50,7 @@ class SplitCourseTest {
         }
         List<Double> answers = new ArrayList<>(Collections.nCopies(Column.builtIn().size(), 0.0));
         answers.set(campaign.column("distance"), (double) least);
-        LEVELS.forEach(
-                level -> answers.add(reached.getOrDefault(level, Double.POSITIVE_INFINITY)));
+        LEVELS.forEach(level -> answers.add(reached.getOrDefault(level, Double.POSITIVE_INFINITY)));
         return Row.made(trial, answers);
     }
 
@@ -89,8 +88,7 @@ class SplitCourseTest {
     private static RareEvent split(Campaign campaign) {
         SplitCourse course = SplitCourse.start(campaign, campaign.split().orElseThrow());
         while (!course.isOver()) {
-            List<Row> rows =
-                    course.trials().stream().map(trial -> run(campaign, trial)).toList();
+            List<Row> rows = course.trials().stream().map(trial -> run(campaign, trial)).toList();
             course = course.next(rows);
         }
         return course.result();

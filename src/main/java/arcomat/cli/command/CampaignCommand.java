@@ -130,7 +130,8 @@ final class CampaignCommand extends Command {
         } else {
             tell(made, ready);
             worst.ifPresent(each -> print(CampaignText.found(each, ready.replay())));
-            rare.ifPresent(each -> print(new RareText(each, ready.replay(), console().style()).render()));
+            rare.ifPresent(
+                    each -> print(new RareText(each, ready.replay(), console().style()).render()));
         }
         if (report != null) {
             tellPage(session.run(new WriteCampaignPage(shown, report)));

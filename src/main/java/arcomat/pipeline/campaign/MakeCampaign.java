@@ -77,7 +77,15 @@ public record MakeCampaign(
                 Optional<WorstRun> worst,
                 Optional<RareEvent> rare) {
             return new CampaignReport(
-                    file, made.campaign(), made.replay(), result, overview, worst, rare, planned, table);
+                    file,
+                    made.campaign(),
+                    made.replay(),
+                    result,
+                    overview,
+                    worst,
+                    rare,
+                    planned,
+                    table);
         }
     }
 

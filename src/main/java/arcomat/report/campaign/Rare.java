@@ -53,7 +53,10 @@ record Rare(
                 event.givenUp(),
                 event.nearest()
                         .map(each -> each.row())
-                        .map(row -> CampaignAnswer.Run.of(row, report.campaign(), report.replay())));
+                        .map(
+                                row ->
+                                        CampaignAnswer.Run.of(
+                                                row, report.campaign(), report.replay())));
     }
 
     private static List<Step> steps(RareEvent event) {

@@ -9,7 +9,9 @@ import arcomat.report.text.TextTable;
 
 import java.util.List;
 
-/** What a splitting says, for people: its levels, the probability, and the run that came nearest. */
+/**
+ * What a splitting says, for people: its levels, the probability, and the run that came nearest.
+ */
 public final class RareText {
     private static final Confidence USUAL = new Confidence(0.95);
     private static final String RUN = "build/run";
@@ -53,6 +55,10 @@ public final class RareText {
             return asked + ": not known, as too few runs have a world";
         }
         ConfidenceInterval interval = event.interval(USUAL);
+        if (event.families().count() == 0) {
+            return "%s: none of %,d runs came there; probability surely (95 %%) at most %s"
+                    .formatted(asked, event.runs(), CampaignText.number(interval.high()));
+        }
         return "%s: probability %s, surely (95 %%) %s to %s, by %,d runs; %,d families came there"
                 .formatted(
                         asked,

@@ -53,8 +53,6 @@ final class LevelTimes implements Onlooker {
     }
 
     private static double seconds(OptionalLong tick) {
-        return tick.isPresent()
-                ? tick.getAsLong() / STEPS_PER_SECOND
-                : Double.POSITIVE_INFINITY;
+        return tick.isPresent() ? tick.getAsLong() / STEPS_PER_SECOND : Double.POSITIVE_INFINITY;
     }
 }
