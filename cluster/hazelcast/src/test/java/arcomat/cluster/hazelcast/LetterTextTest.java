@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
-import arcomat.world.Seeds;
 import arcomat.cluster.hazelcast.Letter.Answer;
+import arcomat.world.Seeds;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
