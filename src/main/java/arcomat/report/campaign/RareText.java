@@ -17,10 +17,10 @@ public final class RareText {
     private static final String RUN = "build/run";
 
     private final RareEvent event;
-    private final Replay replay;
+    private final RunAgain replay;
     private final Style style;
 
-    public RareText(RareEvent event, Replay replay, Style style) {
+    public RareText(RareEvent event, RunAgain replay, Style style) {
         this.event = event;
         this.replay = replay;
         this.style = style;

@@ -41,8 +41,7 @@ class SplitRunsTest {
 
     private static Row answer(Trial trial) {
         int level = trial.seeds().changes().size();
-        long last =
-                level == 0 ? trial.seed() : trial.seeds().changes().get(level - 1).seed();
+        long last = level == 0 ? trial.seed() : trial.seeds().changes().get(level - 1).seed();
         int reached = last % 3 == 0 ? level + 1 : level;
         List<Double> answers = new ArrayList<>();
         CAMPAIGN.columns().forEach(column -> answers.add(0.0));
