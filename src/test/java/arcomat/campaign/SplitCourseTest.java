@@ -18,8 +18,8 @@ import java.util.stream.IntStream;
 /** A walk whose probability is known: a step nearer or farther at each moment, by a coin. */
 class SplitCourseTest {
     private static final int STEPS = 100;
-    private static final int START = 30;
-    private static final List<Integer> LEVELS = List.of(18, 9, 0);
+    private static final int START = 31;
+    private static final List<Integer> LEVELS = List.of(19, 10, 1);
 
     private static Campaign campaign(int runs, long seed) {
         String text =
@@ -28,7 +28,7 @@ class SplitCourseTest {
                 vary a from 0 to 1
                 sample random 7
                 seeds from %d
-                split on distance levels 18 9 0 runs %d
+                split on distance levels 19 10 1 runs %d
                 """
                         .formatted(seed, runs);
         return CampaignParser.parse(new SourceFile("a.campaign", text)).campaign().orElseThrow();
@@ -69,20 +69,20 @@ class SplitCourseTest {
         return (bits ^ bits >>> 31) < 0;
     }
 
-    /** That it is at 0 at one of the moments: all walks, with their probabilities. */
+    /** That it is at 1 at one of the moments: all walks, with their probabilities. */
     private static double exact() {
         double[] at = new double[START + STEPS + 2];
         at[START] = 1;
         for (int tick = 1; tick < STEPS; tick++) {
             double[] next = new double[at.length];
-            next[0] = at[0];
-            for (int place = 1; place < at.length - 1; place++) {
+            next[1] = at[1];
+            for (int place = 2; place < at.length - 1; place++) {
                 next[place - 1] += at[place] / 2;
                 next[place + 1] += at[place] / 2;
             }
             at = next;
         }
-        return at[0];
+        return at[1];
     }
 
     private static RareEvent split(Campaign campaign) {
@@ -125,7 +125,7 @@ class SplitCourseTest {
         Campaign campaign = campaign(200, 1);
         SplitCourse start = SplitCourse.start(campaign, campaign.split().orElseThrow());
         List<Row> first = start.trials().stream().map(trial -> run(campaign, trial)).toList();
-        int column = campaign.column("within_18");
+        int column = campaign.column("within_19");
         for (Trial trial : start.next(first).trials()) {
             Row parent =
                     first.stream()
