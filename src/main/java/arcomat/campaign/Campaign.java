@@ -27,7 +27,8 @@ public record Campaign(
         boolean stopsWhenDecided,
         List<Demand> demands,
         Optional<Comparison> comparison,
-        Optional<Search> search) {
+        Optional<Search> search,
+        Optional<Split> split) {
     public Campaign {
         variations = List.copyOf(variations);
         measures = List.copyOf(measures);
@@ -60,11 +61,30 @@ public record Campaign(
      */
     public record Search(Demand.Side side, String measure, int runs, Span place) {}
 
+    /**
+     * A rare event that is approached by levels.
+     *
+     * @param measure the distance that has to become small: {@code distance} or {@code clearance}
+     * @param levels in mm, falling; the event is to come to the last one
+     * @param runs of each level
+     */
+    public record Split(String measure, List<Integer> levels, int runs, Span place) {
+        public Split {
+            levels = List.copyOf(levels);
+        }
+
+        /** The names of the columns that say when levels were reached. */
+        List<String> columns() {
+            return levels.stream().map(level -> "within_" + level).toList();
+        }
+    }
+
     /** What every row of the table answers. */
     public List<Column> columns() {
         List<Column> columns = new ArrayList<>(Column.builtIn());
         measures.forEach(each -> columns.add(each.column()));
         watches.forEach(each -> columns.add(each.column()));
+        split.ifPresent(each -> columns.addAll(Column.within(each)));
         return columns;
     }
 

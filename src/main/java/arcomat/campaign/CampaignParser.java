@@ -2,6 +2,7 @@ package arcomat.campaign;
 
 import arcomat.campaign.Campaign.Comparison;
 import arcomat.campaign.Campaign.Search;
+import arcomat.campaign.Campaign.Split;
 import arcomat.campaign.Demand.Side;
 import arcomat.campaign.Variation.Choice;
 import arcomat.campaign.Variation.Domain;
@@ -31,9 +32,15 @@ public final class CampaignParser {
     private static final List<String> STATEMENTS =
             List.of(
                     "world", "vary", "measure", "event", "watch", "sample", "seeds", "stop",
-                    "require", "compare", "worst");
+                    "require", "compare", "worst", "split");
     private static final double FAR = 999_999_999;
     private static final int MOST = 999_999_999;
+
+    /** In mm: no floor is larger. */
+    private static final int FARTHEST = 1_000_000;
+
+    private static final List<String> DISTANCES =
+            List.of(Quantity.DISTANCE.word(), Quantity.CLEARANCE.word());
 
     private final SourceFile file;
     private final List<Diagnostic> findings = new ArrayList<>();
@@ -48,6 +55,7 @@ public final class CampaignParser {
     private boolean stopsWhenDecided;
     private @Nullable Comparison comparison;
     private @Nullable Search search;
+    private @Nullable Split split;
 
     private CampaignParser(SourceFile file) {
         this.file = file;
@@ -115,7 +123,8 @@ public final class CampaignParser {
                 stopsWhenDecided = true;
             }
             case "compare" -> comparison = comparison(words);
-            default -> search = search(words);
+            case "worst" -> search = search(words);
+            default -> split = split(words);
         }
     }
 
@@ -273,6 +282,25 @@ public final class CampaignParser {
         return new Search(side, measure, runs, which.place());
     }
 
+    /** Whole millimetres: more is finer than a step of the world. */
+    private static Split split(Words words) throws Unreadable {
+        words.expect("on");
+        Word measure = words.choice("a distance", DISTANCES);
+        words.expect("levels");
+        List<Integer> levels = new ArrayList<>();
+        do {
+            Word written = words.next("a level in mm");
+            words.back();
+            int level = words.count("a level in mm", 1, FARTHEST);
+            if (!levels.isEmpty() && level >= levels.get(levels.size() - 1)) {
+                throw words.wrong(written, "levels fall: each is nearer than the one before");
+            }
+            levels.add(level);
+        } while (!words.take("runs"));
+        int runs = words.count("how many runs of each level", 10, MOST);
+        return new Split(measure.text(), levels, runs, measure.place());
+    }
+
     private Reading result() {
         requireThere(world != null, "a world: write 'world FILE'");
         requireThere(plan != null, "a number of runs: write 'sample random N'");
@@ -280,6 +308,7 @@ public final class CampaignParser {
             checkColumns();
             checkComparison();
             checkSearch();
+            Optional.ofNullable(split).ifPresent(this::checkSplit);
         }
         findings.sort(Diagnostic.ORDER);
         return new Reading(
@@ -297,7 +326,8 @@ public final class CampaignParser {
                 stopsWhenDecided,
                 demands,
                 Optional.ofNullable(comparison),
-                Optional.ofNullable(search));
+                Optional.ofNullable(search),
+                Optional.ofNullable(split));
     }
 
     /** What is wrong already is told alone: it may be the reason. */
@@ -351,5 +381,32 @@ public final class CampaignParser {
                             "a search needs a range to search in: write 'vary NAME from LOW to"
                                     + " HIGH'"));
         }
+    }
+
+    private void checkSplit(Split asked) {
+        asked.columns().stream()
+                .filter(
+                        name ->
+                                measures.containsKey(name)
+                                        || watches.containsKey(name)
+                                        || variations.containsKey(name))
+                .forEach(name -> tellTaken(name, asked.place()));
+        if (comparison != null) {
+            findings.add(
+                    Diagnostic.error(
+                            MEANINGLESS,
+                            asked.place(),
+                            "a splitting is about one probability: write a campaign for each of"
+                                    + " the two words that are compared"));
+        }
+    }
+
+    private void tellTaken(String name, Span place) {
+        findings.add(
+                Diagnostic.error(
+                        TWICE,
+                        place,
+                        "the levels have columns such as '%s': call yours otherwise"
+                                .formatted(name)));
     }
 }

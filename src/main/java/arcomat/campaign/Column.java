@@ -17,4 +17,16 @@ public record Column(String name, boolean isEvent, String meaning) {
                 .map(each -> new Column(each.word(), each.isEvent(), each.meaning()))
                 .toList();
     }
+
+    /** When each level of a splitting was reached. */
+    static List<Column> within(Campaign.Split split) {
+        return split.columns().stream()
+                .map(
+                        name ->
+                                new Column(
+                                        name,
+                                        false,
+                                        "seconds until " + split.measure() + " was so"))
+                .toList();
+    }
 }

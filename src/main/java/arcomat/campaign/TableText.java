@@ -1,5 +1,7 @@
 package arcomat.campaign;
 
+import arcomat.world.Seeds;
+
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -49,7 +51,7 @@ public final class TableText {
     public String line(Row row) {
         List<String> cells = new ArrayList<>();
         cells.add(Long.toString(row.trial().number()));
-        cells.add(Long.toString(row.trial().seed()));
+        cells.add(row.trial().seeds().text());
         cells.addAll(row.trial().values().values());
         cells.add(ending(row));
         for (int i = 0; i < campaign.columns().size(); i++) {
@@ -95,7 +97,7 @@ public final class TableText {
         for (int i = 0; i < campaign.variations().size(); i++) {
             values.put(campaign.variations().get(i).parameter(), cells.get(FIRST.size() + i));
         }
-        Trial trial = new Trial(Long.parseLong(cells.get(0)), Long.parseLong(cells.get(1)), values);
+        Trial trial = new Trial(Long.parseLong(cells.get(0)), Seeds.parse(cells.get(1)), values);
         Row.Ending how = Row.Ending.of(cells.get(ending));
         if (how != Row.Ending.MADE) {
             return new Row(

@@ -18,7 +18,7 @@ public record Families(List<Long> sizes) {
     }
 
     /** How many there are. */
-    long count() {
+    public long count() {
         return sizes.stream().filter(size -> size > 0).count();
     }
 

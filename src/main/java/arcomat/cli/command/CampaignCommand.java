@@ -1,6 +1,7 @@
 package arcomat.cli.command;
 
 import arcomat.campaign.CampaignResult;
+import arcomat.campaign.RareEvent;
 import arcomat.campaign.WorstRun;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.ClusterOptions;
@@ -14,6 +15,7 @@ import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign.Prepared;
 import arcomat.pipeline.campaign.PrepareCampaign.Ready;
 import arcomat.pipeline.campaign.SearchWorst;
+import arcomat.pipeline.campaign.SplitRuns;
 import arcomat.pipeline.campaign.WriteCampaignPage;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
@@ -23,6 +25,7 @@ import arcomat.pipeline.file.ReportPage;
 import arcomat.report.campaign.CampaignJson;
 import arcomat.report.campaign.CampaignReport;
 import arcomat.report.campaign.CampaignText;
+import arcomat.report.campaign.RareText;
 import arcomat.report.finding.FindingsText;
 
 import picocli.CommandLine;
@@ -120,12 +123,15 @@ final class CampaignCommand extends Command {
         Function<Freight, Engine> engines = engines(session);
         MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
         Optional<WorstRun> worst = session.run(new SearchWorst(ready, engines));
-        CampaignReport shown = made.report(campaign, ready, worst);
+        Optional<RareEvent> rare = session.run(new SplitRuns(ready, engines));
+        CampaignReport shown = made.report(campaign, ready, worst, rare);
         if (format == OutputFormat.json) {
             print(CampaignJson.render(shown));
         } else {
             tell(made, ready);
             worst.ifPresent(each -> print(CampaignText.found(each, ready.replay())));
+            rare.ifPresent(
+                    each -> print(new RareText(each, ready.replay(), console().style()).render()));
         }
         if (report != null) {
             tellPage(session.run(new WriteCampaignPage(shown, report)));

@@ -2,6 +2,7 @@ package arcomat.pipeline.campaign;
 
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judge;
+import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
@@ -71,9 +72,20 @@ public record MakeCampaign(
          * @param made what was run
          */
         public CampaignReport report(
-                String file, PrepareCampaign.Ready made, Optional<WorstRun> worst) {
+                String file,
+                PrepareCampaign.Ready made,
+                Optional<WorstRun> worst,
+                Optional<RareEvent> rare) {
             return new CampaignReport(
-                    file, made.campaign(), made.replay(), result, overview, worst, planned, table);
+                    file,
+                    made.campaign(),
+                    made.replay(),
+                    result,
+                    overview,
+                    worst,
+                    rare,
+                    planned,
+                    table);
         }
     }
 

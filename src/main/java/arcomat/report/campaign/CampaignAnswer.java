@@ -43,7 +43,8 @@ record CampaignAnswer(
         List<Measure> measures,
         List<Run> notable,
         Optional<Compared> compared,
-        Optional<Worst> worst) {
+        Optional<Worst> worst,
+        Optional<Rare> rare) {
     private static final Confidence USUAL = new Confidence(0.95);
 
     /** Where the page of a run is written. */
@@ -229,7 +230,8 @@ record CampaignAnswer(
                         .map(each -> Run.of(each, campaign, report.replay()))
                         .toList(),
                 Compared.of(report),
-                report.worst().map(each -> Worst.of(each, report)));
+                report.worst().map(each -> Worst.of(each, report)),
+                report.rare().map(each -> Rare.of(each, report)));
     }
 
     private static String verdict(CampaignResult result) {

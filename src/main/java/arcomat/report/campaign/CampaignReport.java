@@ -3,6 +3,7 @@ package arcomat.report.campaign;
 import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judgement;
+import arcomat.campaign.RareEvent;
 import arcomat.campaign.WorstRun;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Decision;
@@ -19,6 +20,7 @@ import java.util.function.Predicate;
  * @param replay how its runs are made again
  * @param result what came of it
  * @param worst what a search has found; empty where there was none
+ * @param rare what a splitting says; empty where there was none
  * @param planned how many runs it could have had: less where the answer was clear before
  * @param table what tells its table from any other
  */
@@ -29,6 +31,7 @@ public record CampaignReport(
         CampaignResult result,
         Overview overview,
         Optional<WorstRun> worst,
+        Optional<RareEvent> rare,
         long planned,
         String table) {
     /** How many rows the table has. */

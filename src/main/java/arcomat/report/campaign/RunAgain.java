@@ -24,6 +24,10 @@ public record RunAgain(String world, boolean limited) {
         StringBuilder command = new StringBuilder("arcomat world ").append(word(world));
         command.append(" --seed ").append(row.trial().seed());
         row.trial()
+                .seeds()
+                .changes()
+                .forEach(change -> command.append(" --then ").append(change.text()));
+        row.trial()
                 .values()
                 .forEach(
                         (name, value) ->

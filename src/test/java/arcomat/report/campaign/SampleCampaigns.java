@@ -52,6 +52,7 @@ final class SampleCampaigns {
                 judge.result(column -> measured(campaign, column)),
                 Overview.of(campaign, () -> rows(campaign)),
                 Optional.empty(),
+                Optional.empty(),
                 Trials.of(campaign).count(),
                 "0123456789abcdef");
     }

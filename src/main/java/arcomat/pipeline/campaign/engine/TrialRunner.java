@@ -14,7 +14,6 @@ import arcomat.sim.load.Probe;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.world.Seeds;
 import arcomat.world.Summary;
 import arcomat.world.World;
 import arcomat.world.WorldParser;
@@ -25,6 +24,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Function;
@@ -42,6 +42,7 @@ public final class TrialRunner implements Function<Trial, Row> {
     private final Map<String, LoadedProgram> programs = new TreeMap<>();
     private final Measuring measuring;
     private final List<Watched> watches;
+    private final Optional<Campaign.Split> split;
     private final Map<Map<String, String>, Stage> stages = new ConcurrentHashMap<>();
 
     public TrialRunner(Freight freight) {
@@ -53,6 +54,7 @@ public final class TrialRunner implements Function<Trial, Row> {
         Campaign campaign = campaign(freight);
         this.measuring = Measuring.of(campaign, text);
         this.watches = campaign.watches();
+        this.split = campaign.split();
     }
 
     private static Campaign campaign(Freight freight) {
@@ -63,29 +65,34 @@ public final class TrialRunner implements Function<Trial, Row> {
     /**
      * A world with values.
      *
+     * @param bare without programs
      * @param measuring what the campaign asks beside what every campaign does
      * @param remark why there is no world; else empty
      */
     private record Stage(
-            @Nullable PreparedWorld world, Measuring.@Nullable InWorld measuring, String remark) {
+            @Nullable World bare,
+            @Nullable PreparedWorld world,
+            Measuring.@Nullable InWorld measuring,
+            String remark) {
         static Stage none(String remark) {
-            return new Stage(null, null, remark);
+            return new Stage(null, null, null, remark);
         }
     }
 
     @Override
     public Row apply(Trial trial) {
         Stage stage = stage(trial.values());
-        if (stage.world() == null || stage.measuring() == null) {
+        if (stage.bare() == null || stage.world() == null || stage.measuring() == null) {
             return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, stage.remark());
         }
         Measuring.Run measured = stage.measuring().start();
-        Sightings sightings = new Sightings(freight.monitors(), measured);
+        LevelTimes levels = new LevelTimes(split, stage.bare(), measured);
+        Sightings sightings = new Sightings(freight.monitors(), levels);
         try {
             Summary summary =
                     stage.world()
                             .summarize(
-                                    Seeds.of(trial.seed()),
+                                    trial.seeds(),
                                     Duration.ofSeconds(freight.patienceSeconds()),
                                     freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
                                     sightings);
@@ -95,6 +102,7 @@ public final class TrialRunner implements Function<Trial, Row> {
             List<Double> answers = new ArrayList<>(Answers.of(summary));
             answers.addAll(measured.answers());
             answers.addAll(sightings.answers(watches));
+            answers.addAll(levels.answers());
             return Row.made(trial, answers);
         } catch (OutOfPatience e) {
             String why = "after " + freight.patienceSeconds() + " s of the PC's time";
@@ -119,7 +127,7 @@ public final class TrialRunner implements Function<Trial, Row> {
         try {
             World world = parsed.world().get();
             PreparedWorld prepared = PreparedWorld.of(world, programs);
-            return new Stage(prepared, measuring.in(world), "");
+            return new Stage(world, prepared, measuring.in(world), "");
         } catch (IllegalArgumentException e) {
             return Stage.none(String.valueOf(e.getMessage()));
         }

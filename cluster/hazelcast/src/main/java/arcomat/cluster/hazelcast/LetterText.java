@@ -7,6 +7,7 @@ import arcomat.cluster.hazelcast.Letter.Answers;
 import arcomat.cluster.hazelcast.Letter.Breakdown;
 import arcomat.cluster.hazelcast.Letter.Hello;
 import arcomat.cluster.hazelcast.Letter.Refusal;
+import arcomat.world.Seeds;
 
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
@@ -164,7 +165,7 @@ final class LetterText {
 
     private static void write(Trial trial, DataOutputStream out) throws IOException {
         out.writeLong(trial.number());
-        out.writeLong(trial.seed());
+        out.writeUTF(trial.seeds().text());
         out.writeInt(trial.values().size());
         for (Map.Entry<String, String> each : trial.values().entrySet()) {
             out.writeUTF(each.getKey());
@@ -187,12 +188,20 @@ final class LetterText {
 
     private static Trial trial(DataInputStream in) throws IOException {
         long number = in.readLong();
-        long seed = in.readLong();
+        Seeds seeds = seeds(in.readUTF());
         int size = in.readInt();
         Map<String, String> values = new LinkedHashMap<>();
         for (int i = 0; i < size; i++) {
             values.put(in.readUTF(), in.readUTF());
         }
-        return new Trial(number, seed, values);
+        return new Trial(number, seeds, values);
+    }
+
+    private static Seeds seeds(String text) throws IOException {
+        try {
+            return Seeds.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e);
+        }
     }
 }

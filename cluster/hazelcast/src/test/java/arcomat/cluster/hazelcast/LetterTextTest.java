@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.cluster.hazelcast.Letter.Answer;
+import arcomat.world.Seeds;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,5 +77,12 @@ class LetterTextTest {
         List<Trial> read = LetterText.trials(LetterText.of(trials));
         assertThat(read).isEqualTo(trials);
         assertThat(read.get(1).values().keySet()).containsExactly("speed", "fetcher", "a");
+    }
+
+    @Test
+    void trialsKeepTheirSeeds() throws IOException {
+        Seeds seeds = Seeds.of(5).then(1250, 77).then(1251, -1);
+        List<Trial> trials = List.of(new Trial(0, seeds, Map.of()));
+        assertThat(LetterText.trials(LetterText.of(trials))).isEqualTo(trials);
     }
 }
