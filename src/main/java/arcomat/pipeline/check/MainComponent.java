@@ -65,7 +65,7 @@ public record MainComponent(Component component, List<Value> arguments) {
         if (!component.isComposite() || component.platform()) {
             throw new WrongUse(
                     "'%s' takes arguments and has no parts to pass them on to; name a component"
-                        + " that it is a part of",
+                            + " that it is a part of",
                     component.qualifiedName());
         }
         return Specialization.of(component, arguments);
