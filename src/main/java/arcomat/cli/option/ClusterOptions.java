@@ -85,7 +85,9 @@ public final class ClusterOptions {
         String host = bare ? address : address.substring(0, colon);
         int port = bare ? Meeting.PORT : port(address.substring(colon + 1));
         String known =
-                secret == null ? "" : FileReader.required("secret file", secret, names).text().strip();
+                secret == null
+                        ? ""
+                        : FileReader.required("secret file", secret, names).text().strip();
         Meeting meeting = new Meeting(cluster, known, host.replaceAll("[\\[\\]]", ""), port);
         if (known.isEmpty() && !isOfThisMachineAlone(meeting)) {
             throw new WrongUse(
