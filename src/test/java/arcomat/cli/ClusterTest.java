@@ -185,18 +185,13 @@ class ClusterTest {
     @Test
     void twoWorkersAreAsFastAsTwoThreads() throws Exception {
         write("yard.campaign", 2 * RUNS);
-        List<Double> ratios = new ArrayList<>();
-        for (int i = 0; i < 2; i++) {
-            double threads = seconds(campaign("threads.log", "--workers", "2", "--out", "out"));
-            Process first = worker("first.log");
-            Process second = worker("second.log");
-            double workers = seconds(distributed("campaign.log", "--out", "out"));
-            first.destroyForcibly().waitFor();
-            second.destroyForcibly().waitFor();
-            ratios.add(threads / workers);
-        }
-        System.out.printf("two workers make %s times the runs of two threads%n", ratios);
-        assertThat(ratios).allMatch(ratio -> ratio > 0.5); // on a machine that does other things
+        double threads = seconds(campaign("threads.log", "--workers", "2", "--out", "out"));
+        worker("first.log");
+        worker("second.log");
+        double workers = seconds(distributed("campaign.log", "--out", "out"));
+        double ratio = threads / workers;
+        System.out.printf("two workers make %.2f times the runs of two threads%n", ratio);
+        assertThat(ratio).isGreaterThan(0.5); // on a machine that does other things
     }
 
     private double seconds(Process campaign) throws Exception {

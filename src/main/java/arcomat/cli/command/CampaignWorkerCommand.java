@@ -55,7 +55,7 @@ final class CampaignWorkerCommand extends Command {
         try {
             provider.work(plan, ClusterOptions.lines(console().out()));
         } catch (EngineFailure e) {
-            throw new WrongUse("%s", e.getMessage());
+            throw new WrongUse("%s", String.valueOf(e.getMessage()));
         }
         return ExitStatus.FINE;
     }

@@ -22,6 +22,7 @@ import java.io.UncheckedIOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -108,11 +109,11 @@ public record MakeCampaign(
             return new Made(
                     result, overview, rows.count(), planned, resumed, rows.hash(), engine.crew());
         } catch (EngineFailure e) {
-            throw new WrongUse("%s", e.getMessage());
+            throw new WrongUse("%s", String.valueOf(e.getMessage()));
         } catch (IOException e) {
             throw Failures.cannot("write to", results, e);
         } catch (UncheckedIOException e) {
-            throw Failures.cannot("read from", results, e.getCause());
+            throw Failures.cannot("read from", results, Objects.requireNonNull(e.getCause()));
         }
     }
 

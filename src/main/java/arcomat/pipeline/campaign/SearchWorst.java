@@ -49,7 +49,7 @@ public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine>
         try (Engine engine = engines.apply(ready.freight())) {
             return new Course(ready.campaign(), search, engine).run(session);
         } catch (EngineFailure e) {
-            throw new WrongUse("%s", e.getMessage());
+            throw new WrongUse("%s", String.valueOf(e.getMessage()));
         }
     }
 

@@ -50,7 +50,7 @@ public record SplitRuns(PrepareCampaign.Ready ready, Function<Freight, Engine> e
             }
             return Optional.of(course.result());
         } catch (EngineFailure e) {
-            throw new WrongUse("%s", e.getMessage());
+            throw new WrongUse("%s", String.valueOf(e.getMessage()));
         }
     }
 

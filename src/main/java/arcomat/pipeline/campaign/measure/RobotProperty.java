@@ -26,6 +26,8 @@ enum RobotProperty {
     BREWING("Boolean", robot -> new Value.BooleanValue(robot.brewing() > 0));
 
     private final String type;
+
+    @SuppressWarnings("ImmutableEnumChecker") // a function of its argument alone
     private final Function<RobotState, Value> value;
 
     RobotProperty(String type, Function<RobotState, Value> value) {
