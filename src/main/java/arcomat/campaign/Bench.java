@@ -36,7 +36,9 @@ abstract class Bench {
         private final Demand.Probability demand;
         private final int column;
         private final boolean sequential;
-        private final FixedTest fixed;
+        private final Confidence confidence;
+        private final double bound;
+        private final SequentialTest test;
         private final SequentialCourse course;
         private long bad;
         private long seen;
@@ -45,10 +47,10 @@ abstract class Bench {
             this.demand = demand;
             this.column = campaign.column(demand.event());
             this.sequential = campaign.stopsWhenDecided();
-            Confidence confidence = new Confidence(demand.confidence());
-            double bound = isBelow() ? demand.bound() : 1 - demand.bound();
-            this.fixed = new FixedTest(bound, confidence);
-            this.course = SequentialTest.below(bound, confidence).start();
+            this.confidence = new Confidence(demand.confidence());
+            this.bound = isBelow() ? demand.bound() : 1 - demand.bound();
+            this.test = SequentialTest.below(bound, confidence);
+            this.course = test.start();
         }
 
         private boolean isBelow() {
@@ -75,8 +77,8 @@ abstract class Bench {
                             .formatted(
                                     demand.event(),
                                     demand.side().word(),
-                                    number(demand.bound()),
-                                    percent(demand.confidence()));
+                                    Figure.text(demand.bound()),
+                                    Figure.percent(demand.confidence()));
             if (sequential && isDecided()) {
                 String when =
                         "decided by run %,d, %,d of them against it"
@@ -86,18 +88,16 @@ abstract class Bench {
             Proportion proportion = new Proportion(bad, seen);
             // Who might have stopped earlier must not be judged as if that had not been possible.
             Decision decision =
-                    sequential || seen == 0 ? Decision.UNDECIDED : fixed.decide(proportion);
+                    sequential || seen == 0
+                            ? Decision.UNDECIDED
+                            : new FixedTest(bound, confidence).decide(proportion);
             return new Judgement(subject, true, decision, figures(proportion) + needed());
         }
 
         /** What a plan that is too small would have to be. */
         private String needed() {
-            Confidence confidence = new Confidence(demand.confidence());
-            double bound = isBelow() ? demand.bound() : 1 - demand.bound();
             long runs =
-                    sequential
-                            ? SequentialTest.below(bound, confidence).leastTrials()
-                            : SampleSize.withoutEvents(bound, confidence);
+                    sequential ? test.leastTrials() : SampleSize.withoutEvents(bound, confidence);
             return seen < runs ? "; it takes %,d runs at least".formatted(runs) : "";
         }
 
@@ -105,14 +105,13 @@ abstract class Bench {
             if (seen == 0) {
                 return "no run was made";
             }
-            Confidence confidence = new Confidence(demand.confidence());
             double low = proportion.atLeast(confidence);
             double high = proportion.atMost(confidence);
             long events = isBelow() ? bad : seen - bad;
             double least = isBelow() ? low : 1 - high;
             double most = isBelow() ? high : 1 - low;
             return "%,d of %,d runs; it is at most %s, and at least %s"
-                    .formatted(events, seen, number(most), number(least));
+                    .formatted(events, seen, Figure.text(most), Figure.text(least));
         }
     }
 
@@ -140,11 +139,11 @@ abstract class Bench {
             String subject =
                     "%s of %s %s %s at %s"
                             .formatted(
-                                    percent(demand.share()),
+                                    Figure.percent(demand.share()),
                                     demand.measure(),
                                     demand.side().word(),
-                                    number(demand.bound()),
-                                    percent(demand.confidence()));
+                                    Figure.text(demand.bound()),
+                                    Figure.percent(demand.confidence()));
             Measurements numbers = measured.apply(demand.measure());
             if (numbers.size() == 0) {
                 return new Judgement(subject, true, Decision.UNDECIDED, "no run was made");
@@ -168,9 +167,17 @@ abstract class Bench {
             return "so many are %s %s; the truth is from %s to %s"
                     .formatted(
                             demand.side().word(),
-                            number(estimate),
-                            number(interval.low()),
-                            number(interval.high()));
+                            Figure.text(estimate),
+                            end(interval.low()),
+                            end(interval.high()));
+        }
+
+        /** An end that too few runs tell may be anywhere. */
+        private static String end(double value) {
+            if (Double.isInfinite(value)) {
+                return value > 0 ? "anything" : "nothing";
+            }
+            return Figure.text(value);
         }
 
         private Decision decide(ConfidenceInterval interval) {
@@ -184,22 +191,5 @@ abstract class Bench {
             }
             return fails ? Decision.FAILS : Decision.UNDECIDED;
         }
-    }
-
-    static String percent(double share) {
-        return number(share * 100);
-    }
-
-    /** With three digits that say something. */
-    static String number(double value) {
-        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
-            return Long.toString((long) value);
-        }
-        return Double.isInfinite(value)
-                ? (value > 0 ? "anything" : "nothing")
-                : new java.math.BigDecimal(value)
-                        .round(new java.math.MathContext(3))
-                        .stripTrailingZeros()
-                        .toPlainString();
     }
 }

@@ -2,6 +2,7 @@ package arcomat.campaign;
 
 import arcomat.source.Span;
 
+import java.util.Locale;
 import java.util.function.Function;
 
 /** What a campaign is to show. */
@@ -19,7 +20,7 @@ public sealed interface Demand {
 
         /** As it is written. */
         public String word() {
-            return name().toLowerCase(java.util.Locale.ROOT);
+            return name().toLowerCase(Locale.ROOT);
         }
     }
 

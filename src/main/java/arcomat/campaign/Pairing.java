@@ -92,7 +92,7 @@ public final class Pairing {
                         .formatted(
                                 asked.parameter(),
                                 asked.event(),
-                                Bench.percent(asked.confidence()));
+                                Figure.percent(asked.confidence()));
         return new Judgement(subject, false, decision, because);
     }
 }

@@ -18,12 +18,14 @@ public final class TableText {
     private static final String ENDING = "ending";
 
     /** Columns that are neither a parameter nor an answer. */
-    static final List<String> NAMES = List.of("run", "seed", ENDING);
+    static final List<String> NAMES = Stream.concat(FIRST.stream(), Stream.of(ENDING)).toList();
 
     private final Campaign campaign;
+    private final List<Column> columns;
 
     public TableText(Campaign campaign) {
         this.campaign = campaign;
+        this.columns = campaign.columns(); // asked once, and not for each cell of a million rows
     }
 
     /** The line of names, without its end. */
@@ -32,7 +34,7 @@ public final class TableText {
                         FIRST.stream(),
                         campaign.variations().stream().map(this::column),
                         Stream.of(ENDING),
-                        campaign.columns().stream().map(Column::name))
+                        columns.stream().map(Column::name))
                 .flatMap(names -> names)
                 .map(TableText::quoted)
                 .collect(Collectors.joining(","));
@@ -42,8 +44,7 @@ public final class TableText {
     public String column(Variation variation) {
         String name = variation.parameter();
         boolean taken =
-                NAMES.contains(name)
-                        || campaign.columns().stream().anyMatch(each -> each.name().equals(name));
+                NAMES.contains(name) || columns.stream().anyMatch(each -> each.name().equals(name));
         return taken ? "parameter " + name : name;
     }
 
@@ -54,7 +55,7 @@ public final class TableText {
         cells.add(row.trial().seeds().text());
         cells.addAll(row.trial().values().values());
         cells.add(ending(row));
-        for (int i = 0; i < campaign.columns().size(); i++) {
+        for (int i = 0; i < columns.size(); i++) {
             cells.add(row.wasMade() ? number(row.answer(i)) : "");
         }
         return cells.stream().map(TableText::quoted).collect(Collectors.joining(","));
@@ -88,9 +89,8 @@ public final class TableText {
      */
     public Row row(String line) {
         List<String> cells = cells(line);
-        int columns = campaign.columns().size();
         int ending = FIRST.size() + campaign.variations().size();
-        if (cells.size() != ending + 1 + columns) {
+        if (cells.size() != ending + 1 + columns.size()) {
             throw new IllegalArgumentException(cells.size() + " cells");
         }
         Map<String, String> values = new LinkedHashMap<>();

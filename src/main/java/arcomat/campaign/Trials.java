@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntToDoubleFunction;
 
 /**
  * The runs of a campaign by their numbers: a function of the campaign's text and nothing else.
@@ -16,12 +17,22 @@ import java.util.Map;
 public final class Trials {
     private final Campaign campaign;
     private final List<Variation> drawn;
+    private final List<List<String>> steps;
     private final long points;
     private final int repeated;
 
-    private Trials(Campaign campaign, List<Variation> drawn, long points, int repeated) {
+    /**
+     * @param steps of a grid, the values of each that is drawn; else none
+     */
+    private Trials(
+            Campaign campaign,
+            List<Variation> drawn,
+            List<List<String>> steps,
+            long points,
+            int repeated) {
         this.campaign = campaign;
         this.drawn = drawn;
+        this.steps = steps;
         this.points = points;
         this.repeated = repeated;
     }
@@ -31,9 +42,9 @@ public final class Trials {
                 campaign.variations().stream().filter(each -> !isCompared(campaign, each)).toList();
         return campaign.plan()
                 .match(
-                        random -> new Trials(campaign, drawn, random.runs(), 1),
-                        latin -> new Trials(campaign, drawn, latin.runs(), 1),
-                        grid -> new Trials(campaign, drawn, size(drawn, grid), grid.seeds()));
+                        random -> new Trials(campaign, drawn, List.of(), random.runs(), 1),
+                        latin -> new Trials(campaign, drawn, List.of(), latin.runs(), 1),
+                        grid -> ofGrid(campaign, drawn, grid));
     }
 
     private static boolean isCompared(Campaign campaign, Variation variation) {
@@ -42,12 +53,13 @@ public final class Trials {
                 .isPresent();
     }
 
-    private static long size(List<Variation> drawn, Plan.Grid grid) {
+    private static Trials ofGrid(Campaign campaign, List<Variation> drawn, Plan.Grid grid) {
+        List<List<String>> steps = drawn.stream().map(each -> each.steps(grid.steps())).toList();
         long points = 1;
-        for (Variation each : drawn) {
-            points = Math.multiplyExact(points, (long) each.steps(grid.steps()).size());
+        for (List<String> each : steps) {
+            points = Math.multiplyExact(points, (long) each.size());
         }
-        return points;
+        return new Trials(campaign, drawn, steps, points, grid.seeds());
     }
 
     /** How many there are. */
@@ -99,10 +111,10 @@ public final class Trials {
                 .match(
                         random -> drawn(i -> Sampling.random(campaign.firstSeed(), point, i)),
                         latin -> drawn(i -> Sampling.latin(campaign.firstSeed(), point, i, points)),
-                        grid -> ofGrid(point, grid.steps()));
+                        grid -> ofGrid(point));
     }
 
-    private List<String> drawn(java.util.function.IntToDoubleFunction share) {
+    private List<String> drawn(IntToDoubleFunction share) {
         List<String> values = new ArrayList<>();
         for (int i = 0; i < drawn.size(); i++) {
             values.add(drawn.get(i).domain().at(share.applyAsDouble(i)));
@@ -111,11 +123,11 @@ public final class Trials {
     }
 
     /** The last parameter changes fastest. */
-    private List<String> ofGrid(long point, int steps) {
+    private List<String> ofGrid(long point) {
         List<String> values = new ArrayList<>();
         long rest = point;
-        for (int i = drawn.size() - 1; i >= 0; i--) {
-            List<String> all = drawn.get(i).steps(steps);
+        for (int i = steps.size() - 1; i >= 0; i--) {
+            List<String> all = steps.get(i);
             values.add(0, all.get((int) (rest % all.size())));
             rest /= all.size();
         }

@@ -6,6 +6,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.List;
 import java.util.function.Function;
+import java.util.stream.IntStream;
 
 /**
  * A parameter of the world that a campaign gives values to.
@@ -62,7 +63,7 @@ public record Variation(String parameter, Domain domain, Span place) {
             if (count == 1 || low == high) {
                 return List.of(text(low));
             }
-            return java.util.stream.IntStream.range(0, count)
+            return IntStream.range(0, count)
                     .mapToDouble(step -> low + (high - low) * step / (count - 1))
                     .map(number -> whole ? Math.rint(number) : number)
                     .mapToObj(Range::text)

@@ -8,8 +8,8 @@ import arcomat.pipeline.brick.ForwardingObserver;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.Key;
-import arcomat.sim.device.Observer;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.Program;
 import arcomat.sim.load.ProgramException;
@@ -90,7 +90,7 @@ class LibraryOnBrickTest {
             SimulatedBrick answerer = laboratory.place("Bob", program("Answerer"));
             laboratory.runUntil(3000);
             answerer.observe(
-                    new ForwardingObserver(Observer.NONE) {
+                    new ForwardingObserver(new SilentObserver()) {
                         @Override
                         public void slept(long from, long until) {
                             shown.add(answerer.screen().get(0).strip());

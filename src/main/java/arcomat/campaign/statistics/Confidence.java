@@ -7,6 +7,9 @@ package arcomat.campaign.statistics;
  *     and 1, such as 0.95
  */
 public record Confidence(double level) {
+    /** Where nobody says another one. */
+    public static final Confidence USUAL = new Confidence(0.95);
+
     public Confidence {
         if (!(level > 0 && level < 1)) {
             throw new IllegalArgumentException("confidence " + level + " is not between 0 and 1");

@@ -4,6 +4,7 @@ import org.hipparchus.linear.ArrayRealVector;
 import org.hipparchus.linear.RealVector;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -45,7 +46,7 @@ public final class WorstCase {
      */
     public static WorstCase start(int dimension, long seed) {
         double[] middle = new double[dimension];
-        java.util.Arrays.fill(middle, 0.5);
+        Arrays.fill(middle, 0.5);
         return new WorstCase(
                 Draws.of(seed), 1, 0, beginning(middle, SearchSettings.usualPopulation(dimension)));
     }

@@ -14,7 +14,6 @@ import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.world.Kind;
-import arcomat.world.World;
 import arcomat.world.WorldParameter;
 import arcomat.world.WorldParser;
 
@@ -26,7 +25,6 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -111,11 +109,12 @@ final class CampaignPrograms {
     }
 
     private void make(Session session) throws WrongUse {
-        Map<String, Map<String, String>> wanted = wanted();
+        List<Map<String, String>> combinations = combinations();
+        Map<String, Map<String, String>> wanted = wanted(combinations);
         if (wanted.isEmpty() && findings.isEmpty()) {
-            tellNoWorld();
+            tellNoWorld(combinations.get(0));
         }
-        requireEnd(wanted.keySet());
+        requireEnd(combinations, wanted.keySet());
         for (Map.Entry<String, Map<String, String>> each : wanted.entrySet()) {
             if (findings.stream().noneMatch(Diagnostic::isError)
                     && !programs.containsKey(each.getKey())) {
@@ -125,20 +124,25 @@ final class CampaignPrograms {
     }
 
     /** What is wrong with the world itself is most likely wrong with the first values. */
-    private void tellNoWorld() {
+    private void tellNoWorld(Map<String, String> values) {
         findings.add(
                 Diagnostic.error(
                         NO_WORLD,
                         campaign.world().place(),
                         "'%s' is no world with any of these values".formatted(file)));
-        findings.addAll(WorldParser.parse(text, combinations().get(0)).findings());
+        findings.addAll(WorldParser.parse(text, values).findings());
     }
 
     /** Every program that is named somewhere, with values that name it. */
-    private Map<String, Map<String, String>> wanted() {
+    private Map<String, Map<String, String>> wanted(List<Map<String, String>> combinations) {
         Map<String, Map<String, String>> wanted = new LinkedHashMap<>();
-        for (Map<String, String> values : combinations()) {
-            programsOf(values).forEach(key -> wanted.putIfAbsent(key, values));
+        for (Map<String, String> values : combinations) {
+            programsOf(values)
+                    .forEach(
+                            (key, program) -> {
+                                named.put(key, program);
+                                wanted.putIfAbsent(key, values);
+                            });
         }
         return wanted;
     }
@@ -152,24 +156,26 @@ final class CampaignPrograms {
     }
 
     /** What a world with these values names; nothing, where it is no world. */
-    private Set<String> programsOf(Map<String, String> values) {
-        return WorldParser.parse(text, values).world().stream()
-                .flatMap(world -> world.robots().stream())
-                .map(World.Robot::kind)
-                .map(Kind::program)
-                .peek(program -> named.put(program.key(), program))
-                .map(Kind.Program::key)
-                .collect(Collectors.toCollection(TreeSet::new));
+    private Map<String, Kind.Program> programsOf(Map<String, String> values) {
+        Map<String, Kind.Program> all = new TreeMap<>();
+        WorldParser.parse(text, values)
+                .world()
+                .ifPresent(
+                        world ->
+                                world.robots().stream()
+                                        .map(robot -> robot.kind().program())
+                                        .forEach(program -> all.put(program.key(), program)));
+        return all;
     }
 
     /** A number that is a program's argument names another program between its ends. */
-    private void requireEnd(Set<String> wanted) {
-        for (Map<String, String> values : combinations()) {
+    private void requireEnd(List<Map<String, String>> combinations, Set<String> wanted) {
+        for (Map<String, String> values : combinations) {
             for (Variation each : campaign.variations()) {
                 if (each.domain() instanceof Range range && !isCounted(range)) {
                     Map<String, String> between = new LinkedHashMap<>(values);
                     between.put(each.parameter(), range.at(BETWEEN));
-                    if (!wanted.containsAll(programsOf(between))) {
+                    if (!wanted.containsAll(programsOf(between).keySet())) {
                         findings.add(endless(each));
                     }
                 }

@@ -19,7 +19,6 @@ import arcomat.report.campaign.CampaignReport;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
@@ -42,30 +41,16 @@ public record MakeCampaign(
         boolean resumes,
         Function<Freight, Engine> engines)
         implements Task<MakeCampaign.Made> {
-    /** So many runs are given out for each that can be made at a time. */
-    private static final int AHEAD = 8;
-
-    /** Who waits longer than this for a row looks whether somebody wants to stop. */
-    private static final Duration LOOK = Duration.ofMillis(200);
-
     /**
      * What was made.
      *
      * @param overview of all rows
      * @param runs how many rows the table has
      * @param planned how many it could have: less where the answer was clear before
-     * @param resumed how many of them were there already
      * @param table what tells this table from any other
-     * @param crew who made the runs
      */
     public record Made(
-            CampaignResult result,
-            Overview overview,
-            long runs,
-            long planned,
-            long resumed,
-            String table,
-            String crew) {
+            CampaignResult result, Overview overview, long runs, long planned, String table) {
         /**
          * For who shows it.
          *
@@ -100,14 +85,12 @@ public record MakeCampaign(
         try (ResultFolder folder = ResultFolder.of(results, session.names());
                 RowFile rows = folder.rows(ready.campaign(), hash, resumes, judge::see);
                 Engine engine = engines.apply(ready.freight())) {
-            long resumed = rows.count();
-            long planned = Trials.of(ready.campaign()).count();
-            new Course(judge, rows, engine, planned).run(session);
+            Trials trials = Trials.of(ready.campaign());
+            new Course(judge, rows, engine, trials).run(session);
             CampaignResult result = judged(judge, rows);
             Overview overview = Overview.of(ready.campaign(), rows::rows);
             folder.keep(rows);
-            return new Made(
-                    result, overview, rows.count(), planned, resumed, rows.hash(), engine.crew());
+            return new Made(result, overview, rows.count(), trials.count(), rows.hash());
         } catch (EngineFailure e) {
             throw new WrongUse("%s", String.valueOf(e.getMessage()));
         } catch (IOException e) {
@@ -124,27 +107,29 @@ public record MakeCampaign(
     }
 
     /** From the first row that is missing to the last. */
-    private final class Course {
+    private static final class Course {
         private final Judge judge;
         private final RowFile rows;
         private final Engine engine;
-        private final Trials trials = Trials.of(ready.campaign());
+        private final Trials trials;
         private final long planned;
         private final TreeMap<Long, Row> early = new TreeMap<>();
         private long given;
 
-        Course(Judge judge, RowFile rows, Engine engine, long planned) {
+        Course(Judge judge, RowFile rows, Engine engine, Trials trials) {
             this.judge = judge;
             this.rows = rows;
             this.engine = engine;
-            this.planned = planned;
+            this.trials = trials;
+            this.planned = trials.count();
             this.given = rows.count();
         }
 
         void run(Session session) throws IOException {
             while (rows.count() < planned && !judge.isDecided()) {
                 give();
-                engine.collect(LOOK).forEach(row -> early.put(row.trial().number(), row));
+                engine.collect(RowsInOrder.LOOK)
+                        .forEach(row -> early.put(row.trial().number(), row));
                 keep();
                 session.progress().goOn();
                 session.progress()
@@ -155,7 +140,7 @@ public record MakeCampaign(
         }
 
         private void give() {
-            long ahead = (long) AHEAD * engine.capacity();
+            long ahead = (long) RowsInOrder.AHEAD * engine.capacity();
             List<Trial> batch = new ArrayList<>();
             while (given < planned && given - rows.count() < ahead) {
                 batch.add(trials.trial(given++));

@@ -3,16 +3,17 @@ package arcomat.pipeline.campaign;
 import arcomat.campaign.Campaign;
 import arcomat.campaign.Row;
 import arcomat.campaign.TableText;
+import arcomat.report.text.Sha256;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
@@ -28,7 +29,7 @@ final class RowFile implements AutoCloseable {
     private final Path file;
     private final Campaign campaign;
     private final TableText text;
-    private final MessageDigest digest;
+    private final MessageDigest digest = Sha256.begin();
     private final BufferedWriter writer;
     private long count;
 
@@ -37,11 +38,6 @@ final class RowFile implements AutoCloseable {
         this.campaign = campaign;
         this.text = text;
         this.writer = writer;
-        try {
-            this.digest = MessageDigest.getInstance("SHA-256");
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
         digest(text.header());
     }
 
@@ -89,7 +85,7 @@ final class RowFile implements AutoCloseable {
     private static void cutUnfinishedLine(Path file) throws IOException {
         try (var channel =
                 Files.newByteChannel(file, StandardOpenOption.READ, StandardOpenOption.WRITE)) {
-            java.nio.ByteBuffer one = java.nio.ByteBuffer.allocate(1);
+            ByteBuffer one = ByteBuffer.allocate(1);
             long end = channel.size();
             while (end > 0) {
                 channel.position(end - 1);

@@ -14,13 +14,11 @@ import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.pipeline.campaign.engine.Freight;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Function;
 
 /**
@@ -33,8 +31,6 @@ import java.util.function.Function;
  */
 public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine> engines)
         implements Task<Optional<WorstRun>> {
-    private static final Duration LOOK = Duration.ofMillis(200);
-
     /**
      * Empty where the campaign does not ask for it, or no run has such a number.
      *
@@ -72,7 +68,6 @@ public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine>
         Optional<WorstRun> run(Session session) {
             WorstCase course = WorstCase.start(campaign.variations().size(), campaign.firstSeed());
             for (long generation = 0; runs < search.runs(); generation++) {
-                session.progress().step("looking for the worst, %,d runs".formatted(runs));
                 List<Row> rows = rows(course.points(), generation, session);
                 rows.forEach(this::compare);
                 course = course.next(rows.stream().mapToDouble(this::badness).toArray());
@@ -86,13 +81,8 @@ public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine>
             for (double[] point : points) {
                 trials.add(new Trial(runs++, campaign.firstSeed() + generation, values(point)));
             }
-            engine.submit(trials);
-            TreeMap<Long, Row> inOrder = new TreeMap<>();
-            while (inOrder.size() < trials.size()) {
-                session.progress().goOn();
-                engine.collect(LOOK).forEach(row -> inOrder.put(row.trial().number(), row));
-            }
-            return List.copyOf(inOrder.values());
+            String work = "generation %,d of the search".formatted(generation + 1);
+            return new RowsInOrder(engine, session, work).of(trials);
         }
 
         private Map<String, String> values(double[] point) {

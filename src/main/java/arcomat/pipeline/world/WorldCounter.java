@@ -1,6 +1,7 @@
 package arcomat.pipeline.world;
 
 import arcomat.sim.device.Observer;
+import arcomat.sim.device.SilentObserver;
 import arcomat.sim.time.VirtualTime;
 import arcomat.world.Scene;
 import arcomat.world.Summary;
@@ -27,7 +28,7 @@ final class WorldCounter implements Witness {
 
     @Override
     public Observer of(Robot robot) {
-        return new Silent() {
+        return new SilentObserver() {
             @Override
             public void late(long from, long until) {
                 tally.late(robot.name(), until - from);

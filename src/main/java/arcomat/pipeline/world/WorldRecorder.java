@@ -1,6 +1,7 @@
 package arcomat.pipeline.world;
 
 import arcomat.sim.device.Observer;
+import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.time.VirtualTime;
 import arcomat.sim.trace.Lateness;
@@ -47,7 +48,7 @@ final class WorldRecorder implements Witness {
     /** Hears what a robot sends, and sees where it takes its sensors for what they are not. */
     @Override
     public Observer of(Robot robot) {
-        return new Silent() {
+        return new SilentObserver() {
             @Override
             public void sensorRead(long time, int socket, int value) {
                 Kind kind = robot.kind();

@@ -45,11 +45,6 @@ record CampaignAnswer(
         Optional<Compared> compared,
         Optional<Worst> worst,
         Optional<Rare> rare) {
-    private static final Confidence USUAL = new Confidence(0.95);
-
-    /** Where the page of a run is written. */
-    private static final String RUN = "build/run";
-
     /** A parameter that varies, in the campaign's words. */
     record Parameter(String name, String values) {
         static Parameter of(Variation variation) {
@@ -98,7 +93,7 @@ record CampaignAnswer(
             ConfidenceInterval interval =
                     occurrence.proportion().trials() == 0
                             ? new ConfidenceInterval(0, 1)
-                            : occurrence.proportion().exact(USUAL);
+                            : occurrence.proportion().exact(Confidence.USUAL);
             return new Event(
                     name,
                     occurrence.column().meaning(),
@@ -182,7 +177,7 @@ record CampaignAnswer(
                     row.trial().values(),
                     answers.events(),
                     answers.measures(),
-                    replay.command(row, RUN));
+                    replay.command(row));
         }
     }
 

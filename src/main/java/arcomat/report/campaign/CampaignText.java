@@ -3,6 +3,7 @@ package arcomat.report.campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.CampaignResult.Spread;
+import arcomat.campaign.Figure;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
 import arcomat.campaign.WorstRun;
@@ -13,17 +14,10 @@ import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 import arcomat.report.text.TextTable;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.List;
 
 /** The result of a campaign for people: how often, how much, what that proves, what to look at. */
 public final class CampaignText {
-    private static final Confidence USUAL = new Confidence(0.95);
-
-    /** Where the page of a run is written. */
-    private static final String RUN = "build/run";
-
     private final CampaignResult result;
     private final RunAgain replay;
     private final Style style;
@@ -48,7 +42,7 @@ public final class CampaignText {
     private String events() {
         TextTable table = new TextTable(List.of("event", "runs", "share", "surely (95 %)"));
         for (Occurrence each : result.occurrences()) {
-            ConfidenceInterval interval = each.proportion().exact(USUAL);
+            ConfidenceInterval interval = each.proportion().exact(Confidence.USUAL);
             table.add(
                     List.of(
                             each.column().name(),
@@ -81,16 +75,11 @@ public final class CampaignText {
         return table.render(style);
     }
 
-    /** Three digits, but all of a whole number. */
     static String number(double value) {
         if (Double.isInfinite(value)) {
             return value > 0 ? "never" : "-";
         }
-        if (value == Math.rint(value) && Math.abs(value) < 1e9) {
-            return Long.toString((long) value);
-        }
-        BigDecimal exact = new BigDecimal(value);
-        return exact.round(new MathContext(3)).stripTrailingZeros().toPlainString();
+        return Figure.text(value);
     }
 
     private String line(Judgement judgement) {
@@ -129,7 +118,7 @@ public final class CampaignText {
                 result.judgements().stream().anyMatch(each -> each.decision() == Decision.FAILS);
         return "\n"
                 + (wrong ? "to see one that went wrong: " : "to see the closest call: ")
-                + replay.command(worst, RUN)
+                + replay.command(worst)
                 + "\n";
     }
 
@@ -141,6 +130,6 @@ public final class CampaignText {
                         worst.search().measure(),
                         worst.runs(),
                         number(worst.value()),
-                        replay.command(worst.row(), RUN));
+                        replay.command(worst.row()));
     }
 }

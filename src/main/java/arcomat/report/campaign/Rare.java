@@ -28,8 +28,6 @@ record Rare(
         long runs,
         long givenUp,
         Optional<CampaignAnswer.Run> nearest) {
-    private static final Confidence USUAL = new Confidence(0.95);
-
     /**
      * A level.
      *
@@ -41,7 +39,7 @@ record Rare(
 
     static Rare of(RareEvent event, CampaignReport report) {
         Optional<RareEvent> known = Optional.of(event).filter(RareEvent::isKnown);
-        Optional<ConfidenceInterval> interval = known.map(each -> each.interval(USUAL));
+        Optional<ConfidenceInterval> interval = known.map(each -> each.interval(Confidence.USUAL));
         return new Rare(
                 event.split().measure(),
                 known.map(RareEvent::estimate),

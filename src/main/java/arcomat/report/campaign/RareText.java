@@ -13,9 +13,6 @@ import java.util.List;
  * What a splitting says, for people: its levels, the probability, and the run that came nearest.
  */
 public final class RareText {
-    private static final Confidence USUAL = new Confidence(0.95);
-    private static final String RUN = "build/run";
-
     private final RareEvent event;
     private final RunAgain replay;
     private final Style style;
@@ -54,7 +51,7 @@ public final class RareText {
         if (!event.isKnown()) {
             return asked + ": not known, as too few runs have a world";
         }
-        ConfidenceInterval interval = event.interval(USUAL);
+        ConfidenceInterval interval = event.interval(Confidence.USUAL);
         if (event.families().count() == 0) {
             return "%s: none of %,d runs came there; probability surely (95 %%) at most %s"
                     .formatted(asked, event.runs(), CampaignText.number(interval.high()));
@@ -76,7 +73,7 @@ public final class RareText {
                                 "the nearest came to %s mm: %s\n"
                                         .formatted(
                                                 CampaignText.number(each.millimetres()),
-                                                replay.command(each.row(), RUN)))
+                                                replay.command(each.row())))
                 .orElse("");
     }
 }

@@ -15,8 +15,16 @@ public record RunAgain(String world, boolean limited) {
     /** What a shell takes as it stands. */
     private static final Pattern PLAIN = Pattern.compile("[\\w./:=,+@%-]+");
 
+    /** Where the page of a run is written if nobody minds. */
+    private static final String RUN = "build/run";
+
+    /** The command that makes a run again and shows it. */
+    public String command(Row row) {
+        return command(row, RUN);
+    }
+
     /**
-     * The command that makes a run again and shows it.
+     * The same with the page somewhere.
      *
      * @param report the folder of its page
      */

@@ -1,6 +1,6 @@
 package arcomat.pipeline.brick;
 
-import arcomat.sim.device.Observer;
+import arcomat.sim.device.SilentObserver;
 
 import java.lang.management.ManagementFactory;
 
@@ -15,7 +15,7 @@ final class AllocationObserver extends ForwardingObserver {
     private long later;
 
     AllocationObserver() {
-        super(Observer.NONE);
+        super(new SilentObserver());
     }
 
     @Override

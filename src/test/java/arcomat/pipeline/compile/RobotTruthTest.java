@@ -12,8 +12,8 @@ import arcomat.pipeline.brick.CoffeeRobot;
 import arcomat.pipeline.brick.ForwardingObserver;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
-import arcomat.sim.device.Observer;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.Program;
 import arcomat.sim.script.Action;
@@ -128,7 +128,7 @@ class RobotTruthTest {
         private final List<Map<String, Value>> slices;
 
         Looker(CoffeeRobot robot, List<Map<String, Value>> slices) {
-            super(Observer.NONE);
+            super(new SilentObserver());
             this.robot = robot;
             this.slices = slices;
         }

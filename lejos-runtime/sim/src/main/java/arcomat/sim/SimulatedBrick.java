@@ -8,6 +8,7 @@ import arcomat.sim.device.MotorDevice;
 import arcomat.sim.device.MotorName;
 import arcomat.sim.device.Observer;
 import arcomat.sim.device.SensorName;
+import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
 import arcomat.sim.load.BrickLoader;
 import arcomat.sim.load.LoadedProgram;
@@ -144,7 +145,7 @@ public final class SimulatedBrick implements Action.Receiver {
     /** Switches the brick off. What the program still tries to do has no effect. */
     @Override
     public void stop() {
-        hardware.observe(Observer.NONE);
+        hardware.observe(new SilentObserver());
         threads.end(Outcome.of(Outcome.Kind.STOPPED));
     }
 

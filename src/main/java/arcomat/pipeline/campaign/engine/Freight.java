@@ -1,5 +1,6 @@
 package arcomat.pipeline.campaign.engine;
 
+import arcomat.report.text.Sha256;
 import arcomat.sim.load.Program;
 
 import java.io.ByteArrayInputStream;
@@ -8,7 +9,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.Map;
 import java.util.TreeMap;
@@ -177,18 +177,14 @@ public record Freight(
      * of the archive, which another Java may pack otherwise.
      */
     public String hash() {
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            entries()
-                    .forEach(
-                            (name, content) -> {
-                                String head = name + "\n" + content.length + "\n";
-                                digest.update(head.getBytes(StandardCharsets.UTF_8));
-                                digest.update(content);
-                            });
-            return HexFormat.of().formatHex(digest.digest(), 0, 8);
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
+        MessageDigest digest = Sha256.begin();
+        entries()
+                .forEach(
+                        (name, content) -> {
+                            String head = name + "\n" + content.length + "\n";
+                            digest.update(head.getBytes(StandardCharsets.UTF_8));
+                            digest.update(content);
+                        });
+        return HexFormat.of().formatHex(digest.digest(), 0, 8);
     }
 }

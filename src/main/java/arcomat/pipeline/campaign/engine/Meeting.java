@@ -1,9 +1,6 @@
 package arcomat.pipeline.campaign.engine;
 
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
+import arcomat.report.text.Sha256;
 
 /**
  * Where the processes of a cluster meet: the campaign listens there, workers come.
@@ -27,14 +24,6 @@ public record Meeting(String name, String secret, String host, int port) {
      * listens to the network can still repeat it.
      */
     public String password() {
-        try {
-            MessageDigest digest = MessageDigest.getInstance("SHA-256");
-            digest.update(name.getBytes(StandardCharsets.UTF_8));
-            digest.update((byte) 0);
-            digest.update(secret.getBytes(StandardCharsets.UTF_8));
-            return "arcomat-" + HexFormat.of().formatHex(digest.digest());
-        } catch (NoSuchAlgorithmException e) {
-            throw new AssertionError("every Java has SHA-256", e);
-        }
+        return "arcomat-" + Sha256.hex(name + '\0' + secret);
     }
 }

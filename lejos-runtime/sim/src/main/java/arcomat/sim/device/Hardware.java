@@ -29,7 +29,7 @@ public final class Hardware {
     private final Slices slices;
     private final Heap heap;
     private final Errors errors = new Errors();
-    private Observer observer = Observer.NONE;
+    private Observer observer = new SilentObserver();
     private int batteryMillivolts = FULL_BATTERY;
 
     public Hardware(String name, VirtualTime time, Lifetime lifetime, Radio radio, Limits limits) {

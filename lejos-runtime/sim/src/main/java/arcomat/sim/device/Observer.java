@@ -40,29 +40,4 @@ public interface Observer {
      * @param type full name of the class of its object
      */
     default void entered(long time, String type, String method) {}
-
-    /** Sees nothing. */
-    Observer NONE =
-            new Observer() {
-                @Override
-                public void sensorRead(long time, int socket, int value) {}
-
-                @Override
-                public void motorOrdered(long time, int motor, MotorOrder order, int value) {}
-
-                @Override
-                public void screenChanged(long time, Screen screen) {}
-
-                @Override
-                public void tonePlayed(long time, int hertz, int milliseconds) {}
-
-                @Override
-                public void packetSent(long time, byte[] packet, int length) {}
-
-                @Override
-                public void packetReceived(long time, byte[] packet, int length) {}
-
-                @Override
-                public void slept(long from, long until) {}
-            };
 }

@@ -1,11 +1,7 @@
-package arcomat.pipeline.world;
+package arcomat.sim.device;
 
-import arcomat.sim.device.MotorOrder;
-import arcomat.sim.device.Observer;
-import arcomat.sim.device.Screen;
-
-/** Leaves out what is seen in the scenes, or not asked. */
-abstract class Silent implements Observer {
+/** Sees nothing; who is interested in a few things overrides those. */
+public class SilentObserver implements Observer {
     @Override
     public void sensorRead(long time, int socket, int value) {}
 
@@ -17,6 +13,9 @@ abstract class Silent implements Observer {
 
     @Override
     public void tonePlayed(long time, int hertz, int milliseconds) {}
+
+    @Override
+    public void packetSent(long time, byte[] packet, int length) {}
 
     @Override
     public void packetReceived(long time, byte[] packet, int length) {}
