@@ -120,7 +120,7 @@ final class CampaignCommand extends Command {
             return ExitStatus.FINDINGS;
         }
         Ready ready = prepared.ready().get();
-        Function<Freight, Engine> engines = engines(session);
+        Function<Freight, Engine> engines = engines(ready.freight(), session);
         MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
         Optional<WorstRun> worst = session.run(new SearchWorst(ready, engines));
         Optional<RareEvent> rare = session.run(new SplitRuns(ready, engines));
@@ -155,13 +155,14 @@ final class CampaignCommand extends Command {
         }
     }
 
-    private Function<Freight, Engine> engines(Session session) throws WrongUse {
-        return clusters.isWanted() ? clusters.engines(session.names(), console()) : this::threads;
-    }
-
-    private Engine threads(Freight freight) {
+    /** Who makes the runs, of the table, of a search and of a splitting. */
+    private Function<Freight, Engine> engines(Freight freight, Session session) throws WrongUse {
+        if (clusters.isWanted()) {
+            return clusters.engines(session.names(), console());
+        }
         int threads = workers > 0 ? workers : Runtime.getRuntime().availableProcessors();
-        return new ThreadEngine(threads, new TrialRunner(freight));
+        TrialRunner runner = new TrialRunner(freight); // what it has prepared serves all of them
+        return same -> new ThreadEngine(threads, runner);
     }
 
     private void tell(MakeCampaign.Made made, Ready ready) {

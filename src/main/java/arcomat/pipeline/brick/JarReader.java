@@ -66,6 +66,19 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
     }
 
     /**
+     * A jar that the tool has just made.
+     *
+     * @throws WrongUse where it is no robot's
+     */
+    public static JarReader made(String path, byte[] bytes) throws WrongUse {
+        try {
+            return of(path, bytes);
+        } catch (IOException e) {
+            throw new AssertionError("an archive in memory", e);
+        }
+    }
+
+    /**
      * A jar that is at hand already.
      *
      * @param shown what messages call it

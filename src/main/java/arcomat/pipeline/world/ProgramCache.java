@@ -25,7 +25,6 @@ import arcomat.world.Kind.Program.Form;
 
 import org.jspecify.annotations.Nullable;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -156,12 +155,8 @@ public final class ProgramCache {
             return new Made(null, findings);
         }
         String path = built.robots().get(0).jar();
-        try {
-            return checked(
-                    JarReader.of(path, Objects.requireNonNull(built.jars().get(path))), findings);
-        } catch (IOException e) {
-            throw new AssertionError("an archive in memory", e);
-        }
+        byte[] jar = Objects.requireNonNull(built.jars().get(path));
+        return checked(JarReader.made(path, jar), findings);
     }
 
     private static Made checked(JarReader jar, List<Diagnostic> before) throws WrongUse {

@@ -21,7 +21,6 @@ import arcomat.pipeline.generate.WatchedParts;
 import arcomat.sim.load.Program;
 import arcomat.source.Diagnostic;
 
-import java.io.IOException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -172,11 +171,7 @@ final class WatchedPrograms {
             return;
         }
         String path = built.robots().get(0).jar();
-        try {
-            byte[] jar = Objects.requireNonNull(built.jars().get(path));
-            programs.put(key, JarReader.of(path, jar).program());
-        } catch (IOException e) {
-            throw new AssertionError("an archive in memory", e);
-        }
+        byte[] jar = Objects.requireNonNull(built.jars().get(path));
+        programs.put(key, JarReader.made(path, jar).program());
     }
 }
