@@ -29,7 +29,8 @@ public final class Commands {
                     "campaign",
                     "campaign-worker",
                     "link",
-                    "explain");
+                    "explain",
+                    "language-server");
 
     private Commands() {}
 
@@ -61,6 +62,7 @@ public final class Commands {
             case "campaign" -> new CampaignCommand();
             case "campaign-worker" -> new CampaignWorkerCommand();
             case "link" -> new LinkCommand();
+            case "language-server" -> new LanguageServerCommand();
             case "explain" -> new ExplainCommand();
             default -> throw new IllegalArgumentException(name);
         };

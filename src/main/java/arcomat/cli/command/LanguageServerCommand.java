@@ -1,0 +1,31 @@
+package arcomat.cli.command;
+
+import arcomat.cli.terminal.Version;
+import arcomat.editor.LanguageService;
+import arcomat.pipeline.Session;
+
+import picocli.CommandLine;
+
+/** {@code arcomat language-server}: serves an editor. */
+@CommandLine.Command(
+        name = "language-server",
+        description =
+                "Serves an editor, which starts it and talks to it on standard input and output.",
+        footer = {
+            "It speaks the Language Server Protocol. Editors are told to start it for files that"
+                    + " end in",
+            ".arc, .cd, .ioautomaton and .mt; docs/editors.md has the lines for several of them.",
+            "",
+            "Exit status: 0 the editor took its leave, 1 it did not."
+        })
+final class LanguageServerCommand extends Command {
+    @Override
+    int run(Session session) {
+        try {
+            return LanguageService.serve(System.in, System.out, Version.number());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return 1;
+        }
+    }
+}
