@@ -68,13 +68,13 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         this.folder = folder;
         PipedInputStream toServer = new PipedInputStream(PIPE_BYTES);
         PipedInputStream toClient = new PipedInputStream(PIPE_BYTES);
+        PipedOutputStream fromClient = new PipedOutputStream(toServer);
+        PipedOutputStream fromServer = new PipedOutputStream(toClient);
         EditorServer served = new EditorServer("0");
-        var serving =
-                LSPLauncher.createServerLauncher(served, toServer, new PipedOutputStream(toClient));
+        var serving = LSPLauncher.createServerLauncher(served, toServer, fromServer);
         served.connect(serving.getRemoteProxy());
         serving.startListening();
-        var asking =
-                LSPLauncher.createClientLauncher(this, toClient, new PipedOutputStream(toServer));
+        var asking = LSPLauncher.createClientLauncher(this, toClient, fromClient);
         this.server = asking.getRemoteProxy();
         asking.startListening();
         InitializeParams params = new InitializeParams();

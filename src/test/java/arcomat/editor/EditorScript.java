@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * What somebody does in an editor, line by line, and what the editor shows. Places are written as
- * in findings, line and column from 1: {@code 3:5}, {@code 3:5-4:1}.
+ * What somebody does in an editor, line by line, and what the editor shows. Positions are written
+ * as in findings, line and column from 1: {@code 3:5}, {@code 3:5-4:1}.
  */
 final class EditorScript {
     private final EditorClient client;

@@ -1,7 +1,7 @@
 package arcomat.editor.answer;
 
 import arcomat.editor.text.LayoutEdits;
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.syntax.Formatter;
@@ -24,11 +24,11 @@ public final class CanonicalLayout {
 
     /** The same for a part: as much of it as lies in that. */
     public static List<TextEdit> in(SourceFile file, Range range) {
-        Span wanted = Places.span(file, range);
+        Span wanted = Positions.span(file, range);
         return of(file).stream()
                 .filter(
                         edit -> {
-                            Span place = Places.span(file, edit.getRange());
+                            Span place = Positions.span(file, edit.getRange());
                             return wanted.start() <= place.start() && place.end() <= wanted.end();
                         })
                 .toList();

@@ -1,6 +1,6 @@
 package arcomat.editor.answer;
 
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 
@@ -30,7 +30,7 @@ public final class Diagnostics {
     }
 
     static org.eclipse.lsp4j.Diagnostic of(Diagnostic finding, Function<String, String> addresses) {
-        Range range = Places.range(finding.span());
+        Range range = Positions.range(finding.span());
         var shown = new org.eclipse.lsp4j.Diagnostic(range, finding.message());
         shown.setCode(finding.code());
         shown.setSource("arcomat");
@@ -43,7 +43,7 @@ public final class Diagnostics {
                                         new DiagnosticRelatedInformation(
                                                 new Location(
                                                         addresses.apply(each.span().file().path()),
-                                                        Places.range(each.span())),
+                                                        Positions.range(each.span())),
                                                 each.note()))
                         .toList());
         if (NEEDLESS.contains(finding.code())) {

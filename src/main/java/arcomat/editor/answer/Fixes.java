@@ -1,7 +1,7 @@
 package arcomat.editor.answer;
 
 import arcomat.editor.desk.View;
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 import arcomat.source.Diagnostic;
 import arcomat.source.Fix;
 import arcomat.source.Span;
@@ -33,7 +33,7 @@ public final class Fixes {
     public static List<CodeAction> at(View view, Range range, List<String> kinds) {
         List<CodeAction> actions = new ArrayList<>();
         if (isWanted(CodeActionKind.QuickFix, kinds)) {
-            Span wanted = Places.span(view.file(), range);
+            Span wanted = Positions.span(view.file(), range);
             view.findings().stream()
                     .filter(finding -> touches(finding.span(), wanted))
                     .forEach(
@@ -102,7 +102,7 @@ public final class Fixes {
         for (Fix.TextEdit edit : edits) {
             changes.computeIfAbsent(
                             view.address(edit.span().file().path()), any -> new ArrayList<>())
-                    .add(new TextEdit(Places.range(edit.span()), edit.text()));
+                    .add(new TextEdit(Positions.range(edit.span()), edit.text()));
         }
         return new WorkspaceEdit(changes);
     }

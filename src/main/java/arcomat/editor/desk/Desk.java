@@ -1,6 +1,6 @@
 package arcomat.editor.desk;
 
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
@@ -119,7 +119,7 @@ public final class Desk {
         if (change.getRange() == null) {
             return change.getText();
         }
-        var span = Places.span(before, change.getRange());
+        var span = Positions.span(before, change.getRange());
         return before.text().substring(0, span.start())
                 + change.getText()
                 + before.text().substring(span.end());

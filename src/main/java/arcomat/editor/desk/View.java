@@ -1,6 +1,6 @@
 package arcomat.editor.desk;
 
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -31,12 +31,12 @@ public record View(
     }
 
     public int offset(Position position) {
-        return Places.offset(file, position);
+        return Positions.offset(file, position);
     }
 
     /** A place in any file of these models. */
     public Location location(Span span) {
-        return new Location(address(span.file().path()), Places.range(span));
+        return new Location(address(span.file().path()), Positions.range(span));
     }
 
     /** The address of a file of these models. */

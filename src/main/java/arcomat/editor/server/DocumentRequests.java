@@ -3,7 +3,7 @@ package arcomat.editor.server;
 import arcomat.editor.answer.CanonicalLayout;
 import arcomat.editor.answer.Fixes;
 import arcomat.editor.desk.View;
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionParams;
@@ -35,20 +35,20 @@ final class DocumentRequests implements TextDocumentService {
     @Override
     public void didOpen(DidOpenTextDocumentParams params) {
         var document = params.getTextDocument();
-        Places.path(document.getUri())
+        Positions.path(document.getUri())
                 .ifPresent(file -> worker.edit(desk -> desk.open(file, document.getText())));
     }
 
     @Override
     public void didChange(DidChangeTextDocumentParams params) {
-        Places.path(params.getTextDocument().getUri())
+        Positions.path(params.getTextDocument().getUri())
                 .ifPresent(
                         file -> worker.edit(desk -> desk.change(file, params.getContentChanges())));
     }
 
     @Override
     public void didClose(DidCloseTextDocumentParams params) {
-        Places.path(params.getTextDocument().getUri())
+        Positions.path(params.getTextDocument().getUri())
                 .ifPresent(file -> worker.edit(desk -> desk.close(file)));
     }
 
@@ -61,7 +61,7 @@ final class DocumentRequests implements TextDocumentService {
             TextDocumentIdentifier document, Function<View, List<T>> question) {
         return worker.ask(
                 (desk, canceled) ->
-                        Places.path(document.getUri())
+                        Positions.path(document.getUri())
                                 .flatMap(desk::view)
                                 .map(question)
                                 .orElse(List.of()));
@@ -73,7 +73,7 @@ final class DocumentRequests implements TextDocumentService {
         List<String> kinds = Objects.requireNonNullElse(params.getContext().getOnly(), List.of());
         return worker.askChecked(
                 (desk, canceled) ->
-                        Places.path(params.getTextDocument().getUri())
+                        Positions.path(params.getTextDocument().getUri())
                                 .flatMap(desk::view)
                                 .map(view -> Fixes.at(view, params.getRange(), kinds))
                                 .orElse(List.of())

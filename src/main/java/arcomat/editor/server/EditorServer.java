@@ -3,7 +3,7 @@ package arcomat.editor.server;
 import arcomat.editor.answer.Diagnostics;
 import arcomat.editor.answer.Fixes;
 import arcomat.editor.desk.Desk;
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 import arcomat.pipeline.recheck.OpenModels;
 
 import org.eclipse.lsp4j.ClientCapabilities;
@@ -72,7 +72,8 @@ public final class EditorServer implements LanguageServer {
         watches = canWatch(params.getCapabilities());
         if (params.getWorkspaceFolders() != null) {
             for (WorkspaceFolder folder : params.getWorkspaceFolders()) {
-                Places.path(folder.getUri()).ifPresent(path -> worker.edit(desk -> desk.add(path)));
+                Positions.path(folder.getUri())
+                        .ifPresent(path -> worker.edit(desk -> desk.add(path)));
             }
         }
         return CompletableFuture.completedFuture(

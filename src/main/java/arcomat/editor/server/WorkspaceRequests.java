@@ -1,6 +1,6 @@
 package arcomat.editor.server;
 
-import arcomat.editor.text.Places;
+import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
@@ -23,7 +23,7 @@ final class WorkspaceRequests implements WorkspaceService {
     public void didChangeWatchedFiles(DidChangeWatchedFilesParams params) {
         List<Path> files =
                 params.getChanges().stream()
-                        .flatMap(each -> Places.path(each.getUri()).stream())
+                        .flatMap(each -> Positions.path(each.getUri()).stream())
                         .toList();
         worker.edit(desk -> desk.changedOnDisk(files));
     }
@@ -31,10 +31,11 @@ final class WorkspaceRequests implements WorkspaceService {
     @Override
     public void didChangeWorkspaceFolders(DidChangeWorkspaceFoldersParams params) {
         for (WorkspaceFolder folder : params.getEvent().getRemoved()) {
-            Places.path(folder.getUri()).ifPresent(path -> worker.edit(desk -> desk.remove(path)));
+            Positions.path(folder.getUri())
+                    .ifPresent(path -> worker.edit(desk -> desk.remove(path)));
         }
         for (WorkspaceFolder folder : params.getEvent().getAdded()) {
-            Places.path(folder.getUri()).ifPresent(path -> worker.edit(desk -> desk.add(path)));
+            Positions.path(folder.getUri()).ifPresent(path -> worker.edit(desk -> desk.add(path)));
         }
     }
 

@@ -25,7 +25,7 @@ public final class LayoutEdits {
             int freshEnd = spaceEnd(after, fresh);
             String space = after.substring(fresh, freshEnd);
             if (!text.substring(old, oldEnd).equals(space)) {
-                edits.add(new TextEdit(Places.range(before.span(old, oldEnd)), space));
+                edits.add(new TextEdit(Positions.range(before.span(old, oldEnd)), space));
             }
             if (letter(text, oldEnd) != letter(after, freshEnd)) {
                 throw new IllegalArgumentException("the texts differ in more than white space");

@@ -1,2 +1,2 @@
-/** Places and edits, between the tool's words for them and the protocol's. */
+/** Positions and edits, between the tool's words for them and the protocol's. */
 package arcomat.editor.text;
