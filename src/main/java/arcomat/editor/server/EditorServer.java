@@ -44,9 +44,12 @@ public final class EditorServer implements LanguageServer {
 
     private final String version;
     private final Worker worker = new Worker(this::publish);
-    private final CompletableFuture<LanguageClient> client = new CompletableFuture<>();
     private final CompletableFuture<Integer> exit = new CompletableFuture<>();
     private final Map<String, List<Diagnostic>> published = new HashMap<>();
+
+    @SuppressWarnings("NullAway.Init") // connected before the first message is read
+    private LanguageClient client;
+
     private boolean watches;
     private boolean shutDown;
 
@@ -59,7 +62,7 @@ public final class EditorServer implements LanguageServer {
 
     /** Says who is asking. */
     public void connect(LanguageClient asking) {
-        client.complete(asking);
+        client = asking;
     }
 
     /** The exit status, once the editor has said that it needs the server no more. */
@@ -108,10 +111,8 @@ public final class EditorServer implements LanguageServer {
                             List.of(new FileSystemWatcher(Either.forLeft(FILES))));
             var registration =
                     new Registration("files", "workspace/didChangeWatchedFiles", options);
-            client.thenAccept(
-                    asking ->
-                            asking.registerCapability(
-                                    new RegistrationParams(List.of(registration))));
+            // An editor that says no does without.
+            var unused = client.registerCapability(new RegistrationParams(List.of(registration)));
         }
     }
 
@@ -136,10 +137,7 @@ public final class EditorServer implements LanguageServer {
         List<Diagnostic> last = published.getOrDefault(address, List.of());
         if (!findings.equals(last)) {
             published.put(address, findings);
-            client.thenAccept(
-                    asking ->
-                            asking.publishDiagnostics(
-                                    new PublishDiagnosticsParams(address, findings)));
+            client.publishDiagnostics(new PublishDiagnosticsParams(address, findings));
         }
     }
 

@@ -209,11 +209,11 @@ public final class OpenModels {
             return remembered.with(file.parsed().findings(), List.of());
         }
         File last = checked.get(path);
-        boolean same =
-                last != null
+        return last != null
                         && last.hash().equals(remembered.hash())
-                        && last.needs().equals(remembered.needs());
-        return same ? last : remembered;
+                        && last.needs().equals(remembered.needs())
+                ? last
+                : remembered;
     }
 
     /** The folder of the models. */
