@@ -9,6 +9,7 @@ import arcomat.pipeline.recheck.OpenModels;
 import org.eclipse.lsp4j.ClientCapabilities;
 import org.eclipse.lsp4j.CodeActionKind;
 import org.eclipse.lsp4j.CodeActionOptions;
+import org.eclipse.lsp4j.CompletionOptions;
 import org.eclipse.lsp4j.Diagnostic;
 import org.eclipse.lsp4j.DidChangeWatchedFilesRegistrationOptions;
 import org.eclipse.lsp4j.FileSystemWatcher;
@@ -94,6 +95,7 @@ public final class EditorServer implements LanguageServer {
         can.setTextDocumentSync(TextDocumentSyncKind.Incremental);
         can.setCodeActionProvider(
                 new CodeActionOptions(List.of(CodeActionKind.QuickFix, Fixes.ALL)));
+        can.setCompletionProvider(new CompletionOptions(false, List.of(".", " ")));
         can.setDocumentFormattingProvider(true);
         can.setDocumentRangeFormattingProvider(true);
         WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
