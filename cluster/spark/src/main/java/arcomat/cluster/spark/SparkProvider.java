@@ -11,9 +11,19 @@ import java.util.function.Consumer;
 
 /** Found by the tool as a service. Where things are is Spark's own matter: no meeting is needed. */
 public final class SparkProvider implements EngineProvider {
+    private String said = "";
+
     @Override
     public Engine open(Freight freight, Meeting meeting, Consumer<String> told) {
-        return SparkEngine.open(freight, told);
+        return SparkEngine.open(freight, line -> say(line, told));
+    }
+
+    /** A search that follows the table has the same Spark, which is not said again. */
+    private void say(String line, Consumer<String> told) {
+        if (!line.equals(said)) {
+            told.accept(line);
+            said = line;
+        }
     }
 
     @Override
