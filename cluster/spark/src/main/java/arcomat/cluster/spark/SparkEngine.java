@@ -180,9 +180,9 @@ final class SparkEngine implements Engine {
         return "Spark, " + (cores == 1 ? "1 core" : cores + " cores");
     }
 
+    /** What was broadcast is dropped by Spark, once no job has it any more. */
     @Override
     public void close() {
         jobs.forEach(SimpleFutureAction::cancel);
-        workshop.destroy();
     }
 }
