@@ -25,6 +25,7 @@ import arcomat.cli.command.run.RunBrickCommand;
 import arcomat.cli.command.run.SimulateCommand;
 import arcomat.cli.command.run.TestCommand;
 import arcomat.cli.command.run.WorldCommand;
+import arcomat.cli.command.serve.LanguageServerCommand;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -65,6 +66,7 @@ final class Commands {
         add("campaign-worker", () -> new CampaignWorkerCommand());
         add("link", () -> new LinkCommand());
         add("explain", () -> new ExplainCommand());
+        add("language-server", () -> new LanguageServerCommand());
     }
 
     private void add(String name, Supplier<Command> command) {
