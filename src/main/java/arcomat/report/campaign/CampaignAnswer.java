@@ -101,9 +101,9 @@ record CampaignAnswer(
             return new Event(
                     name,
                     occurrence.column().meaning(),
-                    occurrence.proportion().events(),
-                    occurrence.proportion().trials(),
-                    finite(occurrence.proportion().estimate()),
+                    occurrence.runs(),
+                    occurrence.known(),
+                    finite(occurrence.share()),
                     interval.low(),
                     interval.high(),
                     Bound.of(name, campaign));

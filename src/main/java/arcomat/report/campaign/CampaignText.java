@@ -46,10 +46,8 @@ public final class CampaignText {
             table.add(
                     List.of(
                             each.column().name(),
-                            "%,d of %,d"
-                                    .formatted(
-                                            each.proportion().events(), each.proportion().trials()),
-                            number(each.proportion().estimate()),
+                            "%,d of %,d".formatted(each.runs(), each.known()),
+                            number(each.share()),
                             number(interval.low()) + " to " + number(interval.high())));
         }
         return table.render(style);
