@@ -102,7 +102,7 @@ abstract class Bench {
                 String when =
                         "decided by run %,d, %,d of them against it"
                                 .formatted(course.trials(), course.events());
-                return new Judgement(subject, true, course.decision(), when);
+                return new Judgement(subject, true, course.decision(), when, demand.place());
             }
             Proportion proportion = new Proportion(bad, seen, campaign.seeds(seen));
             // Who might have stopped earlier must not be judged as if that had not been possible.
@@ -112,7 +112,7 @@ abstract class Bench {
                             : new FixedTest(bound, confidence).decide(proportion);
             String because =
                     figures(proportion) + withoutAnswer(unknown, "an answer") + needed(proportion);
-            return new Judgement(subject, true, decision, because);
+            return new Judgement(subject, true, decision, because, demand.place());
         }
 
         /** What a plan that is too small would have to be. */
@@ -182,7 +182,7 @@ abstract class Bench {
                                     Figure.percent(demand.confidence()));
             Measurements numbers = measured.apply(demand.measure()).with(unwanted(), unknown);
             if (numbers.size() == 0) {
-                return new Judgement(subject, true, Decision.UNDECIDED, "no run was made");
+                return new Judgement(subject, true, Decision.UNDECIDED, "no run was made", demand.place());
             }
             // One side is asked about, so an interval may be wrong on that side alone.
             Confidence each = new Confidence(1 - 2 * (1 - demand.confidence()));
@@ -194,7 +194,7 @@ abstract class Bench {
                             + (seeds < numbers.size() ? "," : "")
                             + onSeeds(seeds, numbers.size())
                             + withoutAnswer(unknown, "a number");
-            return new Judgement(subject, true, decide(interval), because);
+            return new Judgement(subject, true, decide(interval), because, demand.place());
         }
 
         /** A number that is on the wrong side of every bound. */

@@ -97,7 +97,6 @@ public record CampaignResult(
 
     /** Whether the runs do not decide something that was asked for. */
     public boolean isOpen() {
-        return judgements.stream()
-                .anyMatch(each -> each.isDemand() && each.decision() == Decision.UNDECIDED);
+        return judgements.stream().anyMatch(Judgement::isOpen);
     }
 }

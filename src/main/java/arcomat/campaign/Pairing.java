@@ -109,6 +109,6 @@ public final class Pairing {
                                 asked.parameter(),
                                 asked.event(),
                                 Figure.percent(asked.confidence()));
-        return new Judgement(subject, false, decision, because);
+        return new Judgement(subject, false, decision, because, asked.place());
     }
 }

@@ -51,7 +51,7 @@ public record CampaignReport(
     }
 
     /** What came of it, in a sentence. */
-    String headline() {
+    public String headline() {
         String runs = "%,d %s of %s".formatted(runs(), runs() == 1 ? "run" : "runs", world());
         return runs + ": " + verdict();
     }

@@ -84,7 +84,7 @@ public final class CampaignText {
     }
 
     private String line(Judgement judgement) {
-        String word = word(judgement);
+        String word = judgement.word() + ": ";
         String shown =
                 switch (judgement.decision()) {
                     case HOLDS -> style.good(word);
@@ -92,21 +92,6 @@ public final class CampaignText {
                     case UNDECIDED -> judgement.isDemand() ? style.warning(word) : word;
                 };
         return shown + Printable.escape(judgement.subject() + " (" + judgement.because() + ")");
-    }
-
-    private static String word(Judgement judgement) {
-        if (judgement.isDemand()) {
-            return switch (judgement.decision()) {
-                case HOLDS -> "holds: ";
-                case FAILS -> "fails: ";
-                case UNDECIDED -> "unknown: ";
-            };
-        }
-        return switch (judgement.decision()) {
-            case HOLDS -> "better: ";
-            case FAILS -> "worse: ";
-            case UNDECIDED -> "compared: ";
-        };
     }
 
     /** The worst run, and how to see it. */
