@@ -1,7 +1,8 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
 import arcomat.analysis.evolution.Gate;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
@@ -53,7 +54,7 @@ import java.util.stream.Stream;
                     + " fails; 3 something is unknown; 2 wrong use, or models or campaigns with"
                     + " errors."
         })
-final class GateCommand extends LimitedCommand {
+public final class GateCommand extends LimitedCommand {
     @Mixin private ReportOptions reports = new ReportOptions();
 
     @Option(
@@ -76,7 +77,7 @@ final class GateCommand extends LimitedCommand {
 
     /** It holds for each comparison. */
     @Override
-    boolean isTimeOfAll() {
+    protected boolean isTimeOfAll() {
         return false;
     }
 
@@ -98,7 +99,7 @@ final class GateCommand extends LimitedCommand {
     }
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         PrepareGateCampaigns.Prepared prepared =
                 session.run(new PrepareGateCampaigns(campaigns, Version.number()));
         if (prepared.check().hasErrors()) {
