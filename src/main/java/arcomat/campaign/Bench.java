@@ -182,7 +182,8 @@ abstract class Bench {
                                     Figure.percent(demand.confidence()));
             Measurements numbers = measured.apply(demand.measure()).with(unwanted(), unknown);
             if (numbers.size() == 0) {
-                return new Judgement(subject, true, Decision.UNDECIDED, "no run was made", demand.place());
+                return new Judgement(
+                        subject, true, Decision.UNDECIDED, "no run was made", demand.place());
             }
             // One side is asked about, so an interval may be wrong on that side alone.
             Confidence each = new Confidence(1 - 2 * (1 - demand.confidence()));

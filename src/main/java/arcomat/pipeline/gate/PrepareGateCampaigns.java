@@ -53,10 +53,7 @@ public record PrepareGateCampaigns(List<String> files, String version)
             PrepareCampaign.Prepared prepared =
                     session.run(
                             new PrepareCampaign(
-                                    file,
-                                    Limits.OF_THE_BRICK,
-                                    PrepareCampaign.PATIENCE,
-                                    version));
+                                    file, Limits.OF_THE_BRICK, PrepareCampaign.PATIENCE, version));
             prepared.findings().stream().filter(Diagnostic::isError).forEach(errors::add);
             aside = aside.and(prepared.aside());
             if (prepared.ready().isPresent()) {

@@ -17,8 +17,8 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What became of components: a line for each that changed and for each campaign, then the stories of
- * those that do not keep their promises, other findings, and a summary.
+ * What became of components: a line for each that changed and for each campaign, then the stories
+ * of those that do not keep their promises, other findings, and a summary.
  */
 public final class GateText {
     private static final int WIDEST = "incomparable".length();
@@ -129,9 +129,6 @@ public final class GateText {
         String text = counts.isEmpty() ? "no components" : String.join(", ", counts);
         long meant = gate.entries().stream().filter(each -> each.excuse().isPresent()).count();
         String reasons = meant == 0 ? "" : " (" + meant + " with a reason)";
-        return VerdictText.paint(text, gate.answer(), style)
-                + reasons
-                + campaigns.summary()
-                + "\n";
+        return VerdictText.paint(text, gate.answer(), style) + reasons + campaigns.summary() + "\n";
     }
 }

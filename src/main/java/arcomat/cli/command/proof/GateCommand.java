@@ -129,14 +129,11 @@ public final class GateCommand extends LimitedCommand {
         List<Diagnostic> findings = outcome.findings();
         return switch (format) {
             case text -> GateText.render(gate, tried, findings, style);
-            case json ->
-                    GateJson.render(gate, tried, findings, aside.findings(), aside.files());
+            case json -> GateJson.render(gate, tried, findings, aside.findings(), aside.files());
             case sarif -> MachineFormats.of(console()).sarif(reported(outcome, aside), false);
             case github ->
                     MachineFormats.of(console())
-                            .github(
-                                    reported(outcome, aside),
-                                    GateText.summary(gate, tried, style));
+                            .github(reported(outcome, aside), GateText.summary(gate, tried, style));
             case junit ->
                     JunitXml.render(
                             "arcomat gate",
