@@ -6,7 +6,7 @@ import arcomat.campaign.CampaignResult.Spread;
 import arcomat.campaign.Figure;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.statistics.Confidence;
 import arcomat.campaign.statistics.ConfidenceInterval;
 import arcomat.campaign.statistics.Decision;
@@ -109,13 +109,24 @@ public final class CampaignText {
     }
 
     /** What a search has found. */
-    public static String found(WorstRun worst, RunAgain replay) {
-        return "the %s %s that a search of %,d runs has found is %s: %s\n"
-                .formatted(
-                        worst.which(),
-                        worst.search().measure(),
-                        worst.runs(),
-                        number(worst.value()),
-                        replay.command(worst.row()));
+    public static String found(WorstSearch search, RunAgain replay) {
+        String what = "%s %s".formatted(search.which(), search.search().measure());
+        String unknown =
+                search.unknown() == 0
+                        ? ""
+                        : ", %,d of them without such a number,".formatted(search.unknown());
+        return search.worst()
+                .map(
+                        worst ->
+                                "the %s that a search of %,d runs%s has found is %s: %s\n"
+                                        .formatted(
+                                                what,
+                                                search.runs(),
+                                                unknown,
+                                                number(worst.value()),
+                                                replay.command(worst.row())))
+                .orElse(
+                        "the %s: none of the %,d runs of the search has such a number\n"
+                                .formatted(what, search.runs()));
     }
 }
