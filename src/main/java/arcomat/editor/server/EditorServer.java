@@ -74,14 +74,20 @@ public final class EditorServer implements LanguageServer {
     @Override
     public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
         watches = canWatch(params.getCapabilities());
-        if (params.getWorkspaceFolders() != null) {
-            for (WorkspaceFolder folder : params.getWorkspaceFolders()) {
-                Positions.path(folder.getUri())
-                        .ifPresent(path -> worker.edit(desk -> desk.add(path)));
-            }
-        }
+        folders(params).stream()
+                .flatMap(address -> Positions.path(address).stream())
+                .forEach(path -> worker.edit(desk -> desk.add(path)));
         return CompletableFuture.completedFuture(
                 new InitializeResult(capabilities(), new ServerInfo("Arcomat", version)));
+    }
+
+    /** Older editors know one folder only. */
+    @SuppressWarnings("deprecation")
+    private static List<String> folders(InitializeParams params) {
+        if (params.getWorkspaceFolders() != null) {
+            return params.getWorkspaceFolders().stream().map(WorkspaceFolder::getUri).toList();
+        }
+        return params.getRootUri() == null ? List.of() : List.of(params.getRootUri());
     }
 
     private static boolean canWatch(ClientCapabilities capabilities) {

@@ -35,10 +35,10 @@ public final class Completion {
     private static List<CompletionItem> at(View view, Caret caret) {
         Continuations possible = Continuations.at(caret, view.file());
         Map<String, CompletionItem> items = new LinkedHashMap<>();
-        KnownNames known = new KnownNames(Scene.of(view, caret));
+        KnownNames known = new KnownNames(WritingPlace.of(view, caret));
         possible.names().stream()
                 .flatMap(rules -> known.at(rules).stream())
-                .forEach(name -> items.putIfAbsent(name.label(), item(name, caret)));
+                .forEach(name -> items.putIfAbsent(name.label(), item(name)));
         for (String word : possible.words()) {
             if (!OUTDATED.contains(word)) {
                 items.putIfAbsent(word, keyword(word));
@@ -54,7 +54,7 @@ public final class Completion {
         return List.copyOf(items.values());
     }
 
-    private static CompletionItem item(Proposal name, Caret caret) {
+    private static CompletionItem item(Proposal name) {
         CompletionItem item = new CompletionItem(name.label());
         item.setKind(name.kind());
         item.setDetail(name.detail());

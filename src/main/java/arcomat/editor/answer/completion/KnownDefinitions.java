@@ -20,9 +20,9 @@ import java.util.stream.Stream;
 /**
  * Components and types, those that an import would bring included.
  *
- * @param scene what is around the place
+ * @param place what is around the place
  */
-record KnownDefinitions(Scene scene) {
+record KnownDefinitions(WritingPlace place) {
     private static final List<BuiltinType> USUAL =
             List.of(
                     BuiltinType.BOOLEAN,
@@ -31,8 +31,8 @@ record KnownDefinitions(Scene scene) {
                     BuiltinType.STRING);
 
     List<Proposal> components() {
-        Optional<ComponentSymbol> around = scene.component();
-        return scene.workspace().topLevelComponents().stream()
+        Optional<ComponentSymbol> around = place.component();
+        return place.workspace().topLevelComponents().stream()
                 .filter(each -> around.filter(own -> own == each).isEmpty())
                 .map(
                         each ->
@@ -55,7 +55,7 @@ record KnownDefinitions(Scene scene) {
                 USUAL.stream()
                         .map(type -> Proposal.of(type.text(), CompletionItemKind.Struct, "type"));
         Stream<Proposal> defined =
-                scene.workspace().diagrams().stream()
+                place.workspace().diagrams().stream()
                         .flatMap(diagram -> diagram.types().stream())
                         .map(
                                 type ->
@@ -74,11 +74,11 @@ record KnownDefinitions(Scene scene) {
     }
 
     private Optional<UnitScope> scope() {
-        return scene.unit().map(unit -> scene.workspace().scope(unit));
+        return place.unit().map(unit -> place.workspace().scope(unit));
     }
 
     private QualifiedName written(String name) {
-        Span place = scene.caret().typed();
+        Span place = place.caret().typed();
         return new QualifiedName(place, List.of(new Name(place, name)));
     }
 
@@ -86,7 +86,7 @@ record KnownDefinitions(Scene scene) {
             String name, CompletionItemKind kind, String qualifiedName, boolean seen) {
         List<TextEdit> needed = new ArrayList<>();
         if (!seen && !qualifiedName.equals(name)) {
-            scene.unit().ifPresent(unit -> needed.add(importing(qualifiedName, unit)));
+            place.unit().ifPresent(unit -> needed.add(importing(qualifiedName, unit)));
         }
         return new Proposal(name, kind, qualifiedName, needed);
     }

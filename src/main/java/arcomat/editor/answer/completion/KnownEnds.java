@@ -14,24 +14,24 @@ import java.util.stream.Stream;
  * The ends that a connector can have: senders before the arrow; behind it receivers that have no
  * sender yet, of the sender's type if there are such.
  *
- * @param scene what is around the place
+ * @param place what is around the place
  */
-record KnownEnds(Scene scene) {
+record KnownEnds(WritingPlace place) {
     private static final String ARROW = "->";
 
     List<Proposal> ends() {
-        return scene.component()
-                .map(component -> scene.says(ARROW) ? receivers(component) : senders(component))
+        return place.component()
+                .map(component -> place.says(ARROW) ? receivers(component) : senders(component))
                 .orElse(List.of());
     }
 
     /** The part whose port is being written, if one is. */
     private Optional<InstanceSymbol> part(ComponentSymbol component) {
-        return scene.word(1).equals(".") ? component.instance(scene.word(2)) : Optional.empty();
+        return place.word(1).equals(".") ? component.instance(place.word(2)) : Optional.empty();
     }
 
     private List<Proposal> senders(ComponentSymbol component) {
-        if (scene.word(1).equals(".")) {
+        if (place.word(1).equals(".")) {
             return part(component).stream()
                     .flatMap(part -> part.ports().stream())
                     .filter(PortSymbol::isOutput)
@@ -51,7 +51,7 @@ record KnownEnds(Scene scene) {
 
     private List<Proposal> receivers(ComponentSymbol component) {
         Optional<TypeSymbol> type = sender(component).map(PortSymbol::type);
-        if (scene.word(1).equals(".")) {
+        if (place.word(1).equals(".")) {
             return part(component).stream()
                     .flatMap(part -> fitting(free(component, part), type).stream())
                     .map(port -> Proposal.of(port))
@@ -91,7 +91,7 @@ record KnownEnds(Scene scene) {
 
     /** What stands before the arrow, behind the word that begins the connector. */
     private Optional<PortSymbol> sender(ComponentSymbol component) {
-        List<String> words = scene.caret().statement();
+        List<String> words = place.caret().statement();
         int arrow = words.indexOf(ARROW);
         if (arrow >= 3 && words.get(arrow - 2).equals(".")) {
             String port = words.get(arrow - 1);

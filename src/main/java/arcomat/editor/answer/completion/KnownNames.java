@@ -14,9 +14,9 @@ import java.util.stream.Stream;
 /**
  * The names that fit where the grammar lets a name stand.
  *
- * @param scene what is around the place
+ * @param place what is around the place
  */
-record KnownNames(Scene scene) {
+record KnownNames(WritingPlace place) {
 
     /**
      * @param rules of the grammar around the name, innermost first
@@ -26,25 +26,25 @@ record KnownNames(Scene scene) {
         String outer = rules.size() < 2 ? "" : rules.get(1);
         return switch (inner) {
             case "automatonElement" -> states();
-            case "item" -> new KnownValues(scene).targets();
-            case "primary", "suffix" -> new KnownValues(scene).values();
+            case "item" -> new KnownValues(place).targets();
+            case "primary", "suffix" -> new KnownValues(place).values();
             case "tableInputs" -> ports(PortSymbol::isInput);
             case "tableOutputs" -> ports(PortSymbol::isOutput);
             case "qualifiedName" -> qualified(outer, rules);
             case "plainType", "plainName", "objectType", "instanceType" ->
-                    new KnownDefinitions(scene).types();
+                    new KnownDefinitions(place).types();
             default -> List.of();
         };
     }
 
     private List<Proposal> qualified(String outer, List<String> rules) {
         return switch (outer) {
-            case "connector", "simpleConnector" -> new KnownEnds(scene).ends();
+            case "connector", "simpleConnector" -> new KnownEnds(place).ends();
             case "type" -> type(rules.subList(2, rules.size()));
-            case "component", "testSuite" -> new KnownDefinitions(scene).components();
+            case "component", "testSuite" -> new KnownDefinitions(place).components();
             case "portStream", "eventStream" -> streams();
-            case "message" -> new KnownValues(scene).messages();
-            case "objectType" -> new KnownDefinitions(scene).types();
+            case "message" -> new KnownValues(place).messages();
+            case "objectType" -> new KnownDefinitions(place).types();
             default -> List.of();
         };
     }
@@ -52,14 +52,14 @@ record KnownNames(Scene scene) {
     /** The grammar writes types of parts, of ancestors and of messages alike. */
     private List<Proposal> type(List<String> around) {
         String outer = around.isEmpty() ? "" : around.get(0);
-        KnownDefinitions definitions = new KnownDefinitions(scene);
+        KnownDefinitions definitions = new KnownDefinitions(place);
         return outer.equals("subcomponent") || outer.equals("component")
                 ? definitions.components()
                 : definitions.types();
     }
 
     private List<Proposal> states() {
-        return scene.automaton().stream()
+        return place.automaton().stream()
                 .flatMap(automaton -> automaton.states().stream())
                 .map(StateSymbol::name)
                 .distinct()
@@ -68,7 +68,7 @@ record KnownNames(Scene scene) {
     }
 
     private List<Proposal> ports(Predicate<PortSymbol> wanted) {
-        return scene.component().stream()
+        return place.component().stream()
                 .flatMap(component -> component.ports().stream())
                 .filter(wanted)
                 .map(port -> Proposal.of(port))
@@ -77,10 +77,10 @@ record KnownNames(Scene scene) {
 
     /** What is driven gets messages on its inputs, what is expected comes from its outputs. */
     private List<Proposal> streams() {
-        List<List<String>> around = scene.caret().around();
+        List<List<String>> around = place.caret().around();
         String part = around.isEmpty() ? "" : around.get(around.size() - 1).get(0);
         Stream<PortSymbol> ports =
-                scene.testSuite().stream()
+                place.testSuite().stream()
                         .map(TestSuiteSymbol::component)
                         .flatMap(component -> component.found().stream())
                         .map(ComponentSymbol::ports)

@@ -19,14 +19,14 @@ import java.util.stream.Stream;
 /**
  * The values that an automaton, a table or a test can read or write.
  *
- * @param scene what is around the place
+ * @param place what is around the place
  */
-record KnownValues(Scene scene) {
+record KnownValues(WritingPlace place) {
     private static final Set<String> COMPARISONS = Set.of("==", "!=", "=", "<", "<=", ">", ">=");
 
     /** What an item of a block can be about: inputs are read, outputs written. */
     List<Proposal> targets() {
-        boolean writes = scene.says("/");
+        boolean writes = place.says("/");
         return all().filter(
                         value -> !(value instanceof PortSymbol port) || port.isOutput() == writes)
                 .map(value -> Proposal.of(value))
@@ -47,9 +47,9 @@ record KnownValues(Scene scene) {
 
     /** Messages of a stream: constants of the port's type. */
     List<Proposal> messages() {
-        List<String> words = scene.caret().statement();
+        List<String> words = place.caret().statement();
         int colon = words.indexOf(":");
-        return scene.testSuite().stream()
+        return place.testSuite().stream()
                 .map(TestSuiteSymbol::component)
                 .flatMap(component -> component.found().stream())
                 .flatMap(component -> port(component, colon < 1 ? "" : words.get(colon - 1)))
@@ -62,10 +62,10 @@ record KnownValues(Scene scene) {
     }
 
     private Optional<TypeSymbol> comparedType() {
-        if (!COMPARISONS.contains(scene.word(1))) {
+        if (!COMPARISONS.contains(place.word(1))) {
             return Optional.empty();
         }
-        String compared = scene.word(2);
+        String compared = place.word(2);
         return all().filter(value -> value.name().equals(compared))
                 .map(ValueSymbol::type)
                 .findFirst();
@@ -83,8 +83,8 @@ record KnownValues(Scene scene) {
     }
 
     private Stream<ValueSymbol> all() {
-        Optional<AutomatonSymbol> automaton = scene.automaton();
-        Optional<ComponentSymbol> component = scene.component();
+        Optional<AutomatonSymbol> automaton = place.automaton();
+        Optional<ComponentSymbol> component = place.component();
         Stream<ValueSymbol> inside =
                 automaton.stream()
                         .flatMap(

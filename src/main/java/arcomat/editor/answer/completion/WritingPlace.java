@@ -28,14 +28,14 @@ import java.util.stream.Stream;
  * @param unit the file without the statement; nothing where the rest does not parse either
  * @param workspace with that unit
  */
-record Scene(Caret caret, int offset, Optional<Unit> unit, Workspace workspace) {
+record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspace workspace) {
 
-    static Scene of(View view, Caret caret) {
+    static WritingPlace of(View view, Caret caret) {
         SourceFile file = view.file();
         String path = file.path();
         SourceFile rest = new SourceFile(path, without(caret.written(), file.text()));
         OpenModels models = view.models().with(OpenModels.Edit.of(List.of(rest)));
-        return new Scene(
+        return new WritingPlace(
                 caret,
                 caret.written().end(),
                 models.parsed(path).flatMap(parsed -> parsed.readable()),
