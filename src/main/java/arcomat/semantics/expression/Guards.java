@@ -10,8 +10,10 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.ExpressionText;
 import arcomat.model.Type;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -35,9 +37,7 @@ public final class Guards {
     public Expression enabledWhen(Automaton.Transition transition) {
         Expression condition = TRUE;
         for (Automaton.Match match : transition.matches()) {
-            Expression matches =
-                    new Expression.PortMatches(match.port(), match.pattern(), transition.span());
-            condition = and(condition, and(formulas.present(matches), matches));
+            condition = and(condition, fits(matches(match, transition)));
         }
         if (transition.guard().isPresent()) {
             condition = and(condition, certainlyTrue(transition.guard().get()));
@@ -51,6 +51,59 @@ public final class Guards {
             condition = and(condition, formulas.present(assignment.value()));
         }
         return formulas.simplify(condition);
+    }
+
+    private static Expression matches(Automaton.Match match, Automaton.Transition transition) {
+        return new Expression.PortMatches(match.port(), match.pattern(), transition.span());
+    }
+
+    private Expression fits(Expression matches) {
+        return and(formulas.present(matches), matches);
+    }
+
+    /**
+     * What a transition asks, taken apart: the items of its input block, the parts of its guard
+     * that have to be true together, and that there is what its outputs and assignments read. It is
+     * enabled where all of them hold, looked at from left to right.
+     */
+    public List<Clause> clauses(Automaton.Transition transition) {
+        List<Clause> clauses = new ArrayList<>();
+        for (Automaton.Match match : transition.matches()) {
+            Expression asked = matches(match, transition);
+            clauses.add(clause(asked, fits(asked)));
+        }
+        transition.guard().ifPresent(guard -> addConjuncts(guard, clauses));
+        for (Automaton.Send send : transition.sends()) {
+            for (Expression value : send.emission().values()) {
+                addReading(send.port().name(), value, clauses);
+            }
+        }
+        for (Automaton.Assignment assignment : transition.assignments()) {
+            addReading(assignment.variable().name(), assignment.value(), clauses);
+        }
+        return clauses;
+    }
+
+    private Clause clause(Expression asked, Expression condition) {
+        return new Clause(asked, formulas.simplify(condition), ExpressionText.of(asked), false);
+    }
+
+    private void addConjuncts(Expression guard, List<Clause> clauses) {
+        if (guard instanceof Expression.Binary both && both.operator() == BinaryOperator.AND) {
+            addConjuncts(both.left(), clauses);
+            addConjuncts(both.right(), clauses);
+        } else {
+            clauses.add(clause(guard, certainlyTrue(guard)));
+        }
+    }
+
+    /** Where a value reads nothing that may be missing, nothing is asked. */
+    private void addReading(String name, Expression value, List<Clause> clauses) {
+        Expression present = formulas.simplify(formulas.present(value));
+        if (!present.equals(TRUE)) {
+            String text = "/ {" + name + " = " + ExpressionText.of(value) + "}";
+            clauses.add(new Clause(value, present, text, true));
+        }
     }
 
     private Expression certainlyTrue(Expression e) {
