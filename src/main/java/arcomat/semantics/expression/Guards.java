@@ -97,6 +97,62 @@ public final class Guards {
         }
     }
 
+    /**
+     * The parts of a guard that negate one of few messages, which may not be there: {@code
+     * !blocked}, {@code command != stop}. Who writes that often means "else", and silence is not in
+     * it. Of numbers, "another one" is what is meant.
+     */
+    public List<Expression> negations(Automaton.Transition transition) {
+        return clauses(transition).stream()
+                .map(Clause::asked)
+                .filter(this::negatesMessage)
+                .toList();
+    }
+
+    private boolean negatesMessage(Expression asked) {
+        return Formulas.isNegation(asked)
+                ? isMessage(asked.operands().get(0), BinaryOperator.EQUAL)
+                : isComparison(asked, BinaryOperator.NOT_EQUAL);
+    }
+
+    private boolean isMessage(Expression e, BinaryOperator operator) {
+        return formulas.mayBeUndefined(e) || isComparison(e, operator);
+    }
+
+    /** Of a message with what is no message. */
+    private boolean isComparison(Expression e, BinaryOperator operator) {
+        if (!(e instanceof Expression.Binary binary) || binary.operator() != operator) {
+            return false;
+        }
+        boolean few =
+                binary.left().type() instanceof Type.BooleanType
+                        || binary.left().type() instanceof Type.EnumType;
+        return few
+                && (formulas.mayBeUndefined(binary.left()) && binary.right().ports().isEmpty()
+                        || formulas.mayBeUndefined(binary.right())
+                                && binary.left().ports().isEmpty());
+    }
+
+    /**
+     * That all which a transition asks is so, but that some negations may have nothing to negate.
+     *
+     * @param negations of its {@link #negations}
+     */
+    public Expression enabledButForSilence(
+            Automaton.Transition transition, List<Expression> negations) {
+        Expression condition = TRUE;
+        for (Clause clause : clauses(transition)) {
+            Expression silent = not(formulas.present(clause.asked()));
+            condition =
+                    and(
+                            condition,
+                            negations.contains(clause.asked())
+                                    ? or(silent, clause.condition())
+                                    : clause.condition());
+        }
+        return condition;
+    }
+
     /** Where a value reads nothing that may be missing, nothing is asked. */
     private void addReading(String name, Expression value, List<Clause> clauses) {
         Expression present = formulas.simplify(formulas.present(value));
