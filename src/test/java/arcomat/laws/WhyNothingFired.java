@@ -92,8 +92,7 @@ final class WhyNothingFired implements Law {
             }
         }
         for (int i = 0; i < relation.automaton().transitions().size(); i++) {
-            boolean leaves =
-                    relation.automaton().transitions().get(i).source() == before.state();
+            boolean leaves = relation.automaton().transitions().get(i).source() == before.state();
             if (leaves != told.contains(i)) {
                 return Optional.of("transition " + i + " is neither enabled nor refused");
             }
@@ -168,7 +167,6 @@ final class WhyNothingFired implements Law {
     }
 
     private static Expression and(Expression left, Expression right) {
-        return new Expression.Binary(
-                BinaryOperator.AND, left, right, left.type(), left.span());
+        return new Expression.Binary(BinaryOperator.AND, left, right, left.type(), left.span());
     }
 }

@@ -16,7 +16,9 @@ import java.util.Set;
  */
 record Negations(Component.Profile profile, Automaton automaton, Guards guards) {
 
-    /** Those of a transition; none about a port whose silence another one out of its state minds. */
+    /**
+     * Those of a transition; none about a port whose silence another one out of its state minds.
+     */
     List<Expression> of(Automaton.Transition transition) {
         Set<String> minded = portsWithSilenceInMind(transition.source());
         return guards.negations(transition).stream()

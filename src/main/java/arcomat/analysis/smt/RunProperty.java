@@ -87,9 +87,7 @@ public sealed interface RunProperty {
         }
     }
 
-    /**
-     * A transition lacks nothing but messages that its guard negates, and no other one answers.
-     */
+    /** A transition lacks nothing but messages that its guard negates, and no other one answers. */
     record Silenced(int transition) implements RunProperty {
         @Override
         public <R> R match(Cases<R> cases) {

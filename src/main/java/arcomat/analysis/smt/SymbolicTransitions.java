@@ -73,8 +73,7 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
     public Term unhandled(RunProperty.Unhandled unhandled) {
         Term silent = at.silent();
         return solver.and(
-                isUnhandled(unhandled.state()),
-                unhandled.silent() ? silent : solver.not(silent));
+                isUnhandled(unhandled.state()), unhandled.silent() ? silent : solver.not(silent));
     }
 
     private Term isUnhandled(int state) {

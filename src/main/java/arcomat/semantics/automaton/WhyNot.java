@@ -64,7 +64,9 @@ public final class WhyNot {
         Guards guards = new Guards(relation.component().profile());
         for (Automaton.Transition transition : relation.automaton().transitions()) {
             whyNot.asked.add(
-                    guards.clauses(transition).stream().map(each -> ready(each, relation)).toList());
+                    guards.clauses(transition).stream()
+                            .map(each -> ready(each, relation))
+                            .toList());
         }
         return whyNot;
     }

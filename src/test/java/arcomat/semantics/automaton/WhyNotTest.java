@@ -128,8 +128,7 @@ class WhyNotTest {
                 ReadModels.model(List.of(new SourceFile("C.arc", text)))
                         .component("C")
                         .orElseThrow();
-        List<Value> arguments =
-                component.parameters().isEmpty() ? List.of() : List.of(number(5));
+        List<Value> arguments = component.parameters().isEmpty() ? List.of() : List.of(number(5));
         StepRelation relation = ComponentSemantics.of(component, arguments).relations().get(0);
         Map<String, Value> letter = new LinkedHashMap<>();
         for (Port port : component.inputs()) {
@@ -173,8 +172,7 @@ class WhyNotTest {
     @Test
     void whatIsSentHasToBeThere() {
         assertThat(nearest(PORTS, "s -> t / {seen = distance};", Map.of()))
-                .isEqualTo(
-                        "s -> t (line 7) did not fire: / {seen = distance}: distance is silent");
+                .isEqualTo("s -> t (line 7) did not fire: / {seen = distance}: distance is silent");
         assertThat(nearest(PORTS, "s -> t [distance > 3] / {seen = distance};", Map.of()))
                 .isEqualTo("s -> t (line 7) did not fire: distance > 3: distance is silent");
     }
