@@ -10,6 +10,7 @@ import arcomat.cli.command.model.CheckCommand;
 import arcomat.cli.command.model.DiagramCommand;
 import arcomat.cli.command.model.ExplainCommand;
 import arcomat.cli.command.model.FormatCommand;
+import arcomat.cli.command.model.NewCommand;
 import arcomat.cli.command.proof.AnalyzeCommand;
 import arcomat.cli.command.proof.ContradictionsCommand;
 import arcomat.cli.command.proof.DiffCommand;
@@ -41,6 +42,7 @@ final class Commands {
      * command where one is asked for.
      */
     Commands() {
+        add("new", () -> new NewCommand());
         add("check", () -> new CheckCommand());
         add("format", () -> new FormatCommand());
         add("generate", () -> new GenerateCommand());
