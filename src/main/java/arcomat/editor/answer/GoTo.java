@@ -35,7 +35,7 @@ public final class GoTo {
         return locations(
                 view,
                 named(view, position)
-                        .flatMap(Referent::type)
+                        .flatMap(Referent::typeReferent)
                         .flatMap(Referent::declaration)
                         .stream());
     }

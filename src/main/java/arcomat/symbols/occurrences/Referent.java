@@ -72,7 +72,7 @@ public sealed interface Referent {
     }
 
     /** What it is one of: a port's type, a part's component. */
-    default Optional<Referent> type() {
+    default Optional<Referent> typeReferent() {
         return Optional.empty();
     }
 
@@ -255,7 +255,7 @@ public sealed interface Referent {
         }
 
         @Override
-        public Optional<Referent> type() {
+        public Optional<Referent> typeReferent() {
             return Optional.of(new Type(type));
         }
     }
@@ -277,7 +277,7 @@ public sealed interface Referent {
         }
 
         @Override
-        public Optional<Referent> type() {
+        public Optional<Referent> typeReferent() {
             return ofType(symbol.type());
         }
     }
@@ -302,7 +302,7 @@ public sealed interface Referent {
         }
 
         @Override
-        public Optional<Referent> type() {
+        public Optional<Referent> typeReferent() {
             return ofType(symbol.type());
         }
 
@@ -329,7 +329,7 @@ public sealed interface Referent {
         }
 
         @Override
-        public Optional<Referent> type() {
+        public Optional<Referent> typeReferent() {
             return symbol.type().component().map(Component::new);
         }
 
@@ -357,7 +357,7 @@ public sealed interface Referent {
         }
 
         @Override
-        public Optional<Referent> type() {
+        public Optional<Referent> typeReferent() {
             return ofType(symbol.type());
         }
     }
@@ -379,7 +379,7 @@ public sealed interface Referent {
         }
 
         @Override
-        public Optional<Referent> type() {
+        public Optional<Referent> typeReferent() {
             return ofType(symbol.type());
         }
     }
