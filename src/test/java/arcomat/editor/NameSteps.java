@@ -68,8 +68,7 @@ final class NameSteps {
 
     private String highlights(String path, Position at) {
         return EditorClient.get(
-                        asked()
-                                .documentHighlight(
+                        asked().documentHighlight(
                                         new DocumentHighlightParams(client.document(path), at)))
                 .stream()
                 .map(

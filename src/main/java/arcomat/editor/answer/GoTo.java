@@ -42,8 +42,7 @@ public final class GoTo {
 
     /** Of a component, those that refine or extend it; of a class, those that extend it. */
     public static List<Location> implementation(View view, Position position) {
-        return locations(
-                view, named(view, position).stream().flatMap(each -> heirs(view, each)));
+        return locations(view, named(view, position).stream().flatMap(each -> heirs(view, each)));
     }
 
     private static Optional<Referent> named(View view, Position position) {

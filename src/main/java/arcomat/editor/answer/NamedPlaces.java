@@ -58,8 +58,7 @@ public final class NamedPlaces {
     }
 
     private static DocumentHighlight highlight(Occurrence occurrence) {
-        return new DocumentHighlight(
-                Positions.range(occurrence.span()), kind(occurrence.role()));
+        return new DocumentHighlight(Positions.range(occurrence.span()), kind(occurrence.role()));
     }
 
     private static DocumentHighlightKind kind(Role role) {

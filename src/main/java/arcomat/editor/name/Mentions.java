@@ -29,8 +29,7 @@ public final class Mentions {
 
     /** What a cursor is in, or else what it is right behind. */
     public static Optional<Occurrence> at(View view, int offset) {
-        List<Occurrence> touched =
-                in(view).stream().filter(each -> each.touches(offset)).toList();
+        List<Occurrence> touched = in(view).stream().filter(each -> each.touches(offset)).toList();
         return touched.stream()
                 .filter(each -> offset < each.span().end())
                 .findFirst()
@@ -70,8 +69,7 @@ public final class Mentions {
 
     private static boolean isWord(String text, int start, int end) {
         boolean begins = start == 0 || !Character.isJavaIdentifierPart(text.charAt(start - 1));
-        boolean ends =
-                end == text.length() || !Character.isJavaIdentifierPart(text.charAt(end));
+        boolean ends = end == text.length() || !Character.isJavaIdentifierPart(text.charAt(end));
         return begins && ends;
     }
 }

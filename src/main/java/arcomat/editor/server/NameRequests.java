@@ -87,9 +87,7 @@ abstract class NameRequests implements TextDocumentService {
     @Override
     public CompletableFuture<List<? extends DocumentHighlight>> documentHighlight(
             DocumentHighlightParams params) {
-        return ask(
-                        params.getTextDocument(),
-                        view -> NamedPlaces.inFile(view, params.getPosition()))
+        return ask(params.getTextDocument(), view -> NamedPlaces.inFile(view, params.getPosition()))
                 .thenApply(places -> places);
     }
 }

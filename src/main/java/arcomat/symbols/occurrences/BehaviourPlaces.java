@@ -27,8 +27,7 @@ record BehaviourPlaces(Places places, ExpressionPlaces expressions) {
                 .node()
                 .name()
                 .ifPresent(name -> places.declared(name.span(), new Referent.Behaviour(name)));
-        for (var declaration :
-                automaton.node().elements(AutomatonElement.Declaration.class)) {
+        for (var declaration : automaton.node().elements(AutomatonElement.Declaration.class)) {
             places.type(declaration.type(), expressions.types());
         }
         for (PortSymbol port : automaton.declaredPorts()) {
@@ -59,10 +58,7 @@ record BehaviourPlaces(Places places, ExpressionPlaces expressions) {
 
     private void transition(AutomatonSymbol automaton, TransitionSymbol transition) {
         state(transition.node().source(), transition.source(), automaton);
-        transition
-                .node()
-                .target()
-                .ifPresent(name -> state(name, transition.target(), automaton));
+        transition.node().target().ifPresent(name -> state(name, transition.target(), automaton));
         transition.guard().ifPresent(expressions::in);
         transition.input().forEach(this::item);
         transition.output().forEach(this::item);

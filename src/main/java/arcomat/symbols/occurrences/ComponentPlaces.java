@@ -67,8 +67,7 @@ final class ComponentPlaces implements Element.Visitor {
         Component node = component.node();
         places.declared(component.nameSpan(), new Referent.Component(signature));
         for (TypeVariable variable : signature.typeParameters()) {
-            places.declared(
-                    variable.node().name().span(), new Referent.TypeParameter(variable));
+            places.declared(variable.node().name().span(), new Referent.TypeParameter(variable));
             variable.node().bounds().forEach(type -> places.type(type, component::resolveType));
         }
         node.superComponent()
@@ -158,8 +157,7 @@ final class ComponentPlaces implements Element.Visitor {
 
     /** What a port holds first may be a constant of an enumeration. */
     private void first(List<Stereotype> stereotypes, Element.Port port) {
-        Optional<Name> written =
-                Stereotype.find(stereotypes, "state").flatMap(Stereotype::value);
+        Optional<Name> written = Stereotype.find(stereotypes, "state").flatMap(Stereotype::value);
         if (written.isPresent()
                 && component.resolveType(port.type()).found().orElse(null)
                         instanceof EnumSymbol type) {

@@ -25,8 +25,7 @@ record DiagramPlaces(Places places, UnitScope scope) {
 
     private void constants(EnumSymbol type) {
         for (int i = 0; i < type.constants().size(); i++) {
-            places.declared(
-                    type.node().constants().get(i).span(), new Referent.Constant(type, i));
+            places.declared(type.node().constants().get(i).span(), new Referent.Constant(type, i));
         }
     }
 
@@ -35,8 +34,7 @@ record DiagramPlaces(Places places, UnitScope scope) {
         for (AttributeSymbol attribute : type.attributes()) {
             if (attribute.owner() == type) {
                 places.type(attribute.node().type(), scope::type);
-                places.declared(
-                        attribute.node().name().span(), new Referent.Attribute(attribute));
+                places.declared(attribute.node().name().span(), new Referent.Attribute(attribute));
             }
         }
     }

@@ -69,9 +69,7 @@ record ExpressionPlaces(
                 .ifPresent(
                         port ->
                                 places.add(
-                                        names.get(1).span(),
-                                        new Referent.Port(port),
-                                        Role.READS));
+                                        names.get(1).span(), new Referent.Port(port), Role.READS));
     }
 
     @Override
@@ -82,8 +80,7 @@ record ExpressionPlaces(
     @Override
     public ExpressionPlaces constant(TypedExpression.Constant constant) {
         places.path(
-                names(constant.node()),
-                new Referent.Constant(constant.type(), constant.ordinal()));
+                names(constant.node()), new Referent.Constant(constant.type(), constant.ordinal()));
         return this;
     }
 

@@ -44,8 +44,7 @@ final class Places {
     }
 
     /** A type as written, with its arguments. */
-    void type(
-            TypeReference reference, Function<TypeReference, Resolution<TypeSymbol>> resolution) {
+    void type(TypeReference reference, Function<TypeReference, Resolution<TypeSymbol>> resolution) {
         resolution
                 .apply(nameOnly(reference))
                 .found()

@@ -88,14 +88,11 @@ public sealed interface Referent {
 
     /** Empty for the default package. */
     static Optional<Referent> ofPackage(String qualifiedName) {
-        return qualifiedName.isEmpty()
-                ? Optional.empty()
-                : Optional.of(new Package(qualifiedName));
+        return qualifiedName.isEmpty() ? Optional.empty() : Optional.of(new Package(qualifiedName));
     }
 
     static Referent diagramOf(Unit unit, ClassDiagram diagram) {
-        return new Diagram(
-                diagram.name(), Names.join(unit.packageText(), diagram.name().text()));
+        return new Diagram(diagram.name(), Names.join(unit.packageText(), diagram.name().text()));
     }
 
     /** One of the names in a path of packages, with all in front of it. */
@@ -186,7 +183,8 @@ public sealed interface Referent {
 
         @Override
         public Optional<Referent> around() {
-            return Optional.of(Referent.diagramOf(symbol.unit(), (ClassDiagram) symbol.unit().definition()));
+            return Optional.of(
+                    Referent.diagramOf(symbol.unit(), (ClassDiagram) symbol.unit().definition()));
         }
     }
 

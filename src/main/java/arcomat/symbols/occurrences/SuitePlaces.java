@@ -35,8 +35,7 @@ record SuitePlaces(Places places, ExpressionPlaces expressions) {
         Optional<ComponentSymbol> current = suite.component().found();
         for (Name name : path.subList(0, path.size() - 1)) {
             Optional<InstanceSymbol> part = current.flatMap(whole -> whole.instance(name.text()));
-            part.ifPresent(
-                    found -> places.add(name.span(), new Referent.Part(found), Role.REFERS));
+            part.ifPresent(found -> places.add(name.span(), new Referent.Part(found), Role.REFERS));
             current = part.flatMap(InstanceSymbol::component);
         }
         Role role = stream.isDriven() ? Role.WRITES : Role.READS;

@@ -9,6 +9,7 @@ import arcomat.symbols.bodies.InstanceSymbol.Origin;
 import arcomat.symbols.occurrences.Occurrence;
 import arcomat.symbols.occurrences.Occurrences;
 import arcomat.symbols.occurrences.Referent;
+import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.tree.AutomatonElement;
 import arcomat.tree.Element;
 import arcomat.tree.Expression;
@@ -16,7 +17,6 @@ import arcomat.tree.Node;
 import arcomat.tree.Stereotype;
 import arcomat.tree.TestSuite;
 import arcomat.tree.Unit;
-import arcomat.syntax.antlr.ArcomatLexer;
 
 import org.antlr.v4.runtime.CharStreams;
 import org.antlr.v4.runtime.Token;
@@ -107,7 +107,11 @@ class OccurrencesTest {
         if (node instanceof Element.Invariant invariant) {
             invariant.kind().ifPresent(kind -> spans.add(kind.span()));
             if (invariant.condition().isEmpty()) {
-                spans.add(invariant.span().file().span(invariant.name().span().end(), invariant.span().end()));
+                spans.add(
+                        invariant
+                                .span()
+                                .file()
+                                .span(invariant.name().span().end(), invariant.span().end()));
             }
         }
         boolean isNamedNumber =
@@ -161,8 +165,7 @@ class OccurrencesTest {
             Span span = place.get();
             String key = view.models().root() + " " + span.file().path();
             Map<Span, Referent> there =
-                    declared.computeIfAbsent(
-                            key, any -> declaredIn(view, span.file().path()));
+                    declared.computeIfAbsent(key, any -> declaredIn(view, span.file().path()));
             assertThat(there.get(span)).as("%s", each).isEqualTo(each.referent());
         }
     }
@@ -179,8 +182,7 @@ class OccurrencesTest {
     /** Named after its type: nothing but the type stands there. */
     private static boolean isImplicit(Referent referent) {
         return referent instanceof Referent.Port port && port.symbol().implicit()
-                || referent instanceof Referent.Part part
-                        && part.symbol().origin() != Origin.NAMED;
+                || referent instanceof Referent.Part part && part.symbol().origin() != Origin.NAMED;
     }
 
     private static List<Occurrence> of(View view, Unit unit) {
