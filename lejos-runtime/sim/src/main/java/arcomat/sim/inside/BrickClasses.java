@@ -1,5 +1,7 @@
 package arcomat.sim.inside;
 
+import arcomat.sim.device.Hardware;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
@@ -10,6 +12,8 @@ import java.util.Map;
  * begin again.
  */
 public final class BrickClasses {
+    private static final Hardware BRICK = Hardware.of(BrickClasses.class);
+
     /** What went wrong, by class; none as long as nothing has. */
     private static @Nullable Map<String, String> failures;
 
@@ -41,6 +45,6 @@ public final class BrickClasses {
                 .formatted(
                         error.getClass().getName(),
                         message == null ? "" : ": " + message,
-                        Thread.currentThread().getName());
+                        BRICK.time().running().name());
     }
 }

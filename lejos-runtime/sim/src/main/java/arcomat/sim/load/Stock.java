@@ -19,12 +19,24 @@ final class Stock {
 
     /** For one brick: what it does not need is not looked at. */
     static Stock forOnce(Program program, boolean counted) {
-        return new Stock(new Redirected(program, counted, List.of()), false);
+        return new Stock(new Redirected(program, counted, List.of(), false), false);
     }
 
-    /** For many bricks, one after the other or at the same time. */
-    static Stock forMany(Program program, boolean counted, List<Probe> probes) {
-        ClassFiles files = new Kept(new Redirected(program, counted, probes));
+    /**
+     * For many bricks, one after the other or at the same time.
+     *
+     * @param rests whether their main threads may rest between slices
+     */
+    static Stock forMany(Program program, boolean counted, List<Probe> probes, boolean rests) {
+        if (rests && GeneratedForm.isOf(program)) {
+            try {
+                ClassFiles files = new Kept(new Redirected(program, counted, probes, true));
+                return new Stock(repeatable(program, files), true);
+            } catch (RuntimeException e) {
+                // What keeps it from this may not keep it from beginning again.
+            }
+        }
+        ClassFiles files = new Kept(new Redirected(program, counted, probes, false));
         try {
             return new Stock(repeatable(program, files), true);
         } catch (RuntimeException e) {
