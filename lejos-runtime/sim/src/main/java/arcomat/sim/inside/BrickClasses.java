@@ -12,8 +12,6 @@ import java.util.Map;
  * begin again.
  */
 public final class BrickClasses {
-    private static final Hardware BRICK = Hardware.of(BrickClasses.class);
-
     /** What went wrong, by class; none as long as nothing has. */
     private static @Nullable Map<String, String> failures;
 
@@ -45,6 +43,11 @@ public final class BrickClasses {
                 .formatted(
                         error.getClass().getName(),
                         message == null ? "" : ": " + message,
-                        BRICK.time().running().name());
+                        thread());
+    }
+
+    /** Classes ask before anything of this one has begun, so its brick is looked up. */
+    private static String thread() {
+        return Hardware.of(BrickClasses.class).time().running().name();
     }
 }

@@ -34,7 +34,8 @@ final class GeneratedForm {
         mainClass = program.mainClass().replace('.', '/');
         for (byte[] classFile : program.classes().values()) {
             ClassNode type = new ClassNode();
-            new ClassReader(classFile).accept(type, ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);
+            new ClassReader(classFile)
+                    .accept(type, ClassReader.SKIP_DEBUG | ClassReader.SKIP_FRAMES);
             types.put(type.name, type);
         }
     }
@@ -61,9 +62,7 @@ final class GeneratedForm {
         ClassNode type = types.get(mainClass);
         for (MethodNode method : type.methods) {
             if (method.name.equals(MAIN) && method.desc.equals(OF_MAIN)) {
-                return method.access == (Opcodes.ACC_PUBLIC | Opcodes.ACC_STATIC)
-                        && method.tryCatchBlocks.isEmpty()
-                        && runsRobot(instructions(method));
+                return holdsNoLock(method) && runsRobot(instructions(method));
             }
         }
         return false;

@@ -80,6 +80,14 @@ public final class LoadedProgram {
         return stock(isCounted).repeats();
     }
 
+    /**
+     * Whether on bricks with limits, or without, its main thread needs none of the PC's between its
+     * slices: the tool has made the program, or it has the same form.
+     */
+    public boolean rests(boolean isCounted) {
+        return stock(isCounted).rests();
+    }
+
     private synchronized Stock stock(boolean isCounted) {
         Stock stock = isCounted ? counted : free;
         if (stock == null) {
