@@ -61,8 +61,7 @@ final class ReentrantMethod {
      *     saved last, for whoever does
      * @throws Unrepeatable where the method holds something that cannot be saved
      */
-    static void change(
-            String owner, MethodNode method, MethodInsnNode call, boolean isOutermost) {
+    static void change(String owner, MethodNode method, MethodInsnNode call, boolean isOutermost) {
         ReentrantMethod reentrant = new ReentrantMethod(method, call, isOutermost);
         reentrant.findVariables(frame(owner, method, call));
         reentrant.write();
