@@ -59,13 +59,18 @@ final class GeneratedForm {
 
     /** {@code new Program().run(100);} and nothing else. */
     private boolean mainRunsRobot() {
-        ClassNode type = types.get(mainClass);
+        ClassNode type = type(mainClass);
         for (MethodNode method : type.methods) {
             if (method.name.equals(MAIN) && method.desc.equals(OF_MAIN)) {
                 return holdsNoLock(method) && runsRobot(instructions(method));
             }
         }
         return false;
+    }
+
+    /** One that is missing has nothing in it. */
+    private ClassNode type(String name) {
+        return types.getOrDefault(name, new ClassNode());
     }
 
     private boolean runsRobot(List<AbstractInsnNode> code) {
@@ -109,7 +114,7 @@ final class GeneratedForm {
     }
 
     private boolean isLeftInOnePlace(SliceLoop.Call entered, SliceLoop.Call left) {
-        ClassNode type = types.get(entered.owner());
+        ClassNode type = type(entered.owner());
         for (MethodNode method : type.methods) {
             if (entered.isOf(method)) {
                 return isAlone(type, method)
