@@ -1,5 +1,7 @@
 package arcomat.campaign;
 
+import arcomat.campaign.statistics.Confidence;
+import arcomat.campaign.statistics.ConfidenceInterval;
 import arcomat.campaign.statistics.Decision;
 import arcomat.campaign.statistics.Measurements;
 import arcomat.campaign.statistics.Proportion;
@@ -33,8 +35,31 @@ public record CampaignResult(
         notable = List.copyOf(notable);
     }
 
-    /** How often something happened. */
-    public record Occurrence(Column column, Proportion proportion) {}
+    /**
+     * How often something happened.
+     *
+     * @param runs in which it did
+     * @param known runs that say whether it did
+     * @param unknown runs that were given up, or do not say it
+     * @param seeds of all of these runs
+     */
+    public record Occurrence(Column column, long runs, long known, long unknown, long seeds) {
+        /** Of the known runs; not a number where there are none. */
+        public double share() {
+            return (double) runs / known;
+        }
+
+        /** Where the probability is, whatever the unknown ones would have said. */
+        public ConfidenceInterval interval(Confidence confidence) {
+            return new ConfidenceInterval(
+                    ofSo(runs).exact(confidence).low(),
+                    ofSo(runs + unknown).exact(confidence).high());
+        }
+
+        private Proportion ofSo(long events) {
+            return new Proportion(events, known + unknown, seeds);
+        }
+    }
 
     /**
      * Where numbers are: the least, the quartiles and the greatest.
@@ -72,7 +97,6 @@ public record CampaignResult(
 
     /** Whether the runs do not decide something that was asked for. */
     public boolean isOpen() {
-        return judgements.stream()
-                .anyMatch(each -> each.isDemand() && each.decision() == Decision.UNDECIDED);
+        return judgements.stream().anyMatch(Judgement::isOpen);
     }
 }

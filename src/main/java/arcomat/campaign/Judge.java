@@ -4,7 +4,6 @@ import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.CampaignResult.Spread;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.statistics.Measurements;
-import arcomat.campaign.statistics.Proportion;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -20,6 +19,7 @@ public final class Judge {
     private final Campaign campaign;
     private final Map<Ending, Long> endings = new EnumMap<>(Ending.class);
     private final long[] happened;
+    private final long[] answered;
     private final List<Bench> benches;
     private final Pairing pairing;
     private final Notable notable;
@@ -27,6 +27,7 @@ public final class Judge {
     public Judge(Campaign campaign) {
         this.campaign = campaign;
         this.happened = new long[campaign.columns().size()];
+        this.answered = new long[campaign.columns().size()];
         this.benches = campaign.demands().stream().map(each -> Bench.of(each, campaign)).toList();
         this.pairing = new Pairing(campaign);
         this.notable = new Notable(campaign);
@@ -37,6 +38,7 @@ public final class Judge {
         endings.merge(row.ending(), 1L, Long::sum);
         for (int i = 0; i < row.answers().size(); i++) {
             happened[i] += row.happened(i) ? 1 : 0;
+            answered[i] += row.answers(i) ? 1 : 0;
         }
         if (row.ending() != Ending.IMPOSSIBLE) {
             benches.forEach(each -> each.see(row));
@@ -77,14 +79,21 @@ public final class Judge {
     }
 
     private List<Occurrence> occurrences() {
-        List<Occurrence> all = new ArrayList<>();
+        List<Occurrence> occurrences = new ArrayList<>();
         for (int i = 0; i < happened.length; i++) {
             Column column = campaign.columns().get(i);
             if (column.isEvent()) {
-                all.add(new Occurrence(column, new Proportion(happened[i], count(Ending.MADE))));
+                long all = count(Ending.MADE) + count(Ending.GIVEN_UP);
+                occurrences.add(
+                        new Occurrence(
+                                column,
+                                happened[i],
+                                answered[i],
+                                all - answered[i],
+                                campaign.seeds(all)));
             }
         }
-        return all;
+        return occurrences;
     }
 
     private List<Spread> spreads(Function<String, Measurements> measured) {

@@ -9,7 +9,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Pairs of runs that differ in what is compared, and in nothing else. */
+/**
+ * Pairs of runs that differ in what is compared, and in nothing else. What nobody knows of a run
+ * with the second word counts against that word; where it is the first one's, the pair says
+ * nothing.
+ */
 public final class Pairing {
     /** So many of either kind are kept, to be looked at. */
     private static final int KEPT = 20;
@@ -22,6 +26,7 @@ public final class Pairing {
     private long pairs;
     private long betterPairs;
     private long worsePairs;
+    private final SeedPairs seeds = new SeedPairs();
 
     public Pairing(Campaign campaign) {
         this.comparison = campaign.comparison();
@@ -35,7 +40,9 @@ public final class Pairing {
         }
         if (row.trial().number() % 2 == 0) {
             first = row;
-        } else if (first != null && first.wasMade() && row.wasMade()) {
+        } else if (first != null
+                && first.answers(column)
+                && row.ending() != Row.Ending.IMPOSSIBLE) {
             pairs++;
             boolean before = isGood(first);
             boolean after = isGood(row);
@@ -43,9 +50,11 @@ public final class Pairing {
             if (after && !before) {
                 betterPairs++;
                 keep(pair, better);
+                seeds.add(row.trial().seed(), 1);
             } else if (before && !after) {
                 worsePairs++;
                 keep(pair, worse);
+                seeds.add(row.trial().seed(), -1);
             }
         }
     }
@@ -65,7 +74,14 @@ public final class Pairing {
     /** What should happen is the goal; everything else should not. */
     private boolean isGood(Row row) {
         boolean wanted = comparison.orElseThrow().event().equals(Quantity.GOAL.word());
-        return row.happened(column) == wanted;
+        return row.answers(column) && row.happened(column) == wanted;
+    }
+
+    private String onSeeds(McNemar test) {
+        return test.better() + test.worse() < betterPairs + worsePairs
+                ? "; on the whole %,d seeds got better and %,d worse"
+                        .formatted(test.better(), test.worse())
+                : "";
     }
 
     Optional<Judgement> judge() {
@@ -73,7 +89,7 @@ public final class Pairing {
     }
 
     private Judgement judge(Campaign.Comparison asked) {
-        McNemar test = new McNemar(betterPairs, worsePairs);
+        McNemar test = seeds.test();
         double error = 1 - asked.confidence();
         Decision decision = Decision.UNDECIDED;
         String word = "no difference is shown";
@@ -85,14 +101,14 @@ public final class Pairing {
             word = "the new one is better";
         }
         String because =
-                "%s: of %,d pairs %,d got better and %,d worse"
-                        .formatted(word, pairs, betterPairs, worsePairs);
+                "%s: of %,d pairs %,d got better and %,d worse%s"
+                        .formatted(word, pairs, betterPairs, worsePairs, onSeeds(test));
         String subject =
                 "%s by %s at %s"
                         .formatted(
                                 asked.parameter(),
                                 asked.event(),
                                 Figure.percent(asked.confidence()));
-        return new Judgement(subject, false, decision, because);
+        return new Judgement(subject, false, decision, because, asked.place());
     }
 }

@@ -66,4 +66,9 @@ public record Row(Trial trial, Ending ending, String remark, List<Double> answer
     public boolean happened(int column) {
         return answers.get(column) == 1;
     }
+
+    /** Whether it says something about a column: else nobody knows. */
+    public boolean answers(int column) {
+        return wasMade() && !Double.isNaN(answers.get(column));
+    }
 }

@@ -7,7 +7,6 @@ import arcomat.campaign.CampaignResult.Spread;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
 import arcomat.campaign.Variation;
-import arcomat.campaign.WorstRun;
 import arcomat.campaign.overview.Histogram;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Confidence;
@@ -79,26 +78,31 @@ record CampaignAnswer(
         }
     }
 
-    /** How often something happened. */
+    /**
+     * How often something happened.
+     *
+     * @param runs in which it did
+     * @param known runs that say whether it did
+     * @param low of the interval, whatever the others would have said
+     */
     record Event(
             String name,
             String meaning,
             long runs,
+            long known,
             Optional<Double> share,
             double low,
             double high,
             List<Bound> bounds) {
         static Event of(Occurrence occurrence, Campaign campaign) {
             String name = occurrence.column().name();
-            ConfidenceInterval interval =
-                    occurrence.proportion().trials() == 0
-                            ? new ConfidenceInterval(0, 1)
-                            : occurrence.proportion().exact(Confidence.USUAL);
+            ConfidenceInterval interval = occurrence.interval(Confidence.USUAL);
             return new Event(
                     name,
                     occurrence.column().meaning(),
-                    occurrence.proportion().events(),
-                    finite(occurrence.proportion().estimate()),
+                    occurrence.runs(),
+                    occurrence.known(),
+                    finite(occurrence.share()),
                     interval.low(),
                     interval.high(),
                     Bound.of(name, campaign));
@@ -178,23 +182,6 @@ record CampaignAnswer(
                     answers.events(),
                     answers.measures(),
                     replay.command(row));
-        }
-    }
-
-    /**
-     * What a search for the worst case has found.
-     *
-     * @param which smallest or largest
-     * @param runs how many the search made
-     */
-    record Worst(String which, String measure, double value, int runs, Run run) {
-        static Worst of(WorstRun worst, CampaignReport report) {
-            return new Worst(
-                    worst.which(),
-                    worst.search().measure(),
-                    worst.value(),
-                    worst.runs(),
-                    Run.of(worst.row(), report.campaign(), report.replay()));
         }
     }
 

@@ -1,0 +1,125 @@
+package arcomat.cli.command.proof;
+
+import arcomat.analysis.refinement.Answered;
+import arcomat.cli.command.ComparisonCommand;
+import arcomat.cli.option.PageOption;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.Task;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.ProveRefinement;
+import arcomat.pipeline.analysis.Prover;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.text.Style;
+import arcomat.report.verdict.VerdictJson;
+import arcomat.report.verdict.VerdictPage;
+import arcomat.report.verdict.VerdictText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+
+import java.util.Optional;
+
+/** {@code arcomat refines}: whether one component keeps the promises of another. */
+@CommandLine.Command(
+        name = "refines",
+        description = "Proves that one component keeps what another promises, or how not.",
+        footer = {
+            "  arcomat refines coffee.fig5.AvoidCrash coffee.fig3.AvoidCrash models/coffee",
+            "  arcomat refines --completion ignore,ignore p.New p.Old models",
+            "  arcomat refines p.Robot 'p.Robot#waits' models    one automaton of several",
+            "  arcomat refines --diagram failure.svg p.New p.Old models    draws a counterexample",
+            "  arcomat refines --engine mona p.New p.Old models    a second opinion",
+            "  arcomat refines --report build/refines p.New p.Old models    to look at",
+            "",
+            "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
+        })
+public final class RefinesCommand extends ComparisonCommand<Answered> {
+    enum Engine {
+        arcomat,
+        mona
+    }
+
+    @Option(
+            names = "--engine",
+            paramLabel = "ENGINE",
+            defaultValue = "arcomat",
+            description = "Who decides: ${COMPLETION-CANDIDATES}; default arcomat.")
+    private Engine engine;
+
+    @Option(
+            names = "--mona",
+            paramLabel = "PROGRAM",
+            description = "The program for '--engine mona'; default: mona, where programs are.")
+    private String mona;
+
+    @Option(
+            names = "--certificate",
+            paramLabel = "FILE",
+            description = "Where it holds, write down why, pair by pair.")
+    private String certificate;
+
+    @Option(
+            names = "--verify-certificate",
+            paramLabel = "FILE",
+            description = "Search nothing: verify such a file.")
+    private String doubted;
+
+    @Option(
+            names = "--diagram",
+            paramLabel = "FILE",
+            description = "Where it fails, draw how: an .svg or .png file.")
+    private String diagram;
+
+    @Mixin private PageOption report = new PageOption();
+
+    @Override
+    protected Task<CheckedAnswer<Answered>> task(Session session) throws WrongUse {
+        if (certificate != null && doubted != null) {
+            throw new WrongUse(
+                    "--verify-certificate searches nothing, so there is nothing to write for"
+                            + " --certificate; leave one of them out");
+        }
+        report.prepare(session);
+        Prover prover = prover();
+        return new ProveRefinement(
+                sides(), prover, Optional.ofNullable(diagram), paths(), limits());
+    }
+
+    private Prover prover() throws WrongUse {
+        if (mona != null && engine != Engine.mona) {
+            throw new WrongUse("--mona names a program, and only '--engine mona' asks it");
+        }
+        if (engine == Engine.mona) {
+            if (certificate != null || doubted != null) {
+                throw new WrongUse("MONA knows no certificates; leave '--engine mona' out");
+            }
+            return new Prover.Mona(mona == null ? "mona" : mona);
+        }
+        if (doubted != null) {
+            return new Prover.Verifier(doubted);
+        }
+        return certificate == null ? new Prover.Engine() : new Prover.CertifyingEngine(certificate);
+    }
+
+    @Override
+    protected void report(Answered answered, Session session) throws WrongUse {
+        report.write(() -> VerdictPage.of("refines", answered), session);
+    }
+
+    @Override
+    protected String json(Answered answered) {
+        return VerdictJson.render(answered.verdict());
+    }
+
+    @Override
+    protected String text(Answered answered, Style style) {
+        boolean drawn = diagram != null && !answered.verdict().trace().isEmpty();
+        return VerdictText.render(answered, style) + (drawn ? "drawn in " + diagram + "\n" : "");
+    }
+
+    @Override
+    protected int status(Answered answered) {
+        return status(answered.verdict().answer());
+    }
+}

@@ -1,0 +1,110 @@
+package arcomat.cli.command.proof;
+
+import arcomat.analysis.refinement.Answered;
+import arcomat.analysis.refinement.Verdict;
+import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.cli.command.LimitedCommand;
+import arcomat.cli.option.CheckRendering;
+import arcomat.cli.option.PageReportOptions;
+import arcomat.cli.option.ReportFormat;
+import arcomat.cli.option.ReportFormat.Rendering;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.cli.terminal.MachineFormats;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.analysis.VerifyPromises;
+import arcomat.pipeline.check.Aside;
+import arcomat.pipeline.check.CheckedAnswer;
+import arcomat.report.finding.JunitXml;
+import arcomat.report.finding.Reported;
+import arcomat.report.text.Style;
+import arcomat.report.verdict.ObligationsText;
+import arcomat.report.verdict.VerdictCases;
+import arcomat.report.verdict.VerdictFindings;
+import arcomat.report.verdict.VerdictJson;
+import arcomat.report.verdict.VerdictPage;
+import arcomat.report.verdict.VerdictText;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Parameters;
+
+import java.util.List;
+
+/** {@code arcomat verify}: whether models keep all promises that they say they keep. */
+@CommandLine.Command(
+        name = "verify",
+        description = "Proves all that models say they keep: refines, requirements, invariants.",
+        footer = {
+            "  arcomat verify models/coffee",
+            "  arcomat verify --timeout 60 --format json models > verdicts.json",
+            "  arcomat verify --report junit=build/verify.xml --report sarif=build/verify.sarif"
+                    + " models",
+            "",
+            "Exit status: 0 all hold; 1 one fails; 3 one is unknown; 2 wrong use or models with"
+                    + " errors."
+        })
+public final class VerifyCommand extends LimitedCommand {
+    @Mixin private PageReportOptions reports = new PageReportOptions();
+
+    @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
+    private List<String> paths;
+
+    @Override
+    protected int run(Session session) throws WrongUse {
+        reports.prepare(session);
+        CheckedAnswer<List<Answered>> reply = session.run(new VerifyPromises(paths, limits()));
+        tellAside(reply.check());
+        if (reply.value().isEmpty()) {
+            Rendering findings = CheckRendering.refused("verify", reply.check(), console());
+            reports.write(findings, session, console());
+            return ExitStatus.WRONG_USE;
+        }
+        List<Answered> answers = reply.value().get();
+        reports.writePage(
+                () -> VerdictPage.of("verify", String.join(", ", paths), answers), session);
+        Aside aside = reply.check().aside();
+        reports.write((format, style) -> text(answers, aside, format, style), session, console());
+        return aside.isEmpty() ? status(worst(answers)) : ExitStatus.WRONG_USE;
+    }
+
+    /** Fails if one does, is unknown if one is, else holds. */
+    private static Answer worst(List<Answered> answers) {
+        return answers.stream()
+                .map(each -> each.verdict().answer())
+                .reduce(Answer.HOLDS, Answer::and);
+    }
+
+    private String text(List<Answered> answers, Aside aside, ReportFormat format, Style style) {
+        List<Reported> findings = CheckRendering.withAside(VerdictFindings.of(answers), aside);
+        return switch (format) {
+            case text -> text(answers, style) + summary(answers, style);
+            case json -> VerdictJson.render(answers);
+            case sarif -> MachineFormats.of(console()).sarif(findings, false);
+            case github -> MachineFormats.of(console()).github(findings, summary(answers, style));
+            case junit ->
+                    JunitXml.render(
+                            "arcomat verify",
+                            CheckRendering.withCasesAside(VerdictCases.of(answers), aside));
+        };
+    }
+
+    /** A line for each, then the failures at length. */
+    private static String text(List<Answered> answers, Style style) {
+        StringBuilder out = new StringBuilder();
+        for (Answered each : answers) {
+            out.append(ObligationsText.line(each, style));
+        }
+        for (Answered each : answers) {
+            if (each.verdict().answer() == Answer.FAILS) {
+                out.append('\n').append(VerdictText.render(each, style));
+            }
+        }
+        return out.toString();
+    }
+
+    private static String summary(List<Answered> answers, Style style) {
+        List<Verdict> verdicts = answers.stream().map(Answered::verdict).toList();
+        return ObligationsText.summary(verdicts, style) + "\n";
+    }
+}

@@ -1,0 +1,130 @@
+package arcomat.cli.command.run;
+
+import arcomat.cli.command.Command;
+import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.SeedOptions;
+import arcomat.cli.option.SetOption;
+import arcomat.cli.terminal.ExitStatus;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.file.ReportPage;
+import arcomat.pipeline.world.PrepareWorld;
+import arcomat.pipeline.world.PreparedWorld;
+import arcomat.pipeline.world.WriteReplay;
+import arcomat.report.finding.FindingsText;
+import arcomat.report.world.WorldText;
+import arcomat.sim.time.OutOfPatience;
+import arcomat.world.Recording;
+import arcomat.world.Seeds;
+
+import picocli.CommandLine;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code arcomat world}: robots on a floor. */
+@CommandLine.Command(
+        name = "world",
+        description =
+                "Runs the robots of a world: their programs on simulated bricks, on one floor.",
+        footer = {
+            "  arcomat world models/coffee/world/meeting.world",
+            "  arcomat world models/coffee/world/service.world --seed 7 --report build/service",
+            "  arcomat world models/coffee/world/meeting.world --runs 100",
+            "  arcomat world yard.world --set speed=200 --set light=2.5",
+            "",
+            "Exit status: 0 all went well; 1 robots collided, a program failed, the world's goal"
+                    + " was not reached, or there are errors in the world or its models; 3 a run"
+                    + " was given up; 2 wrong use."
+        })
+public final class WorldCommand extends Command {
+    @Parameters(
+            paramLabel = "FILE.world",
+            description = "The world; docs/world.md tells how to write one.")
+    private String world;
+
+    @Mixin private SeedOptions seeds = new SeedOptions();
+
+    @Option(
+            names = "--report",
+            paramLabel = "DIR",
+            description =
+                    "Write a page that plays the run again, DIR/index.html, and the recording.")
+    private String report;
+
+    @Option(
+            names = "--runs",
+            paramLabel = "N",
+            defaultValue = "1",
+            description = "Run with N seeds, this one and the next; tell only how each ended.")
+    private int runs;
+
+    @Option(
+            names = "--run-devices",
+            description =
+                    "Compile and run the Java files that the world names as devices. They run with"
+                            + " your rights: look at them first.")
+    private boolean runDevices;
+
+    @Mixin private SetOption set = new SetOption();
+
+    @Mixin private BrickRunOptions bricks = new BrickRunOptions();
+
+    @Override
+    protected int run(Session session) throws WrongUse {
+        if (runs < 1) {
+            throw new WrongUse("--runs " + runs + " is less than 1");
+        }
+        if (runs > 1 && report != null) {
+            throw new WrongUse("--report shows one run; choose it with --seed, without --runs");
+        }
+        if (runs > 1 && !seeds.isSingle()) {
+            throw new WrongUse("--then is about one run; choose it with --seed, without --runs");
+        }
+        Seeds drawn = seeds.seeds();
+        if (report != null) {
+            new ReportPage(report, session.names()).requireWritable();
+        }
+        PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices, set.values()));
+        tellAside(prepared.aside());
+        print(FindingsText.render(prepared.findings(), console().style()));
+        if (!prepared.canRun()) {
+            printLine(
+                    FindingsText.summary(prepared.findings(), prepared.files(), console().style()));
+            return ExitStatus.FINDINGS;
+        }
+        try {
+            return runs == 1 ? runOnce(prepared, drawn, session) : runOften(prepared);
+        } catch (OutOfPatience e) {
+            return BrickRunOptions.gaveUp(e, console());
+        }
+    }
+
+    private int runOnce(PreparedWorld prepared, Seeds drawn, Session session) throws WrongUse {
+        Recording recording = prepared.run(drawn, bricks.patience(), bricks.limits());
+        print(WorldText.events(recording, console().style()));
+        printLine("");
+        printLine(WorldText.summary(recording));
+        if (report != null) {
+            String title = world + ", " + seeds.shown() + set.shown();
+            printLine("wrote " + session.run(new WriteReplay(recording, title, report)));
+        }
+        return status(recording.succeeded());
+    }
+
+    private int runOften(PreparedWorld prepared) throws WrongUse {
+        int good = 0;
+        long first = seeds.first();
+        for (long each = first; each < first + runs; each++) {
+            Recording recording = prepared.run(Seeds.of(each), bricks.patience(), bricks.limits());
+            good += recording.succeeded() ? 1 : 0;
+            printLine("seed " + each + ": " + WorldText.summary(recording));
+        }
+        printLine(good + " of " + runs + " runs succeeded");
+        return status(good == runs);
+    }
+
+    private static int status(boolean succeeded) {
+        return succeeded ? ExitStatus.FINE : ExitStatus.FINDINGS;
+    }
+}
