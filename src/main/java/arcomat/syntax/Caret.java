@@ -51,16 +51,16 @@ public record Caret(List<List<String>> around, List<String> statement, Span writ
      * language is written.
      */
     public static Optional<Caret> at(SourceFile file, int offset) {
-        ArcomatLexer lexer =
-                new ArcomatLexer(new Characters(file.path(), file.text().substring(0, offset)));
-        lexer.removeErrorListeners();
         List<Token> tokens = new ArrayList<>();
-        for (Token token : lexer.getAllTokens()) {
+        SourceFile before = new SourceFile(file.path(), file.text().substring(0, offset));
+        for (Token token : Reading.tokens(before).getTokens()) {
             boolean foreign = isForeign(token);
             if (foreign && token.getStopIndex() + 1 == offset) {
                 return Optional.empty();
             }
-            if (token.getChannel() == Token.DEFAULT_CHANNEL && !foreign) {
+            if (token.getType() != Token.EOF
+                    && token.getChannel() == Token.DEFAULT_CHANNEL
+                    && !foreign) {
                 tokens.add(token);
             }
         }

@@ -44,16 +44,17 @@ public record Continuations(Set<String> words, Set<List<String>> names) {
         return new Continuations(words, new LinkedHashSet<>(names));
     }
 
-    private static List<? extends Token> tokens(Caret caret, SourceFile file) {
+    private static List<Token> tokens(Caret caret, SourceFile file) {
         List<String> words = new ArrayList<>();
         for (List<String> body : caret.around()) {
             words.addAll(body);
             words.add("{");
         }
         words.addAll(caret.statement());
-        ArcomatLexer lexer = new ArcomatLexer(new Characters(file.path(), String.join(" ", words)));
-        lexer.removeErrorListeners();
-        return lexer.getAllTokens();
+        SourceFile text = new SourceFile(file.path(), String.join(" ", words));
+        return Reading.tokens(text).getTokens().stream()
+                .filter(token -> token.getType() != Token.EOF)
+                .toList();
     }
 
     private static void addWord(int type, Set<String> words) {

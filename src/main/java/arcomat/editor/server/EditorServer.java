@@ -104,6 +104,7 @@ public final class EditorServer implements LanguageServer {
         can.setCompletionProvider(new CompletionOptions(false, List.of(".", " ")));
         can.setDocumentFormattingProvider(true);
         can.setDocumentRangeFormattingProvider(true);
+        NameRequests.announce(can);
         WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
         folders.setSupported(true);
         folders.setChangeNotifications(true);

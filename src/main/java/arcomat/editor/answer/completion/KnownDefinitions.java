@@ -78,8 +78,8 @@ record KnownDefinitions(WritingPlace place) {
     }
 
     private QualifiedName written(String name) {
-        Span place = place.caret().typed();
-        return new QualifiedName(place, List.of(new Name(place, name)));
+        Span typed = place.caret().typed();
+        return new QualifiedName(typed, List.of(new Name(typed, name)));
     }
 
     private Proposal named(
