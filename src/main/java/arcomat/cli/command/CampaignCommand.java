@@ -25,6 +25,7 @@ import arcomat.pipeline.file.ReportPage;
 import arcomat.report.campaign.CampaignJson;
 import arcomat.report.campaign.CampaignReport;
 import arcomat.report.campaign.CampaignText;
+import arcomat.report.campaign.CoverageText;
 import arcomat.report.campaign.RareText;
 import arcomat.report.finding.FindingsText;
 
@@ -179,6 +180,7 @@ final class CampaignCommand extends Command {
         }
         printLine(head.append("\n").toString());
         print(new CampaignText(made.result(), ready.replay(), console().style()).render());
+        print(new CoverageText(made.coverage()).render());
         printLine("table " + made.table() + (results.isEmpty() ? "" : ", in " + results));
     }
 

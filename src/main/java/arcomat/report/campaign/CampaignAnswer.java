@@ -42,6 +42,7 @@ record CampaignAnswer(
         List<Event> events,
         List<Measure> measures,
         List<Run> notable,
+        CoverageAnswer coverage,
         Optional<Compared> compared,
         Optional<Worst> worst,
         Optional<Rare> rare) {
@@ -224,6 +225,7 @@ record CampaignAnswer(
                 result.notable().stream()
                         .map(each -> Run.of(each, campaign, report.replay()))
                         .toList(),
+                CoverageAnswer.of(report.coverage()),
                 Compared.of(report),
                 report.worst().map(each -> Worst.of(each, report)),
                 report.rare().map(each -> Rare.of(each, report)));

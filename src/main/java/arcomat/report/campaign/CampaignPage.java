@@ -22,6 +22,7 @@ public final class CampaignPage {
                     "campaign/histograms.js",
                     "campaign/heat.js",
                     "campaign/runs.js",
+                    "campaign/coverage.js",
                     "campaign/campaign.js");
 
     private CampaignPage() {}

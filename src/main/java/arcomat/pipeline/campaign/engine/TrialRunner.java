@@ -6,6 +6,7 @@ import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Watched;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.device.Limits;
@@ -50,7 +51,12 @@ public final class TrialRunner implements Function<Trial, Row> {
         this.text = new SourceFile("world", freight.world());
         List<Probe> probes = Sightings.probes(freight.monitors());
         freight.programs()
-                .forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each, probes)));
+                .forEach(
+                        (key, each) ->
+                                programs.put(
+                                        key,
+                                        LoadedProgram.forMany(
+                                                each, probes, freight.coverage().of(key))));
         Campaign campaign = campaign(freight);
         this.measuring = Measuring.of(campaign, text);
         this.watches = campaign.watches();
@@ -87,7 +93,8 @@ public final class TrialRunner implements Function<Trial, Row> {
         }
         Measuring.Run measured = stage.measuring().start();
         LevelTimes levels = new LevelTimes(split, stage.bare(), measured);
-        Sightings sightings = new Sightings(freight.monitors(), levels);
+        ItemNotes notes = new ItemNotes(freight.coverage(), stage.bare(), levels);
+        Sightings sightings = new Sightings(freight.monitors(), notes);
         try {
             Summary summary =
                     stage.world()
@@ -99,15 +106,22 @@ public final class TrialRunner implements Function<Trial, Row> {
             if (sightings.doubt().isPresent()) {
                 return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
             }
-            List<Double> answers = new ArrayList<>(Answers.of(summary));
+            ReachedItems reached = notes.reached();
+            List<Double> answers = new ArrayList<>(Answers.of(summary, transitions(reached)));
             answers.addAll(measured.answers());
             answers.addAll(sightings.answers(watches));
             answers.addAll(levels.answers());
-            return Row.made(trial, answers);
+            return Row.made(trial, answers, reached);
         } catch (OutOfPatience e) {
             String why = "after " + freight.patienceSeconds() + " s of the PC's time";
             return Row.withoutAnswers(trial, Ending.GIVEN_UP, why);
         }
+    }
+
+    private double transitions(ReachedItems reached) {
+        return reached.isKnown()
+                ? reached.countBelow(freight.coverage().transitions())
+                : Double.NaN;
     }
 
     private Stage stage(Map<String, String> values) {

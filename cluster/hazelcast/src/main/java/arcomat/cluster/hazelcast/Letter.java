@@ -2,6 +2,7 @@ package arcomat.cluster.hazelcast;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
+import arcomat.campaign.coverage.ReachedItems;
 
 import java.util.List;
 import java.util.UUID;
@@ -69,13 +70,19 @@ sealed interface Letter {
     }
 
     /** A row without its trial, which the campaign knows. */
-    record Answer(long number, Row.Ending ending, String remark, List<Double> answers) {
+    record Answer(
+            long number,
+            Row.Ending ending,
+            String remark,
+            List<Double> answers,
+            ReachedItems reached) {
         static Answer of(Row row) {
-            return new Answer(row.trial().number(), row.ending(), row.remark(), row.answers());
+            return new Answer(
+                    row.trial().number(), row.ending(), row.remark(), row.answers(), row.reached());
         }
 
         Row row(Trial trial) {
-            return new Row(trial, ending, remark, answers);
+            return new Row(trial, ending, remark, answers, reached);
         }
     }
 }

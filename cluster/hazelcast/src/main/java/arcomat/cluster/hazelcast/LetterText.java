@@ -2,6 +2,7 @@ package arcomat.cluster.hazelcast;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.cluster.hazelcast.Letter.Answer;
 import arcomat.cluster.hazelcast.Letter.Answers;
 import arcomat.cluster.hazelcast.Letter.Breakdown;
@@ -15,6 +16,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -97,6 +99,9 @@ final class LetterText {
             for (double answer : each.answers()) {
                 out.writeDouble(answer);
             }
+            byte[] reached = each.reached().text().getBytes(StandardCharsets.US_ASCII);
+            out.writeInt(reached.length);
+            out.write(reached);
         }
     }
 
@@ -131,7 +136,13 @@ final class LetterText {
         int size = in.readInt();
         List<Answer> rows = new ArrayList<>();
         for (int i = 0; i < size; i++) {
-            rows.add(new Answer(in.readLong(), ending(in.readByte()), in.readUTF(), numbers(in)));
+            rows.add(
+                    new Answer(
+                            in.readLong(),
+                            ending(in.readByte()),
+                            in.readUTF(),
+                            numbers(in),
+                            reached(in)));
         }
         return rows;
     }
@@ -151,6 +162,16 @@ final class LetterText {
             numbers.add(in.readDouble());
         }
         return numbers;
+    }
+
+    /** As long as models are large: the form of Java's texts has no room for all of them. */
+    private static ReachedItems reached(DataInputStream in) throws IOException {
+        byte[] text = in.readNBytes(Math.max(0, in.readInt()));
+        try {
+            return new ReachedItems(new String(text, StandardCharsets.US_ASCII));
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e);
+        }
     }
 
     static byte[] of(List<Trial> trials) {

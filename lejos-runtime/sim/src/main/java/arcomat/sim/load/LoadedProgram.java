@@ -16,28 +16,39 @@ public final class LoadedProgram {
     private final Program program;
     private final boolean once;
     private final List<Probe> probes;
+    private final List<LineProbe> lines;
+    private final int numbers;
     private @Nullable Stock counted;
     private @Nullable Stock free;
 
-    private LoadedProgram(Program program, boolean once, List<Probe> probes) {
+    private LoadedProgram(
+            Program program, boolean once, List<Probe> probes, List<LineProbe> lines) {
         this.program = program;
         this.once = once;
         this.probes = List.copyOf(probes);
+        this.lines = List.copyOf(lines);
+        this.numbers = lines.stream().mapToInt(each -> each.number() + 1).max().orElse(0);
     }
 
     /** For one brick. */
     public static LoadedProgram forOnce(Program program) {
-        return new LoadedProgram(program, true, List.of());
+        return new LoadedProgram(program, true, List.of(), List.of());
     }
 
     /** For many bricks, one after the other or at the same time. */
     public static LoadedProgram forMany(Program program) {
-        return forMany(program, List.of());
+        return forMany(program, List.of(), List.of());
     }
 
-    /** The same, with probes in it: observers of its bricks are told when it comes to them. */
-    public static LoadedProgram forMany(Program program, List<Probe> probes) {
-        return new LoadedProgram(program, false, probes);
+    /**
+     * The same, with probes in it.
+     *
+     * @param probes observers of its bricks are told when it comes to them
+     * @param lines its bricks note which of them it has come to
+     */
+    public static LoadedProgram forMany(
+            Program program, List<Probe> probes, List<LineProbe> lines) {
+        return new LoadedProgram(program, false, probes, lines);
     }
 
     public Program program() {
@@ -68,7 +79,7 @@ public final class LoadedProgram {
             stock =
                     once
                             ? Stock.forOnce(program, isCounted)
-                            : Stock.forMany(program, isCounted, probes);
+                            : Stock.forMany(program, isCounted, probes, lines);
             if (isCounted) {
                 counted = stock;
             } else {
@@ -76,6 +87,11 @@ public final class LoadedProgram {
             }
         }
         return stock;
+    }
+
+    /** How many numbers there are under which bricks note lines. */
+    public int numbers() {
+        return numbers;
     }
 
     /** Whether a method is none of the program's: it was added to let a class begin again. */

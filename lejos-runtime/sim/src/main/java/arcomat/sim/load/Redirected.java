@@ -11,13 +11,15 @@ final class Redirected implements ClassFiles {
     private final Program program;
     private final Rewriter rewriter;
     private final List<Probe> probes;
+    private final List<LineProbe> lines;
 
     /**
      * @param counted whether the program has the brick's memory, its calls and its speed
      * @param probes that are put into the program
+     * @param lines that are noted
      * @throws IllegalArgumentException if the program brings classes of leJOS or of the simulation
      */
-    Redirected(Program program, boolean counted, List<Probe> probes) {
+    Redirected(Program program, boolean counted, List<Probe> probes, List<LineProbe> lines) {
         for (String name : program.classes().keySet()) {
             if (BrickLoader.isShared(name) || BrickLoader.isInside(name)) {
                 throw new IllegalArgumentException(name + " lies in a package of the simulation");
@@ -25,6 +27,7 @@ final class Redirected implements ClassFiles {
         }
         this.program = program;
         this.probes = probes;
+        this.lines = lines;
         this.rewriter = Rewriter.of(program.classes(), counted);
     }
 
@@ -34,7 +37,8 @@ final class Redirected implements ClassFiles {
                 ? simulated(name)
                 : Optional.ofNullable(program.classes().get(name))
                         .map(rewriter::rewrite)
-                        .map(file -> Probing.of(name, file, probes));
+                        .map(file -> Probing.of(name, file, probes))
+                        .map(file -> LineProbing.of(name, file, lines));
     }
 
     private static Optional<byte[]> simulated(String name) {

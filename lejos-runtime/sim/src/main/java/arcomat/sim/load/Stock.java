@@ -19,12 +19,13 @@ final class Stock {
 
     /** For one brick: what it does not need is not looked at. */
     static Stock forOnce(Program program, boolean counted) {
-        return new Stock(new Redirected(program, counted, List.of()), false);
+        return new Stock(new Redirected(program, counted, List.of(), List.of()), false);
     }
 
     /** For many bricks, one after the other or at the same time. */
-    static Stock forMany(Program program, boolean counted, List<Probe> probes) {
-        ClassFiles files = new Kept(new Redirected(program, counted, probes));
+    static Stock forMany(
+            Program program, boolean counted, List<Probe> probes, List<LineProbe> lines) {
+        ClassFiles files = new Kept(new Redirected(program, counted, probes, lines));
         try {
             return new Stock(repeatable(program, files), true);
         } catch (RuntimeException e) {
