@@ -14,6 +14,7 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.TreeMap;
 import java.util.stream.IntStream;
 
@@ -38,7 +39,10 @@ record CoveragePlan(CoverageItems items, ItemProbes probes) {
         programs.forEach(
                 (program, all) -> {
                     List<LineProbe> own = new ArrayList<>();
-                    all.forEach(each -> own.addAll(probes(each, places.get(items(each)), items)));
+                    for (AutomatonLines each : all) {
+                        int place = Objects.requireNonNull(places.get(items(each)));
+                        own.addAll(probes(each, place, items));
+                    }
                     probes.put(program, own);
                 });
         return new CoveragePlan(items, new ItemProbes(items.transitions(), probes));
