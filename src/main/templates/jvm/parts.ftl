@@ -112,6 +112,9 @@ import ${type.packageName}.${type.name};
 </#if>
 <#else>
         for (int ${step.index} = ${step.first}; ${step.index} < ${step.end}; ${step.index}++) {
+<#list step.locals as local>
+            ${local.type} ${local.name} = ${local.place};
+</#list>
 <#list step.copies as copy>
             ${copy.target} = ${copy.value};
 </#list>

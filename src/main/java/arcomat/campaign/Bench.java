@@ -17,7 +17,8 @@ import java.util.function.Function;
 abstract class Bench {
     static Bench of(Demand demand, Campaign campaign) {
         return demand.match(
-                probability -> new OfEvent(probability, campaign), share -> new OfShare(share));
+                probability -> new OfEvent(probability, campaign),
+                share -> new OfShare(share, campaign.column(share.measure())));
     }
 
     /** A row that was made or given up. */
@@ -27,10 +28,18 @@ abstract class Bench {
 
     abstract Judgement judge(Function<String, Measurements> measured);
 
+    /** Nobody knows what they would have said: they count against whatever is wanted. */
+    private static String withoutAnswer(long runs, String what) {
+        return runs == 0
+                ? ""
+                : "; %,d without %s %s against it"
+                        .formatted(runs, what, runs == 1 ? "counts" : "count");
+    }
+
     /**
      * A demand on a probability; one that is to be above a bound is a demand that the contrary is
-     * below the rest. A run that was given up counts against the demand: nobody knows how it would
-     * have ended.
+     * below the rest. A run that was given up, or does not say whether it happened, counts against
+     * the demand: nobody knows.
      */
     private static final class OfEvent extends Bench {
         private final Demand.Probability demand;
@@ -41,6 +50,7 @@ abstract class Bench {
         private final SequentialTest test;
         private final SequentialCourse course;
         private long bad;
+        private long unknown;
         private long seen;
 
         OfEvent(Demand.Probability demand, Campaign campaign) {
@@ -59,8 +69,10 @@ abstract class Bench {
 
         @Override
         void see(Row row) {
-            boolean against = !row.wasMade() || row.happened(column) == isBelow();
+            boolean known = row.answers(column);
+            boolean against = !known || row.happened(column) == isBelow();
             seen++;
+            unknown += known ? 0 : 1;
             bad += against ? 1 : 0;
             course.see(against);
         }
@@ -91,7 +103,8 @@ abstract class Bench {
                     sequential || seen == 0
                             ? Decision.UNDECIDED
                             : new FixedTest(bound, confidence).decide(proportion);
-            return new Judgement(subject, true, decision, figures(proportion) + needed());
+            String because = figures(proportion) + withoutAnswer(unknown, "an answer") + needed();
+            return new Judgement(subject, true, decision, because);
         }
 
         /** What a plan that is too small would have to be. */
@@ -115,18 +128,23 @@ abstract class Bench {
         }
     }
 
-    /** A demand on where most runs are. */
+    /**
+     * A demand on where most runs are. A run without a number is on the side that is not wanted,
+     * beyond any bound: left out, it would make a share of all runs one of those that please.
+     */
     private static final class OfShare extends Bench {
         private final Demand.Share demand;
+        private final int column;
         private long unknown;
 
-        OfShare(Demand.Share demand) {
+        OfShare(Demand.Share demand, int column) {
             this.demand = demand;
+            this.column = column;
         }
 
         @Override
         void see(Row row) {
-            unknown += row.wasMade() ? 0 : 1;
+            unknown += row.answers(column) ? 0 : 1;
         }
 
         @Override
@@ -144,20 +162,25 @@ abstract class Bench {
                                     demand.side().word(),
                                     Figure.text(demand.bound()),
                                     Figure.percent(demand.confidence()));
-            Measurements numbers = measured.apply(demand.measure());
+            Measurements numbers = measured.apply(demand.measure()).with(unwanted(), unknown);
             if (numbers.size() == 0) {
                 return new Judgement(subject, true, Decision.UNDECIDED, "no run was made");
-            }
-            if (unknown > 0) {
-                String because = "%,d runs were given up".formatted(unknown);
-                return new Judgement(subject, true, Decision.UNDECIDED, because);
             }
             // One side is asked about, so an interval may be wrong on that side alone.
             Confidence each = new Confidence(1 - 2 * (1 - demand.confidence()));
             Quantile quantile = new Quantile(demand.quantile());
             ConfidenceInterval interval = quantile.interval(numbers, each);
-            String because = figures(quantile.estimate(numbers), interval);
+            String because =
+                    figures(quantile.estimate(numbers), interval)
+                            + withoutAnswer(unknown, "a number");
             return new Judgement(subject, true, decide(interval), because);
+        }
+
+        /** A number that is on the wrong side of every bound. */
+        private double unwanted() {
+            return demand.side() == Demand.Side.BELOW
+                    ? Double.POSITIVE_INFINITY
+                    : Double.NEGATIVE_INFINITY;
         }
 
         private String figures(double estimate, ConfidenceInterval interval) {

@@ -1,5 +1,7 @@
 package arcomat.campaign;
 
+import arcomat.campaign.statistics.Confidence;
+import arcomat.campaign.statistics.ConfidenceInterval;
 import arcomat.campaign.statistics.Decision;
 import arcomat.campaign.statistics.Measurements;
 import arcomat.campaign.statistics.Proportion;
@@ -33,8 +35,22 @@ public record CampaignResult(
         notable = List.copyOf(notable);
     }
 
-    /** How often something happened. */
-    public record Occurrence(Column column, Proportion proportion) {}
+    /**
+     * How often something happened.
+     *
+     * @param proportion of the runs that say whether it did
+     * @param unknown runs that were given up, or do not say it
+     */
+    public record Occurrence(Column column, Proportion proportion, long unknown) {
+        /** Where the probability is, whatever the unknown ones would have said. */
+        public ConfidenceInterval interval(Confidence confidence) {
+            long events = proportion.events();
+            long trials = proportion.trials() + unknown;
+            return new ConfidenceInterval(
+                    new Proportion(events, trials).exact(confidence).low(),
+                    new Proportion(events + unknown, trials).exact(confidence).high());
+        }
+    }
 
     /**
      * Where numbers are: the least, the quartiles and the greatest.

@@ -5,7 +5,7 @@ import java.util.List;
 /**
  * What the second of two words that are compared has changed.
  *
- * @param pairs of runs that were both made
+ * @param pairs of which it is known what the first run did
  * @param better pairs in which only the second run was good
  * @param worse pairs in which only the first one was
  * @param firstBetter the first ones that got better

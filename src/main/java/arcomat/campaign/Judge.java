@@ -20,6 +20,7 @@ public final class Judge {
     private final Campaign campaign;
     private final Map<Ending, Long> endings = new EnumMap<>(Ending.class);
     private final long[] happened;
+    private final long[] answered;
     private final List<Bench> benches;
     private final Pairing pairing;
     private final Notable notable;
@@ -27,6 +28,7 @@ public final class Judge {
     public Judge(Campaign campaign) {
         this.campaign = campaign;
         this.happened = new long[campaign.columns().size()];
+        this.answered = new long[campaign.columns().size()];
         this.benches = campaign.demands().stream().map(each -> Bench.of(each, campaign)).toList();
         this.pairing = new Pairing(campaign);
         this.notable = new Notable(campaign);
@@ -37,6 +39,7 @@ public final class Judge {
         endings.merge(row.ending(), 1L, Long::sum);
         for (int i = 0; i < row.answers().size(); i++) {
             happened[i] += row.happened(i) ? 1 : 0;
+            answered[i] += row.answers(i) ? 1 : 0;
         }
         if (row.ending() != Ending.IMPOSSIBLE) {
             benches.forEach(each -> each.see(row));
@@ -81,7 +84,8 @@ public final class Judge {
         for (int i = 0; i < happened.length; i++) {
             Column column = campaign.columns().get(i);
             if (column.isEvent()) {
-                all.add(new Occurrence(column, new Proportion(happened[i], count(Ending.MADE))));
+                long unknown = count(Ending.MADE) + count(Ending.GIVEN_UP) - answered[i];
+                all.add(new Occurrence(column, new Proportion(happened[i], answered[i]), unknown));
             }
         }
         return all;

@@ -9,7 +9,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 
-/** Pairs of runs that differ in what is compared, and in nothing else. */
+/**
+ * Pairs of runs that differ in what is compared, and in nothing else. What nobody knows of a run
+ * with the second word counts against that word; where it is the first one's, the pair says
+ * nothing.
+ */
 public final class Pairing {
     /** So many of either kind are kept, to be looked at. */
     private static final int KEPT = 20;
@@ -35,7 +39,9 @@ public final class Pairing {
         }
         if (row.trial().number() % 2 == 0) {
             first = row;
-        } else if (first != null && first.wasMade() && row.wasMade()) {
+        } else if (first != null
+                && first.answers(column)
+                && row.ending() != Row.Ending.IMPOSSIBLE) {
             pairs++;
             boolean before = isGood(first);
             boolean after = isGood(row);
@@ -65,7 +71,7 @@ public final class Pairing {
     /** What should happen is the goal; everything else should not. */
     private boolean isGood(Row row) {
         boolean wanted = comparison.orElseThrow().event().equals(Quantity.GOAL.word());
-        return row.happened(column) == wanted;
+        return row.answers(column) && row.happened(column) == wanted;
     }
 
     Optional<Judgement> judge() {

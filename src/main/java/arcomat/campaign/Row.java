@@ -75,4 +75,9 @@ public record Row(
     public boolean happened(int column) {
         return answers.get(column) == 1;
     }
+
+    /** Whether it says something about a column: else nobody knows. */
+    public boolean answers(int column) {
+        return wasMade() && !Double.isNaN(answers.get(column));
+    }
 }

@@ -1,7 +1,6 @@
 package arcomat.cli;
 
 import arcomat.cli.command.ArcomatCommand;
-import arcomat.cli.command.Commands;
 import arcomat.cli.terminal.Console;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.HelpText;
@@ -18,8 +17,8 @@ import picocli.CommandLine.Help.Ansi;
 import picocli.CommandLine.ParameterException;
 
 import java.nio.file.InvalidPathException;
-import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** The command line without the process around it: arguments and a console in, exit status out. */
 public final class Cli {
@@ -62,12 +61,13 @@ public final class Cli {
     private static CommandLine commandLine(String[] arguments, Console console) {
         Ansi ansi = console.style().coloured() ? Ansi.ON : Ansi.OFF;
         CommandLine line = new CommandLine(new ArcomatCommand(console));
-        List<String> wanted = Commands.NAMES;
+        Commands commands = new Commands();
+        Set<String> wanted = commands.names();
         if (arguments.length > 0 && wanted.contains(arguments[0])) {
             // Reading the annotations of the other commands would double the time of a short run.
-            wanted = List.of(arguments[0]);
+            wanted = Set.of(arguments[0]);
         }
-        wanted.forEach(name -> line.addSubcommand(Commands.of(name)));
+        wanted.forEach(name -> line.addSubcommand(commands.of(name)));
         int width = helpWidth(console);
         fit(line, width);
         line.getSubcommands().values().forEach(command -> fit(command, width));

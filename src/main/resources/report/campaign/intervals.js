@@ -62,12 +62,12 @@ function intervals(answer) {
         "div",
         { class: "share" },
         element("strong", {}, each.share === undefined ? "-" : percent(each.share)),
-        element("span", {}, `${count(each.runs)} of ${runs(answer.made)}`),
+        element("span", {}, `${count(each.runs)} of ${runs(each.known)}`),
       ),
       element("div", { class: "graph" }, bar(each, axis), element("span", { class: "figures" }, interval(each))),
     ),
   );
   const foot = element("div", { class: "event" }, element("span", {}), element("span", {}), element("div", { class: "graph" }, scale(axis)));
-  const explained = element("p", { class: "explained" }, "Dots are shares of the runs, bars where the probability surely is (95 %), dashed lines what is required. Each step of the axis is ten times as often.");
+  const explained = element("p", { class: "explained" }, "Dots are shares of the runs, bars where the probability surely is (95 %), whatever runs without an answer would have done, dashed lines what is required. Each step of the axis is ten times as often.");
   return section("events", "What happened, and how often", element("div", { class: "panel" }, ...rows, foot), explained);
 }

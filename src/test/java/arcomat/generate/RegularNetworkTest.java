@@ -44,28 +44,29 @@ class RegularNetworkTest {
     @Test
     void chainsAreServedLayerByLayer() {
         assertThat(step("Chains", Choosing.FIRST))
-                .contains("i < 36;", "cells[i].a = cells[i + 9].b;");
+                .contains("i < 36;", "Cell sender = cells[i + 9];", "receiver.a = sender.b;");
     }
 
     @Test
     void partsWithOtherArgumentsShareTheLoop() {
         assertThat(code("Shuffled", Choosing.FIRST))
                 .contains("cells[0] = new Cell(13);", "cells[i] = new Cell(1);")
-                .contains("cells[i].a = cells[i + 1].b;");
+                .contains("Cell sender = cells[i + 1];", "receiver.a = sender.b;");
     }
 
     @Test
     void everyOtherElementCanBeASource() {
-        assertThat(step("Tree", Choosing.FIRST)).contains("joins[2 * i + 1].b");
+        assertThat(step("Tree", Choosing.FIRST))
+                .contains("Join sender = joins[2 * i + 1];", "Join sender2 = joins[2 * i + 2];");
     }
 
     @Test
     void partsThatDrawKeepTheirOrder() {
         assertThat(step("DiceInOrder", Choosing.RANDOM))
-                .contains("undecideds[i].a = undecideds[i - 1].b;")
+                .contains("Undecided sender = undecideds[i - 1];")
                 .contains("for (int i = 0; i < 10; i++) {\n            undecideds[i].step();");
         assertThat(step("DiceInOrder", Choosing.FIRST))
-                .contains("undecideds[i].a = undecideds[i + 1].b;");
+                .contains("Undecided sender = undecideds[i + 1];");
     }
 
     @Test

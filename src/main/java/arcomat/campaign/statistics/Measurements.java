@@ -49,6 +49,15 @@ public final class Measurements {
         return size;
     }
 
+    /** These, and so many more that are all the same. */
+    public Measurements with(double value, long times) {
+        Supplier<DoubleStream> all =
+                () ->
+                        DoubleStream.concat(
+                                values.get(), DoubleStream.generate(() -> value).limit(times));
+        return times == 0 ? this : new Measurements(all, size + times, sorted);
+    }
+
     /** How many of them are so. */
     public Proportion share(DoublePredicate so) {
         try (DoubleStream all = values.get()) {

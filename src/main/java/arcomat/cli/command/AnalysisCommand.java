@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
  *
  * @param <T> the answer of models without errors
  */
-abstract class AnalysisCommand<T> extends LimitedCommand {
+public abstract class AnalysisCommand<T> extends LimitedCommand {
     @Option(
             names = "--format",
             paramLabel = "FORMAT",
@@ -27,24 +27,24 @@ abstract class AnalysisCommand<T> extends LimitedCommand {
     private OutputFormat format;
 
     /** What is asked; complains before anything is done in vain. */
-    abstract Task<CheckedAnswer<T>> task(Session session) throws WrongUse;
+    protected abstract Task<CheckedAnswer<T>> task(Session session) throws WrongUse;
 
     /** Writes what was asked for beside what is printed. */
-    void report(T answer, Session session) throws WrongUse {}
+    protected void report(T answer, Session session) throws WrongUse {}
 
-    abstract String json(T answer);
+    protected abstract String json(T answer);
 
     /**
      * The answer for people.
      *
      * @param style of the console
      */
-    abstract String text(T answer, Style style);
+    protected abstract String text(T answer, Style style);
 
-    abstract int status(T answer);
+    protected abstract int status(T answer);
 
     @Override
-    final int run(Session session) throws WrongUse {
+    protected final int run(Session session) throws WrongUse {
         CheckedAnswer<T> reply = session.run(task(session));
         tellAside(reply.check());
         boolean json = format == OutputFormat.json;

@@ -47,19 +47,19 @@ public abstract class Command implements Callable<Integer> {
     }
 
     /** Work that ends when it has to. */
-    Progress limited(Progress progress) throws WrongUse {
+    protected Progress limited(Progress progress) throws WrongUse {
         return progress;
     }
 
-    final Console console() {
+    protected final Console console() {
         return tool.console();
     }
 
     /** Does the work and returns the exit status. */
-    abstract int run(Session session) throws WrongUse;
+    protected abstract int run(Session session) throws WrongUse;
 
     /** Prints findings that keep a command from doing its work. */
-    final int reportErrors(CheckResult check) {
+    protected final int reportErrors(CheckResult check) {
         print(FindingsText.render(check.findings(), console().style()));
         printLine(FindingsText.summary(check.findings(), check.files(), console().style()));
         return check.hasUnreadableInput() ? ExitStatus.WRONG_USE : ExitStatus.FINDINGS;
@@ -71,7 +71,8 @@ public abstract class Command implements Callable<Integer> {
      * @param told tells more about what was written, and returns how many files there are
      * @param out the folder, as the user wrote it
      */
-    final <T> int tellWritten(CheckedAnswer<T> written, ToIntFunction<T> told, String out) {
+    protected final <T> int tellWritten(
+            CheckedAnswer<T> written, ToIntFunction<T> told, String out) {
         tellAside(written.check());
         if (written.value().isEmpty()) {
             return reportErrors(written.check());
@@ -83,12 +84,12 @@ public abstract class Command implements Callable<Integer> {
     }
 
     /** Tells what a command went on without; what it found out is for the standard output. */
-    final void tellAside(CheckResult check) {
+    protected final void tellAside(CheckResult check) {
         tellAside(check.aside());
     }
 
     /** The same of files from several places. */
-    final void tellAside(Aside aside) {
+    protected final void tellAside(Aside aside) {
         if (!aside.isEmpty()) {
             console().err().print(FindingsText.render(aside.findings(), console().style()));
             console()
@@ -99,11 +100,11 @@ public abstract class Command implements Callable<Integer> {
         }
     }
 
-    final void print(String text) {
+    protected final void print(String text) {
         console().out().print(text);
     }
 
-    final void printLine(String text) {
+    protected final void printLine(String text) {
         console().out().print(text + "\n");
     }
 }

@@ -13,7 +13,7 @@ import java.util.Locale;
 import java.util.Optional;
 
 /** What the commands about two sides have in common. */
-abstract class ComparisonCommand<T> extends AnalysisCommand<T> {
+public abstract class ComparisonCommand<T> extends AnalysisCommand<T> {
     @Option(
             names = "--completion",
             paramLabel = "LEFT,RIGHT",
@@ -36,11 +36,11 @@ abstract class ComparisonCommand<T> extends AnalysisCommand<T> {
             description = "Model files and model roots.")
     private List<String> paths;
 
-    final List<String> paths() {
+    protected final List<String> paths() {
         return paths;
     }
 
-    final ComparedSides sides() throws WrongUse {
+    protected final ComparedSides sides() throws WrongUse {
         String[] sides = completion == null ? new String[0] : completion.split(",", -1);
         if (completion != null && sides.length != 2) {
             throw new WrongUse("--completion '" + completion + "' is no pair such as chaos,output");

@@ -13,7 +13,7 @@ import picocli.CommandLine.Option;
 import java.util.Optional;
 
 /** A command that may search for long, and gives up where it is told to. */
-abstract class LimitedCommand extends Command {
+public abstract class LimitedCommand extends Command {
     @Option(
             names = "--timeout",
             paramLabel = "SECONDS",
@@ -31,7 +31,7 @@ abstract class LimitedCommand extends Command {
 
     /** What comes before the search is over by then, too. */
     @Override
-    final Progress limited(Progress progress) throws WrongUse {
+    protected final Progress limited(Progress progress) throws WrongUse {
         Optional<Long> end = limits().end(begun);
         if (isTimeOfAll()) {
             end.ifPresent(moment -> LastMoment.await(moment, console()));
@@ -40,11 +40,11 @@ abstract class LimitedCommand extends Command {
     }
 
     /** Whether the time is that of the whole command, and not of each search in it alone. */
-    boolean isTimeOfAll() {
+    protected boolean isTimeOfAll() {
         return true;
     }
 
-    final AnalysisLimits limits() throws WrongUse {
+    protected final AnalysisLimits limits() throws WrongUse {
         if (timeout != null && timeout < 1) {
             throw new WrongUse("--timeout " + timeout + " is less than 1");
         }
@@ -55,7 +55,7 @@ abstract class LimitedCommand extends Command {
                 Optional.ofNullable(timeout), Optional.ofNullable(maxStates), Optional.of(begun));
     }
 
-    static int status(Answer answer) {
+    protected static int status(Answer answer) {
         return switch (answer) {
             case HOLDS -> ExitStatus.FINE;
             case FAILS -> ExitStatus.FINDINGS;

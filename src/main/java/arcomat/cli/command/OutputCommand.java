@@ -6,7 +6,7 @@ import picocli.CommandLine.Parameters;
 import java.util.List;
 
 /** What the commands have in common that make files of one component. */
-abstract class OutputCommand<T> extends AnalysisCommand<T> {
+public abstract class OutputCommand<T> extends AnalysisCommand<T> {
     @Option(
             names = "--out",
             paramLabel = "DIR",
@@ -24,15 +24,15 @@ abstract class OutputCommand<T> extends AnalysisCommand<T> {
             description = "Model files and model roots.")
     private List<String> paths;
 
-    final String out() {
+    protected final String out() {
         return out;
     }
 
-    final String component() {
+    protected final String component() {
         return component;
     }
 
-    final List<String> paths() {
+    protected final List<String> paths() {
         return paths;
     }
 }

@@ -63,7 +63,9 @@ public record CompositeView(
     /**
      * A part at its place in the schedule, or parts in an array, one after the other.
      *
-     * @param part with the index in brackets where it is in an array
+     * @param locals what a loop calls the elements of arrays that it works on, in the order in
+     *     which they are declared; part and copies name them
+     * @param part with the index in brackets where it is one element of an array
      * @param call {@code step}, {@code act}, or empty where there is nothing to call
      * @param copies messages that the part gets right before
      * @param index variable of the loop; empty for a single part
@@ -71,6 +73,7 @@ public record CompositeView(
      * @param end the index stays below
      */
     public record StepView(
+            List<LocalView> locals,
             String part,
             String call,
             List<AssignmentView> copies,
@@ -79,9 +82,16 @@ public record CompositeView(
             int end) {
 
         public static StepView once(String part, String call, List<AssignmentView> copies) {
-            return new StepView(part, call, copies, "", 0, 1);
+            return new StepView(List.of(), part, call, copies, "", 0, 1);
         }
     }
+
+    /**
+     * A local variable that stands for an element of an array.
+     *
+     * @param place the element, with an index that depends on the loop's variable
+     */
+    public record LocalView(String type, String name, String place) {}
 
     /**
      * What loops over arrays of parts do besides the steps.

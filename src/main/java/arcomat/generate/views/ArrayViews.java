@@ -6,6 +6,7 @@ import arcomat.generate.plan.Draft.Stretch;
 import arcomat.generate.plan.Program;
 import arcomat.generate.plan.Regularity;
 import arcomat.generate.text.FileContext;
+import arcomat.generate.view.CompositeView.LocalView;
 import arcomat.generate.view.CompositeView.LoopsView;
 import arcomat.generate.view.CompositeView.PartView;
 import arcomat.generate.view.CompositeView.StepView;
@@ -88,23 +89,30 @@ final class ArrayViews {
     }
 
     private StepView view(Regularity.Run run, Stretch stretch, String call, int... inputs) {
+        LoopLocals locals = new LoopLocals(context, run.isLoop());
         List<AssignmentView> moves = new ArrayList<>();
         List<AssignmentView> flags = new ArrayList<>();
         for (int input : inputs) {
-            Copies.Copy copy = copies.toRun(run, input, index(run, stretch));
+            Copies.Copy copy = copies.toRun(run, input, index(run, stretch), locals);
             moves.addAll(copy.moves());
             flags.addAll(copy.fixed());
         }
         if (!flags.isEmpty()) {
-            fixed.add(view(run, stretch, "", flags));
+            fixed.add(view(run, stretch, "", flags, locals.receivers()));
         }
-        return view(run, stretch, call, moves);
+        return view(run, stretch, call, moves, moves.isEmpty() ? List.of() : locals.all());
     }
 
     private StepView view(
-            Regularity.Run run, Stretch stretch, String call, List<AssignmentView> moves) {
+            Regularity.Run run,
+            Stretch stretch,
+            String call,
+            List<AssignmentView> moves,
+            List<LocalView> locals) {
+        String place = arrangement.element(stretch, index(run, stretch));
         return new StepView(
-                arrangement.element(stretch, index(run, stretch)),
+                locals,
+                locals.isEmpty() ? place : locals.get(0).name(),
                 call,
                 moves,
                 variable(run),

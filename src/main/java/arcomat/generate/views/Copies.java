@@ -61,13 +61,14 @@ final class Copies {
     }
 
     /** To an input of the nodes of a run, by an index into their array. */
-    Copy toRun(Regularity.Run run, int input, String index) {
+    Copy toRun(Regularity.Run run, int input, String index, LoopLocals locals) {
         Composition.Node node = composition.nodes().get(run.first());
         Source source = node.inputs().get(input);
         Sections.Section here = arrangement.sections().of(run.first());
         Stretch receivers = Objects.requireNonNull(arrangement.holder(run.first()));
         Port port = node.component().inputs().get(input);
-        End receiver = new End(arrangement.element(receivers, index), node.component(), port);
+        String place = arrangement.element(receivers, index);
+        End receiver = new End(locals.receiver(node.component(), place), node.component(), port);
         int stride = run.strides()[input];
         if (stride == 0) {
             return copy(source, here, receiver);
@@ -75,8 +76,10 @@ final class Copies {
         Source.FromNode from = (Source.FromNode) source;
         Stretch senders = Objects.requireNonNull(arrangement.holder(from.node()));
         int start = from.node() - senders.first() - stride * (run.first() - receivers.first());
-        String object = arrangement.element(senders, linear(stride, index, start));
-        return copy(sender(from, leading(from.node(), here) + object), receiver);
+        String element = arrangement.element(senders, linear(stride, index, start));
+        Component sending = composition.nodes().get(from.node()).component();
+        String object = locals.sender(sending, leading(from.node(), here) + element);
+        return copy(sender(from, object), receiver);
     }
 
     /** {@code i + 1}, {@code 9 - i}, {@code 2 * i - 1}. */

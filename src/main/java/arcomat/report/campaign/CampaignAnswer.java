@@ -80,25 +80,30 @@ record CampaignAnswer(
         }
     }
 
-    /** How often something happened. */
+    /**
+     * How often something happened.
+     *
+     * @param runs in which it did
+     * @param known runs that say whether it did
+     * @param low of the interval, whatever the others would have said
+     */
     record Event(
             String name,
             String meaning,
             long runs,
+            long known,
             Optional<Double> share,
             double low,
             double high,
             List<Bound> bounds) {
         static Event of(Occurrence occurrence, Campaign campaign) {
             String name = occurrence.column().name();
-            ConfidenceInterval interval =
-                    occurrence.proportion().trials() == 0
-                            ? new ConfidenceInterval(0, 1)
-                            : occurrence.proportion().exact(Confidence.USUAL);
+            ConfidenceInterval interval = occurrence.interval(Confidence.USUAL);
             return new Event(
                     name,
                     occurrence.column().meaning(),
                     occurrence.proportion().events(),
+                    occurrence.proportion().trials(),
                     finite(occurrence.proportion().estimate()),
                     interval.low(),
                     interval.high(),

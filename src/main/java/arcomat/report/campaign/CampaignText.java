@@ -42,7 +42,7 @@ public final class CampaignText {
     private String events() {
         TextTable table = new TextTable(List.of("event", "runs", "share", "surely (95 %)"));
         for (Occurrence each : result.occurrences()) {
-            ConfidenceInterval interval = each.proportion().exact(Confidence.USUAL);
+            ConfidenceInterval interval = each.interval(Confidence.USUAL);
             table.add(
                     List.of(
                             each.column().name(),
@@ -76,6 +76,9 @@ public final class CampaignText {
     }
 
     static String number(double value) {
+        if (Double.isNaN(value)) {
+            return "-";
+        }
         if (Double.isInfinite(value)) {
             return value > 0 ? "never" : "-";
         }

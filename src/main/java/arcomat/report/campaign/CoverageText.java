@@ -8,7 +8,7 @@ import java.util.List;
 /** What runs have covered, for people: how much, and some of what none of them came to. */
 public final class CoverageText {
     /** A list that is longer is read by nobody; the page has it. */
-    private static final int MOST = 5;
+    private static final int MOST = 3;
 
     private final Coverage coverage;
 

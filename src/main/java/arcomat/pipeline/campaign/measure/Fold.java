@@ -33,9 +33,10 @@ abstract class Fold {
     }
 
     private abstract static class OfNumber extends Fold {
+        /** Reals divided by zero are infinite, and no more known than integers are. */
         @Override
         final void see(Scene scene, @Nullable Value value) {
-            if (value instanceof Value.RealValue real && !Double.isNaN(real.value())) {
+            if (value instanceof Value.RealValue real && Double.isFinite(real.value())) {
                 add(real.value());
             }
         }
@@ -96,30 +97,35 @@ abstract class Fold {
 
     private static final class Held extends Fold {
         private long steps;
+        private boolean known;
 
         /** What is true at the beginning has not held for any time yet. */
         @Override
         void see(Scene scene, @Nullable Value value) {
+            known |= value != null;
             steps += scene.tick() > 0 && isTrue(value) ? 1 : 0;
         }
 
         @Override
         double answer() {
-            return steps * Physics.STEP / MILLISECONDS;
+            return known ? steps * Physics.STEP / MILLISECONDS : Double.NaN;
         }
     }
 
     private static final class Ever extends Fold {
         private boolean happened;
+        private boolean known;
 
         @Override
         void see(Scene scene, @Nullable Value value) {
+            known |= value != null;
             happened |= isTrue(value);
         }
 
         @Override
         double answer() {
-            return happened ? 1 : 0;
+            double truth = happened ? 1 : 0;
+            return known ? truth : Double.NaN;
         }
     }
 }

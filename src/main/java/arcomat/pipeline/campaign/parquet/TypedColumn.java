@@ -88,12 +88,11 @@ record TypedColumn(Type type, Predicate<Row> isKnown, Cell cell) {
         if (column.isEvent()) {
             Type type = Types.optional(BOOLEAN).named(column.name());
             return new TypedColumn(
-                    type, Row::wasMade, (row, out) -> out.addBoolean(row.happened(place)));
+                    type,
+                    row -> row.answers(place),
+                    (row, out) -> out.addBoolean(row.happened(place)));
         }
-        return number(
-                column.name(),
-                row -> row.wasMade() && !Double.isNaN(row.answer(place)),
-                row -> row.answer(place));
+        return number(column.name(), row -> row.answers(place), row -> row.answer(place));
     }
 
     private static TypedColumn whole(String name, ToLongFunction<Row> value) {

@@ -64,6 +64,7 @@ class ParquetTableTest {
         }
         answers.set(CAMPAIGN.column("reached"), Double.POSITIVE_INFINITY);
         answers.set(CAMPAIGN.column("distance"), Double.NaN);
+        answers.set(CAMPAIGN.column("goal"), Double.NaN);
         return Row.made(trial, answers);
     }
 
@@ -117,7 +118,7 @@ class ParquetTableTest {
                 .containsEntry("parameter time", 8.0)
                 .containsEntry("time", 0.125)
                 .containsEntry("reached", Double.POSITIVE_INFINITY)
-                .doesNotContainKey("distance");
+                .doesNotContainKeys("distance", "goal");
     }
 
     @Test

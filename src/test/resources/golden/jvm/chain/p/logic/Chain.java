@@ -27,9 +27,11 @@ public final class Chain {
     public void step() {
         // Receivers before senders: what is delayed still shows what was sent in the slice before.
         for (int i = 0; i < 11; i++) {
-            cells[i].a = cells[i + 1].b;
-            cells[i].hasA = cells[i + 1].hasB;
-            cells[i].step();
+            Cell receiver = cells[i];
+            Cell sender = cells[i + 1];
+            receiver.a = sender.b;
+            receiver.hasA = sender.hasB;
+            receiver.step();
         }
         cells[11].a = a;
         cells[11].hasA = hasA;

@@ -1,8 +1,9 @@
-package arcomat.cli.command;
+package arcomat.cli.command.run;
 
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.RareEvent;
 import arcomat.campaign.WorstRun;
+import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.ClusterOptions;
 import arcomat.cli.option.OutputFormat;
@@ -52,7 +53,7 @@ import java.util.function.Function;
                     + " in the campaign, its world or its models; 3 the runs do not decide it;"
                     + " 2 wrong use."
         })
-final class CampaignCommand extends Command {
+public final class CampaignCommand extends Command {
     @Parameters(
             paramLabel = "FILE.campaign",
             description = "The campaign; docs/campaigns.md tells how to write one.")
@@ -99,7 +100,7 @@ final class CampaignCommand extends Command {
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (workers < 0) {
             throw new WrongUse("--workers " + workers + " is less than 1");
         }

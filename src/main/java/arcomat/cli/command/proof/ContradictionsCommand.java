@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
+import arcomat.cli.command.AnalysisCommand;
 import arcomat.cli.option.PageOption;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -34,7 +35,7 @@ import java.util.Optional;
                     + " 3",
             "unknown; 2 wrong use or models with errors."
         })
-final class ContradictionsCommand extends AnalysisCommand<FindContradictions.Found> {
+public final class ContradictionsCommand extends AnalysisCommand<FindContradictions.Found> {
     @Option(
             names = "--all",
             description = "Look for all minimal sets of requirements that contradict each other.")
@@ -64,25 +65,25 @@ final class ContradictionsCommand extends AnalysisCommand<FindContradictions.Fou
     @Mixin private PageOption report = new PageOption();
 
     @Override
-    Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
         report.prepare(session);
         return new FindContradictions(component, all, Optional.ofNullable(out), paths, limits());
     }
 
     @Override
-    void report(Found found, Session session) throws WrongUse {
+    protected void report(Found found, Session session) throws WrongUse {
         report.write(
                 () -> ConsistencyPage.of(found.asked(), found.consistency(), found.controller()),
                 session);
     }
 
     @Override
-    String json(Found found) {
+    protected String json(Found found) {
         return ConsistencyJson.render(found.consistency(), found.controller(), found.file());
     }
 
     @Override
-    String text(Found found, Style style) {
+    protected String text(Found found, Style style) {
         return ConsistencyText.render(
                 found.asked().title(),
                 found.consistency(),
@@ -92,7 +93,7 @@ final class ContradictionsCommand extends AnalysisCommand<FindContradictions.Fou
     }
 
     @Override
-    int status(Found found) {
+    protected int status(Found found) {
         return status(found.consistency().answer());
     }
 }

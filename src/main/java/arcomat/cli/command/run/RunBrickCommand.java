@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.run;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.PageOption;
 import arcomat.cli.terminal.ExitStatus;
@@ -45,7 +46,7 @@ import java.util.OptionalInt;
             "Exit status: 0 the program ran; 1 it went wrong, or cannot run on the brick; 3 it was",
             "given up; 2 wrong use."
         })
-final class RunBrickCommand extends Command {
+public final class RunBrickCommand extends Command {
     enum TraceFormat {
         table,
         csv,
@@ -97,7 +98,7 @@ final class RunBrickCommand extends Command {
     @Mixin private PageOption report = new PageOption();
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (seconds != null && seconds < 1) {
             throw new WrongUse("--seconds " + seconds + " is less than 1");
         }

@@ -1,6 +1,7 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
 import arcomat.analysis.refinement.Answered;
+import arcomat.cli.command.ComparisonCommand;
 import arcomat.cli.option.PageOption;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -33,7 +34,7 @@ import java.util.Optional;
             "",
             "Exit status: 0 holds; 1 fails; 3 unknown; 2 wrong use or models with errors."
         })
-final class RefinesCommand extends ComparisonCommand<Answered> {
+public final class RefinesCommand extends ComparisonCommand<Answered> {
     enum Engine {
         arcomat,
         mona
@@ -73,7 +74,7 @@ final class RefinesCommand extends ComparisonCommand<Answered> {
     @Mixin private PageOption report = new PageOption();
 
     @Override
-    Task<CheckedAnswer<Answered>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Answered>> task(Session session) throws WrongUse {
         if (certificate != null && doubted != null) {
             throw new WrongUse(
                     "--verify-certificate searches nothing, so there is nothing to write for"
@@ -102,23 +103,23 @@ final class RefinesCommand extends ComparisonCommand<Answered> {
     }
 
     @Override
-    void report(Answered answered, Session session) throws WrongUse {
+    protected void report(Answered answered, Session session) throws WrongUse {
         report.write(() -> VerdictPage.of("refines", answered), session);
     }
 
     @Override
-    String json(Answered answered) {
+    protected String json(Answered answered) {
         return VerdictJson.render(answered.verdict());
     }
 
     @Override
-    String text(Answered answered, Style style) {
+    protected String text(Answered answered, Style style) {
         boolean drawn = diagram != null && !answered.verdict().trace().isEmpty();
         return VerdictText.render(answered, style) + (drawn ? "drawn in " + diagram + "\n" : "");
     }
 
     @Override
-    int status(Answered answered) {
+    protected int status(Answered answered) {
         return status(answered.verdict().answer());
     }
 }

@@ -1,6 +1,7 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
 import arcomat.analysis.evolution.Gate;
+import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
@@ -45,7 +46,7 @@ import java.util.List;
             "Exit status: 0 all keep their promises; 1 one does not; 3 one is unknown; 2 wrong use"
                     + " or models with errors."
         })
-final class GateCommand extends LimitedCommand {
+public final class GateCommand extends LimitedCommand {
     @Mixin private ReportOptions reports = new ReportOptions();
 
     @Option(
@@ -60,12 +61,12 @@ final class GateCommand extends LimitedCommand {
 
     /** It holds for each comparison. */
     @Override
-    boolean isTimeOfAll() {
+    protected boolean isTimeOfAll() {
         return false;
     }
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         PassGate.Result result = session.run(new PassGate(base, paths, limits()));
         tellAside(result.aside());
         if (result.gate().isEmpty()) {

@@ -1,6 +1,7 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
 import arcomat.analysis.evolution.Evolution;
+import arcomat.cli.command.AnalysisCommand;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -26,7 +27,7 @@ import java.util.List;
             "Exit status: 0 each version refines the one before; 1 one does not; 3 unknown;",
             "2 wrong use or models with errors."
         })
-final class EvolutionCommand extends AnalysisCommand<Evolution> {
+public final class EvolutionCommand extends AnalysisCommand<Evolution> {
     @Option(
             names = "--versions",
             paramLabel = "Q,Q,..",
@@ -40,7 +41,7 @@ final class EvolutionCommand extends AnalysisCommand<Evolution> {
     private List<String> paths;
 
     @Override
-    Task<CheckedAnswer<Evolution>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Evolution>> task(Session session) throws WrongUse {
         if (versions.size() < 2) {
             throw new WrongUse("--versions names at least two components, the oldest first");
         }
@@ -48,17 +49,17 @@ final class EvolutionCommand extends AnalysisCommand<Evolution> {
     }
 
     @Override
-    String json(Evolution evolution) {
+    protected String json(Evolution evolution) {
         return EvolutionJson.render(evolution);
     }
 
     @Override
-    String text(Evolution evolution, Style style) {
+    protected String text(Evolution evolution, Style style) {
         return EvolutionText.render(evolution, style);
     }
 
     @Override
-    int status(Evolution evolution) {
+    protected int status(Evolution evolution) {
         return status(evolution.answer());
     }
 }

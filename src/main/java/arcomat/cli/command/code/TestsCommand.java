@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.code;
 
+import arcomat.cli.command.OutputCommand;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -25,24 +26,24 @@ import picocli.CommandLine;
                     + " was",
             "not taken and may yet be possible; 2 wrong use or models with errors."
         })
-final class TestsCommand extends OutputCommand<WriteTransitionTests.Made> {
+public final class TestsCommand extends OutputCommand<WriteTransitionTests.Made> {
     @Override
-    Task<CheckedAnswer<Made>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Made>> task(Session session) throws WrongUse {
         return new WriteTransitionTests(component(), out(), paths(), limits());
     }
 
     @Override
-    String json(Made made) {
+    protected String json(Made made) {
         return TransitionTestsJson.render(made.file(), made.tests());
     }
 
     @Override
-    String text(Made made, Style style) {
+    protected String text(Made made, Style style) {
         return TransitionTestsText.render(made.title(), made.file(), made.tests(), style);
     }
 
     @Override
-    int status(Made made) {
+    protected int status(Made made) {
         return status(made.tests().answer());
     }
 }

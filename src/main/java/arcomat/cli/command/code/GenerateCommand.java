@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.code;
 
+import arcomat.cli.command.Command;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.CheckedAnswer;
@@ -38,7 +39,7 @@ import java.util.Optional;
             "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
                     + " read."
         })
-final class GenerateCommand extends Command {
+public final class GenerateCommand extends Command {
     enum Choose {
         first,
         random
@@ -88,7 +89,7 @@ final class GenerateCommand extends Command {
     private List<String> paths;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         boolean random = choose == Choose.random;
         CheckedAnswer<Made> generated =
                 session.run(

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.model;
 
+import arcomat.cli.command.LimitedCommand;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.AnalysisLimits;
@@ -33,7 +34,7 @@ import java.util.Optional;
             "Exit status: 0 written; 1 models with errors; 2 wrong use, or input that cannot be"
                     + " read."
         })
-final class DiagramCommand extends LimitedCommand {
+public final class DiagramCommand extends LimitedCommand {
     enum Highlight {
         analysis
     }
@@ -82,12 +83,12 @@ final class DiagramCommand extends LimitedCommand {
 
     /** What is found until then is drawn. */
     @Override
-    boolean isTimeOfAll() {
+    protected boolean isTimeOfAll() {
         return false;
     }
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (depth < 0) {
             throw new WrongUse("--depth " + depth + " is no number of levels");
         }

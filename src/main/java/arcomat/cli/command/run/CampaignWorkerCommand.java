@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.run;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.option.ClusterOptions;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
@@ -28,7 +29,7 @@ import picocli.CommandLine.Option;
             "Exit status: 0 its campaign is over, with --once; 2 wrong use, or a campaign of"
                     + " another version."
         })
-final class CampaignWorkerCommand extends Command {
+public final class CampaignWorkerCommand extends Command {
     @Mixin private ClusterOptions clusters = new ClusterOptions();
 
     @Option(
@@ -44,7 +45,7 @@ final class CampaignWorkerCommand extends Command {
     private boolean once;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (workers < 0) {
             throw new WrongUse("--workers " + workers + " is less than 1");
         }

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.model;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -23,7 +24,7 @@ import java.util.List;
             "Exit status: 0 done; 1 models with errors, or with --check files that would change;",
             "2 wrong use, or input that cannot be read."
         })
-final class FormatCommand extends Command {
+public final class FormatCommand extends Command {
     @Option(names = "--check", description = "Change nothing; list the files that would change.")
     private boolean check;
 
@@ -31,7 +32,7 @@ final class FormatCommand extends Command {
     private List<String> paths;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         FormatFiles.Result result = session.run(new FormatFiles(paths, !check));
         print(FindingsText.render(result.findings(), console().style()));
         for (String path : result.changed()) {

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.code;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -26,7 +27,7 @@ import java.util.Optional;
             "",
             "Exit status: 0 linked; 1 it does not fit, or the linker failed; 2 wrong use."
         })
-final class LinkCommand extends Command {
+public final class LinkCommand extends Command {
     @Option(
             names = "--jar",
             paramLabel = "ROBOT.jar",
@@ -55,7 +56,7 @@ final class LinkCommand extends Command {
     private int limit;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (limit < 1) {
             throw new WrongUse("--limit " + limit + " is less than 1");
         }

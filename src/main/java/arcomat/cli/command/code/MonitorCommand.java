@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.code;
 
+import arcomat.cli.command.OutputCommand;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -26,19 +27,19 @@ import picocli.CommandLine;
             "",
             "Exit status: 0 written; 2 wrong use or models with errors."
         })
-final class MonitorCommand extends OutputCommand<GenerateMonitor.Made> {
+public final class MonitorCommand extends OutputCommand<GenerateMonitor.Made> {
     @Override
-    Task<CheckedAnswer<Made>> task(Session session) {
+    protected Task<CheckedAnswer<Made>> task(Session session) {
         return new GenerateMonitor(component(), out(), paths());
     }
 
     @Override
-    String json(Made made) {
+    protected String json(Made made) {
         return MonitorJson.render(made.className(), made.requirements(), made.files());
     }
 
     @Override
-    String text(Made made, Style style) {
+    protected String text(Made made, Style style) {
         StringBuilder text = new StringBuilder();
         String files = FindingsText.count(made.files().size(), "file");
         text.append("wrote ").append(files).append(" to ").append(out()).append('\n');
@@ -48,7 +49,7 @@ final class MonitorCommand extends OutputCommand<GenerateMonitor.Made> {
     }
 
     @Override
-    int status(Made made) {
+    protected int status(Made made) {
         return ExitStatus.FINE;
     }
 }

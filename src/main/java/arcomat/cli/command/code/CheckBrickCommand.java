@@ -1,6 +1,7 @@
-package arcomat.cli.command;
+package arcomat.cli.command.code;
 
 import arcomat.brick.BrickReport;
+import arcomat.cli.command.Command;
 import arcomat.cli.option.OutputFormat;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
@@ -25,7 +26,7 @@ import picocli.CommandLine.Option;
             "",
             "Exit status: 0 it fits on the brick; 1 it does not; 2 wrong use."
         })
-final class CheckBrickCommand extends Command {
+public final class CheckBrickCommand extends Command {
     @Option(
             names = "--jar",
             paramLabel = "ROBOT.jar",
@@ -41,7 +42,7 @@ final class CheckBrickCommand extends Command {
     private OutputFormat format;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         BrickReport report = JarReader.read(jar, session.names()).report();
         if (format == OutputFormat.json) {
             print(BrickReportJson.render(report));

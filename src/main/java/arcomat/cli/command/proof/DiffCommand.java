@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
+import arcomat.cli.command.ComparisonCommand;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -22,24 +23,24 @@ import picocli.CommandLine;
             "",
             "Exit status: 0 equivalent; 1 different; 3 unknown; 2 wrong use or models with errors."
         })
-final class DiffCommand extends ComparisonCommand<CompareComponents.Found> {
+public final class DiffCommand extends ComparisonCommand<CompareComponents.Found> {
     @Override
-    Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
         return new CompareComponents(sides(), paths(), limits());
     }
 
     @Override
-    String json(Found found) {
+    protected String json(Found found) {
         return DifferenceJson.render(found.left(), found.right(), found.difference());
     }
 
     @Override
-    String text(Found found, Style style) {
+    protected String text(Found found, Style style) {
         return DifferenceText.render(found.left(), found.right(), found.difference(), style);
     }
 
     @Override
-    int status(Found found) {
+    protected int status(Found found) {
         return switch (found.difference().relation()) {
             case EQUIVALENT -> ExitStatus.FINE;
             case UNKNOWN -> ExitStatus.UNKNOWN;

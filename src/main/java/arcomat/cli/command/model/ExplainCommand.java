@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.model;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -20,7 +21,7 @@ import picocli.CommandLine.Parameters;
             "",
             "Exit status: 0 explained; 2 there is no such code."
         })
-final class ExplainCommand extends Command {
+public final class ExplainCommand extends Command {
     @Parameters(
             paramLabel = "CODE",
             arity = "0..1",
@@ -28,7 +29,7 @@ final class ExplainCommand extends Command {
     private String code;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (code == null) {
             Explanations.titles().forEach((name, title) -> printLine(name + "  " + title));
             return ExitStatus.FINE;

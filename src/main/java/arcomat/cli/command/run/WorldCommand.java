@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.run;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.SeedOptions;
 import arcomat.cli.option.SetOption;
@@ -36,7 +37,7 @@ import picocli.CommandLine.Parameters;
                     + " was not reached, or there are errors in the world or its models; 3 a run"
                     + " was given up; 2 wrong use."
         })
-final class WorldCommand extends Command {
+public final class WorldCommand extends Command {
     @Parameters(
             paramLabel = "FILE.world",
             description = "The world; docs/world.md tells how to write one.")
@@ -70,7 +71,7 @@ final class WorldCommand extends Command {
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (runs < 1) {
             throw new WrongUse("--runs " + runs + " is less than 1");
         }

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.run;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
@@ -46,14 +47,14 @@ import java.util.stream.Collectors;
             "Exit status: 0 all pass; 1 one fails, or models have errors; 3 one is unknown; 2 wrong"
                     + " use."
         })
-final class TestCommand extends Command {
+public final class TestCommand extends Command {
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Suites (.mt) and model roots.")
     private List<String> paths;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         reports.prepare(session);
         CheckedAnswer<List<StreamTestResult>> reply = session.run(new RunStreamTests(paths));
         CheckResult check = reply.check();

@@ -1,8 +1,9 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
 import arcomat.analysis.refinement.Answered;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.PageReportOptions;
 import arcomat.cli.option.ReportFormat;
@@ -43,14 +44,14 @@ import java.util.List;
             "Exit status: 0 all hold; 1 one fails; 3 one is unknown; 2 wrong use or models with"
                     + " errors."
         })
-final class VerifyCommand extends LimitedCommand {
+public final class VerifyCommand extends LimitedCommand {
     @Mixin private PageReportOptions reports = new PageReportOptions();
 
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         reports.prepare(session);
         CheckedAnswer<List<Answered>> reply = session.run(new VerifyPromises(paths, limits()));
         tellAside(reply.check());

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.run;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.option.PageOption;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.TerminalDialogue;
@@ -54,7 +55,7 @@ import java.util.OptionalInt;
             "requirement is violated, or models have errors; 3 it is unknown whether one is kept;",
             "2 wrong use, or input that cannot be read."
         })
-final class SimulateCommand extends Command {
+public final class SimulateCommand extends Command {
     enum Choose {
         first,
         random,
@@ -145,7 +146,7 @@ final class SimulateCommand extends Command {
     private List<String> paths = List.of();
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         if (paths.isEmpty() && input == null) {
             throw new WrongUse("which models? name a PATH, or a test with --input");
         }

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.model;
 
+import arcomat.cli.command.Command;
 import arcomat.cli.option.BaselineOptions;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ReportFormat.Rendering;
@@ -40,7 +41,7 @@ import java.util.Locale;
             "Exit status: 0 no errors, with --strict no findings; 1 some that are not in the",
             "baseline; 2 wrong use, or input that cannot be read."
         })
-final class CheckCommand extends Command {
+public final class CheckCommand extends Command {
     /** What a model must fulfil. */
     enum Profile {
         requirements,
@@ -80,7 +81,7 @@ final class CheckCommand extends Command {
     private List<String> paths;
 
     @Override
-    int run(Session session) throws WrongUse {
+    protected int run(Session session) throws WrongUse {
         CheckResult result = check(session);
         CheckReport report = baselines.apply(result, session);
         Rendering rendering =

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
+import arcomat.cli.command.ComparisonCommand;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -30,7 +31,7 @@ import picocli.CommandLine.Option;
             "Exit status: 0 written; 1 the interfaces do not fit; 3 not for MONA; 2 wrong use or",
             "models with errors. The file is written in the first case only."
         })
-final class MonaCommand extends ComparisonCommand<WriteMonaQuestion.Outcome> {
+public final class MonaCommand extends ComparisonCommand<WriteMonaQuestion.Outcome> {
     @Option(
             names = "--out",
             paramLabel = "FILE",
@@ -39,26 +40,26 @@ final class MonaCommand extends ComparisonCommand<WriteMonaQuestion.Outcome> {
     private String out;
 
     @Override
-    Task<CheckedAnswer<Outcome>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Outcome>> task(Session session) throws WrongUse {
         return new WriteMonaQuestion(sides(), out, paths(), limits());
     }
 
     @Override
-    String json(Outcome outcome) {
+    protected String json(Outcome outcome) {
         return outcome instanceof Written written
                 ? report(written).json()
                 : VerdictJson.render(((Settled) outcome).answered().verdict());
     }
 
     @Override
-    String text(Outcome outcome, Style style) {
+    protected String text(Outcome outcome, Style style) {
         return outcome instanceof Written written
                 ? report(written).text()
                 : VerdictText.render(((Settled) outcome).answered(), style);
     }
 
     @Override
-    int status(Outcome outcome) {
+    protected int status(Outcome outcome) {
         return outcome instanceof Settled settled
                 ? status(settled.answered().verdict().answer())
                 : ExitStatus.FINE;

@@ -1,5 +1,6 @@
-package arcomat.cli.command;
+package arcomat.cli.command.proof;
 
+import arcomat.cli.command.AnalysisCommand;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -37,7 +38,7 @@ import java.util.List;
             "looked at; 2 wrong use or models with errors. A finding that is meant is declared in",
             "the model: <<suppress = \"ARC1001: reason\">>."
         })
-final class AnalyzeCommand extends AnalysisCommand<AnalyzeAutomata.Found> {
+public final class AnalyzeCommand extends AnalysisCommand<AnalyzeAutomata.Found> {
     @Option(
             names = "--component",
             paramLabel = "Q",
@@ -48,17 +49,17 @@ final class AnalyzeCommand extends AnalysisCommand<AnalyzeAutomata.Found> {
     private List<String> paths;
 
     @Override
-    Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
+    protected Task<CheckedAnswer<Found>> task(Session session) throws WrongUse {
         return new AnalyzeAutomata(components, paths, limits());
     }
 
     @Override
-    String json(Found found) {
+    protected String json(Found found) {
         return ExaminationJson.render(found.examinations(), found.unexamined());
     }
 
     @Override
-    String text(Found found, Style style) {
+    protected String text(Found found, Style style) {
         StringBuilder out = new StringBuilder();
         found.examinations().forEach(e -> out.append(ExaminationText.render(e, style)));
         found.unexamined().forEach(e -> out.append(ExaminationText.render(e, style)).append('\n'));
@@ -69,7 +70,7 @@ final class AnalyzeCommand extends AnalysisCommand<AnalyzeAutomata.Found> {
     }
 
     @Override
-    int status(Found found) {
+    protected int status(Found found) {
         return status(found.answer());
     }
 }

@@ -1,0 +1,2 @@
+/** Questions that are answered for all runs: promises, contradictions, comparisons. */
+package arcomat.cli.command.proof;
