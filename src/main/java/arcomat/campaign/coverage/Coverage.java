@@ -2,6 +2,7 @@ package arcomat.campaign.coverage;
 
 import java.util.List;
 import java.util.function.ToIntFunction;
+import java.util.stream.IntStream;
 
 /**
  * What the runs of a campaign have covered.
@@ -27,6 +28,15 @@ public record Coverage(long runs, List<OfAutomaton> automata, List<String> jars)
             states = List.copyOf(states);
         }
 
+        private OfAutomaton and(OfAutomaton further) {
+            return new OfAutomaton(
+                    items, sums(transitions, further.transitions), sums(states, further.states));
+        }
+
+        private static List<Long> sums(List<Long> one, List<Long> other) {
+            return IntStream.range(0, one.size()).mapToObj(i -> one.get(i) + other.get(i)).toList();
+        }
+
         /** How many transitions were taken in some run. */
         public int taken() {
             return covered(transitions);
@@ -40,6 +50,19 @@ public record Coverage(long runs, List<OfAutomaton> automata, List<String> jars)
         private static int covered(List<Long> runs) {
             return (int) runs.stream().filter(each -> each > 0).count();
         }
+    }
+
+    /**
+     * With further runs.
+     *
+     * @param further of the same items
+     */
+    public Coverage and(Coverage further) {
+        List<OfAutomaton> all =
+                IntStream.range(0, automata.size())
+                        .mapToObj(i -> automata.get(i).and(further.automata.get(i)))
+                        .toList();
+        return new Coverage(runs + further.runs, all, jars);
     }
 
     /** How many transitions there are. */

@@ -2,11 +2,9 @@ package arcomat.pipeline.campaign;
 
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judge;
-import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
-import arcomat.campaign.WorstRun;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageCount;
 import arcomat.campaign.overview.Overview;
@@ -24,7 +22,6 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -65,21 +62,19 @@ public record MakeCampaign(
          *
          * @param file the campaign, as the user wrote it
          * @param made what was run
+         * @param further what came of the runs that the table does not have
          */
         public CampaignReport report(
-                String file,
-                PrepareCampaign.Ready made,
-                Optional<WorstRun> worst,
-                Optional<RareEvent> rare) {
+                String file, PrepareCampaign.Ready made, FurtherRuns.Found further) {
             return new CampaignReport(
                     file,
                     made.campaign(),
                     made.replay(),
                     result,
                     overview,
-                    coverage,
-                    worst,
-                    rare,
+                    coverage.and(further.coverage()),
+                    further.worst(),
+                    further.rare(),
                     planned,
                     table);
         }

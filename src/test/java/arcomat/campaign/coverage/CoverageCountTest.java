@@ -66,6 +66,20 @@ class CoverageCountTest {
         assertThat(coverage.states()).isEqualTo(4);
     }
 
+    @Test
+    void furtherRunsAreAdded() {
+        CoverageCount first = new CoverageCount(ITEMS);
+        CoverageCount second = new CoverageCount(ITEMS);
+        CoverageCount both = new CoverageCount(ITEMS);
+        first.see(reached(0, 3));
+        second.see(reached(0, 2, 3, 5));
+        second.see(reached(4));
+        for (int[] each : new int[][] {{0, 3}, {0, 2, 3, 5}, {4}}) {
+            both.see(reached(each));
+        }
+        assertThat(first.coverage().and(second.coverage())).isEqualTo(both.coverage());
+    }
+
     /** A run that has not begun in a state, and come to it by no transition, was not in it. */
     @Test
     void aRunThatEndedBeforeItBeganWasNowhere() {

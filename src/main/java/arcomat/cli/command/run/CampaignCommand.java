@@ -1,8 +1,7 @@
 package arcomat.cli.command.run;
 
 import arcomat.campaign.CampaignResult;
-import arcomat.campaign.RareEvent;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.coverage.Coverage;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.ClusterOptions;
@@ -11,12 +10,11 @@ import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.FurtherRuns;
 import arcomat.pipeline.campaign.MakeCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign.Prepared;
 import arcomat.pipeline.campaign.PrepareCampaign.Ready;
-import arcomat.pipeline.campaign.SearchWorst;
-import arcomat.pipeline.campaign.SplitRuns;
 import arcomat.pipeline.campaign.WriteCampaignPage;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
@@ -35,7 +33,6 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-import java.util.Optional;
 import java.util.function.Function;
 
 /** {@code arcomat campaign}: many runs of a world, and what they prove. */
@@ -124,16 +121,19 @@ public final class CampaignCommand extends Command {
         Ready ready = prepared.ready().get();
         Function<Freight, Engine> engines = engines(ready.freight(), session);
         MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
-        Optional<WorstRun> worst = session.run(new SearchWorst(ready, engines));
-        Optional<RareEvent> rare = session.run(new SplitRuns(ready, engines));
-        CampaignReport shown = made.report(campaign, ready, worst, rare);
+        FurtherRuns.Found further = session.run(new FurtherRuns(ready, engines));
+        CampaignReport shown = made.report(campaign, ready, further);
         if (format == OutputFormat.json) {
             print(CampaignJson.render(shown));
         } else {
-            tell(made, ready);
-            worst.ifPresent(each -> print(CampaignText.found(each, ready.replay())));
-            rare.ifPresent(
-                    each -> print(new RareText(each, ready.replay(), console().style()).render()));
+            tell(made, ready, shown.coverage());
+            shown.worst().ifPresent(each -> print(CampaignText.found(each, ready.replay())));
+            shown.rare()
+                    .ifPresent(
+                            each ->
+                                    print(
+                                            new RareText(each, ready.replay(), console().style())
+                                                    .render()));
         }
         if (report != null) {
             tellPage(session.run(new WriteCampaignPage(shown, report)));
@@ -167,7 +167,7 @@ public final class CampaignCommand extends Command {
         return same -> new ThreadEngine(threads, runner);
     }
 
-    private void tell(MakeCampaign.Made made, Ready ready) {
+    private void tell(MakeCampaign.Made made, Ready ready, Coverage coverage) {
         StringBuilder head =
                 new StringBuilder("%,d runs of %s".formatted(made.runs(), ready.world()));
         if (made.runs() < made.planned()) {
@@ -181,7 +181,7 @@ public final class CampaignCommand extends Command {
         }
         printLine(head.append("\n").toString());
         print(new CampaignText(made.result(), ready.replay(), console().style()).render());
-        print(new CoverageText(made.coverage()).render());
+        print(new CoverageText(coverage).render());
         printLine("table " + made.table() + (results.isEmpty() ? "" : ", in " + results));
     }
 
