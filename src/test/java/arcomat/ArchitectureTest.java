@@ -82,7 +82,13 @@ class ArchitectureTest {
                                     // Tables by columns; of Hadoop only what stands in for it.
                                     "org.apache.parquet",
                                     "org.apache.hadoop")),
-                    Map.entry("cli", row("pipeline", "picocli")));
+                    Map.entry(
+                            "editor",
+                            row(
+                                    "pipeline syntax tree symbols check report",
+                                    "org.eclipse.lsp4j",
+                                    "com.google.gson")),
+                    Map.entry("cli", row("pipeline editor", "picocli")));
 
     /** What the pipeline hands out to the command line: data of other rooms. */
     private static final Set<String> HANDED_OUT =

@@ -10,6 +10,7 @@ import arcomat.cli.command.model.CheckCommand;
 import arcomat.cli.command.model.DiagramCommand;
 import arcomat.cli.command.model.ExplainCommand;
 import arcomat.cli.command.model.FormatCommand;
+import arcomat.cli.command.model.NewCommand;
 import arcomat.cli.command.proof.AnalyzeCommand;
 import arcomat.cli.command.proof.ContradictionsCommand;
 import arcomat.cli.command.proof.DiffCommand;
@@ -24,6 +25,7 @@ import arcomat.cli.command.run.RunBrickCommand;
 import arcomat.cli.command.run.SimulateCommand;
 import arcomat.cli.command.run.TestCommand;
 import arcomat.cli.command.run.WorldCommand;
+import arcomat.cli.command.serve.LanguageServerCommand;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -40,6 +42,7 @@ final class Commands {
      * command where one is asked for.
      */
     Commands() {
+        add("new", () -> new NewCommand());
         add("check", () -> new CheckCommand());
         add("format", () -> new FormatCommand());
         add("generate", () -> new GenerateCommand());
@@ -63,6 +66,7 @@ final class Commands {
         add("campaign-worker", () -> new CampaignWorkerCommand());
         add("link", () -> new LinkCommand());
         add("explain", () -> new ExplainCommand());
+        add("language-server", () -> new LanguageServerCommand());
     }
 
     private void add(String name, Supplier<Command> command) {

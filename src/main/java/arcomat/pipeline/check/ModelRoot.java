@@ -37,11 +37,20 @@ public final class ModelRoot {
 
     /** The folder above a unit's package; empty where folders and package differ. */
     public static Optional<Path> of(Unit unit, Path file) {
+        return of(unit.packageText(), file);
+    }
+
+    /**
+     * As above.
+     *
+     * @param packageName of what stands in the file; empty for none
+     */
+    public static Optional<Path> of(String packageName, Path file) {
         Path folder = folderOf(file);
-        if (unit.packageText().isEmpty()) {
+        if (packageName.isEmpty()) {
             return Optional.of(folder);
         }
-        String[] packages = unit.packageText().split("\\.");
+        String[] packages = packageName.split("\\.");
         for (int i = packages.length - 1; i >= 0; i--) {
             Path name = folder.getFileName();
             if (name == null || !name.toString().equals(packages[i])) {

@@ -29,7 +29,7 @@ public final class FileReader {
 
     /** Either a file or a finding about it. */
     public record Read(Optional<SourceFile> file, Optional<Diagnostic> finding) {
-        static Read of(SourceFile file) {
+        public static Read of(SourceFile file) {
             return new Read(Optional.of(file), Optional.empty());
         }
 

@@ -1,5 +1,6 @@
 package arcomat.pipeline.recheck;
 
+import arcomat.check.Review;
 import arcomat.pipeline.check.CheckedModels;
 import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.WrittenNames;
@@ -14,13 +15,17 @@ import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 import arcomat.tree.Unit.Import;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 
@@ -83,6 +88,34 @@ record StateOfFiles(FilesAround around) {
                 .filter(Import::wildcard)
                 .forEach(each -> mentions.add(FileInterface.allOf(each.name().text())));
         return mentions;
+    }
+
+    /**
+     * Puts what was found into the states of files.
+     *
+     * @param affected the files that were checked
+     * @param parsed what came of reading each of them, if it was read
+     * @param files the states, by path
+     */
+    static void takeOver(
+            Review review,
+            Set<String> affected,
+            Function<String, @Nullable Parsed> parsed,
+            Map<String, File> files) {
+        Map<String, List<Diagnostic>> findings = byFile(review.findings(), each -> each);
+        Map<String, List<Suppressed>> suppressed = byFile(review.suppressed(), Suppressed::finding);
+        for (String path : affected) {
+            File file = Objects.requireNonNull(files.get(path));
+            TreeSet<Diagnostic> found = new TreeSet<>(Diagnostic.ORDER);
+            Optional.ofNullable(parsed.apply(path)).ifPresent(p -> found.addAll(p.findings()));
+            found.addAll(findings.getOrDefault(path, List.of()));
+            found.removeIf(each -> !file.named() && !each.isError());
+            List<Suppressed> meant =
+                    suppressed.getOrDefault(path, List.of()).stream()
+                            .filter(each -> file.named() || each.finding().isError())
+                            .toList();
+            files.put(path, file.with(List.copyOf(found), meant));
+        }
     }
 
     /**

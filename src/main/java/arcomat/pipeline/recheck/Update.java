@@ -11,9 +11,7 @@ import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.report.text.Sha256;
-import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
-import arcomat.source.Suppressed;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.names.Outline;
 import arcomat.syntax.Parsed;
@@ -207,22 +205,7 @@ final class Update {
     }
 
     private List<File> merge(Review review) {
-        Map<String, List<Diagnostic>> findings =
-                StateOfFiles.byFile(review.findings(), each -> each);
-        Map<String, List<Suppressed>> suppressed =
-                StateOfFiles.byFile(review.suppressed(), Suppressed::finding);
-        for (String path : affected) {
-            File file = Objects.requireNonNull(after.get(path));
-            TreeSet<Diagnostic> found = new TreeSet<>(Diagnostic.ORDER);
-            Optional.ofNullable(parsed.get(path)).ifPresent(p -> found.addAll(p.findings()));
-            found.addAll(findings.getOrDefault(path, List.of()));
-            found.removeIf(each -> !file.named() && !each.isError());
-            List<Suppressed> meant =
-                    suppressed.getOrDefault(path, List.of()).stream()
-                            .filter(each -> file.named() || each.finding().isError())
-                            .toList();
-            after.put(path, file.with(List.copyOf(found), meant));
-        }
+        StateOfFiles.takeOver(review, affected, parsed::get, after);
         return List.copyOf(after.values());
     }
 }

@@ -98,7 +98,7 @@ class IncrementalCheckTest {
                 + FindingsJson.render(report);
     }
 
-    private static void delete(Path folder) throws IOException {
+    static void delete(Path folder) throws IOException {
         try (Stream<Path> files = Files.walk(folder)) {
             files.sorted((a, b) -> b.compareTo(a)).forEach(IncrementalCheckTest::deleteOne);
         }

@@ -2,15 +2,16 @@ package arcomat.cluster.hazelcast;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
-import arcomat.cluster.hazelcast.Letter.Answer;
 import arcomat.cluster.hazelcast.Letter.Answers;
 import arcomat.cluster.hazelcast.Letter.Breakdown;
 import arcomat.cluster.hazelcast.Letter.Hello;
 import arcomat.cluster.hazelcast.Letter.Refusal;
+import arcomat.pipeline.campaign.engine.Answer;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.Meeting;
+import arcomat.pipeline.campaign.engine.TrialBytes;
 
 import com.hazelcast.client.Client;
 import com.hazelcast.collection.IQueue;
@@ -122,7 +123,7 @@ final class HazelcastEngine implements Engine {
 
     private void assign() {
         for (Dispatch.Batch each : dispatch.assign()) {
-            board.trials(notice, each.worker()).add(LetterText.of(each.trials()));
+            board.trials(notice, each.worker()).add(TrialBytes.of(each.trials()));
         }
     }
 

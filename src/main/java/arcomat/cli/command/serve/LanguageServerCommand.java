@@ -1,0 +1,32 @@
+package arcomat.cli.command.serve;
+
+import arcomat.cli.command.Command;
+import arcomat.cli.terminal.Version;
+import arcomat.editor.LanguageService;
+import arcomat.pipeline.Session;
+
+import picocli.CommandLine;
+
+/** {@code arcomat language-server}: serves an editor. */
+@CommandLine.Command(
+        name = "language-server",
+        description =
+                "Serves an editor, which starts it and talks to it on standard input and output.",
+        footer = {
+            "It speaks the Language Server Protocol. Editors are told to start it for files that"
+                    + " end in",
+            ".arc, .cd, .ioautomaton and .mt; docs/editors.md has the lines for several of them.",
+            "",
+            "Exit status: 0 the editor took its leave; 1 it broke off; 2 wrong use."
+        })
+public final class LanguageServerCommand extends Command {
+    @Override
+    protected int run(Session session) {
+        try {
+            return LanguageService.serve(System.in, System.out, Version.number());
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            return 1;
+        }
+    }
+}

@@ -1,0 +1,2 @@
+/** Commands that other programs start and talk to. */
+package arcomat.cli.command.serve;

@@ -1,0 +1,178 @@
+package arcomat.editor.desk;
+
+import arcomat.editor.text.Positions;
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.file.FileFinder;
+import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.SourceFile;
+
+import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+
+/**
+ * What lies on the desk: the folders of the workspace, and over them what is open on the screen.
+ * Not to be used by more than one thread.
+ */
+public final class Desk {
+    /** Made by tools: copies of models in there are nobody's to edit. */
+    private static final Set<String> MADE = Set.of("build", "node_modules", "target");
+
+    private final Set<Path> folders = new HashSet<>();
+    private final Map<Path, SourceFile> screen = new HashMap<>();
+    private final Roots roots = new Roots();
+
+    /** Takes in all models of a folder. */
+    public void add(Path folder) {
+        if (folders.add(folder)) {
+            take(folder);
+        }
+    }
+
+    private void take(Path folder) {
+        FileFinder finder = new FileFinder(new PathNames(folder));
+        finder.find(folder.toString());
+        read(
+                finder.files().stream()
+                        .map(FileFinder.Found::path)
+                        .filter(file -> !isMade(folder, file) && !screen.containsKey(file))
+                        .toList());
+    }
+
+    private void read(List<Path> files) {
+        Map<Path, FileReader.Read> read = new ConcurrentHashMap<>();
+        files.parallelStream()
+                .forEach(file -> read.put(file, FileReader.read(file, file.toString())));
+        roots.take(new TreeMap<>(read));
+    }
+
+    private static boolean isMade(Path folder, Path file) {
+        for (Path part : folder.relativize(file)) {
+            if (MADE.contains(part.toString())) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Forgets a folder and the models in it, but for those that are open. */
+    public void remove(Path folder) {
+        folders.remove(folder);
+        roots.remove(
+                roots.files().stream()
+                        .filter(file -> file.startsWith(folder) && !screen.containsKey(file))
+                        .filter(file -> folders.stream().noneMatch(file::startsWith))
+                        .toList());
+    }
+
+    /** From now on the text on the screen counts, not that on the disk. */
+    public void open(Path file, String text) {
+        boolean alone = roots.of(file).isEmpty() && folders.stream().noneMatch(file::startsWith);
+        write(file, text);
+        if (alone && FileFinder.isModelFile(file)) {
+            roots.of(file).map(OpenModels::root).ifPresent(root -> addNeighbours(root, file));
+        }
+    }
+
+    /**
+     * What a file that is opened alone may refer to: its model root, or its folder where it has no
+     * package.
+     */
+    private void addNeighbours(Path root, Path file) {
+        if (!root.equals(file.getParent()) && root.getParent() != null) {
+            take(root);
+        }
+    }
+
+    private void write(Path file, String text) {
+        SourceFile source = new SourceFile(file.toString(), text);
+        screen.put(file, source);
+        if (FileFinder.isModelFile(file)) {
+            roots.take(Map.of(file, FileReader.Read.of(source)));
+        }
+    }
+
+    /** Edits a text on the screen, one change after the other. */
+    public void change(Path file, List<TextDocumentContentChangeEvent> changes) {
+        SourceFile source = screen.get(file);
+        if (source == null) {
+            return;
+        }
+        for (TextDocumentContentChangeEvent change : changes) {
+            source = new SourceFile(source.path(), changed(source, change));
+        }
+        write(file, source.text());
+    }
+
+    private static String changed(SourceFile before, TextDocumentContentChangeEvent change) {
+        if (change.getRange() == null) {
+            return change.getText();
+        }
+        var span = Positions.span(before, change.getRange());
+        return before.text().substring(0, span.start())
+                + change.getText()
+                + before.text().substring(span.end());
+    }
+
+    /** From now on what is on the disk counts. */
+    public void close(Path file) {
+        screen.remove(file);
+        changedOnDisk(List.of(file));
+    }
+
+    /** Something happened to files; what is on the screen stays what it is. */
+    public void changedOnDisk(Collection<Path> files) {
+        List<Path> others =
+                files.stream()
+                        .filter(file -> !screen.containsKey(file) && FileFinder.isModelFile(file))
+                        .toList();
+        roots.remove(others.stream().filter(file -> !Files.isRegularFile(file)).toList());
+        read(others.stream().filter(Files::isRegularFile).toList());
+    }
+
+    /** What a question about a file is about; nothing where it is no model that could be read. */
+    public Optional<View> view(Path file) {
+        return roots.of(file).flatMap(models -> view(models, Roots.path(models, file)));
+    }
+
+    private static Optional<View> view(OpenModels models, String path) {
+        return models.source(path)
+                .map(
+                        source ->
+                                new View(
+                                        models,
+                                        source,
+                                        models.parsed(path).orElseThrow(),
+                                        each -> models.root().resolve(each)));
+    }
+
+    /** The text on the screen, of whatever kind. */
+    public Optional<SourceFile> onScreen(Path file) {
+        return Optional.ofNullable(screen.get(file));
+    }
+
+    /** All models, by their roots. */
+    public Collection<OpenModels> models() {
+        return roots.all();
+    }
+
+    /**
+     * Checks what has changed and what that touches.
+     *
+     * @param goOn asked now and then; it may throw what ends the work until the next time
+     */
+    public void check(Runnable goOn) {
+        roots.check(goOn);
+    }
+}

@@ -1,0 +1,150 @@
+package arcomat.editor.desk;
+
+import arcomat.pipeline.PathNames;
+import arcomat.pipeline.check.ModelRoot;
+import arcomat.pipeline.file.FileReader;
+import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Models by the model root in which each lies. Those of different roots do not see each other,
+ * since robots of several people may lie in one folder and have the same names.
+ */
+final class Roots {
+    private static final Pattern PACKAGE =
+            Pattern.compile("^\\s*package\\s+([\\w.]+)\\s*;", Pattern.MULTILINE);
+
+    private final Map<Path, OpenModels> roots = new TreeMap<>();
+
+    /** The root of each file. */
+    private final Map<Path, Path> homes = new HashMap<>();
+
+    /** What becomes of one root. */
+    private record Change(
+            List<SourceFile> written, List<Diagnostic> unreadable, Set<String> removed) {}
+
+    Collection<OpenModels> all() {
+        return roots.values();
+    }
+
+    /** All files, but for the library's. */
+    Set<Path> files() {
+        return Set.copyOf(homes.keySet());
+    }
+
+    Optional<OpenModels> of(Path file) {
+        return Optional.ofNullable(homes.get(file)).map(roots::get);
+    }
+
+    /** The path of a file among the models of its root. */
+    static String path(OpenModels models, Path file) {
+        return new PathNames(models.root()).shown(file, false);
+    }
+
+    /** Checks each root that has changed; whoever is stopped has kept what was done before. */
+    void check(Runnable goOn) {
+        roots.replaceAll((root, models) -> models.check(goOn));
+    }
+
+    /**
+     * Takes over what files contain now.
+     *
+     * @param files what came of reading them, by absolute path
+     */
+    void take(Map<Path, FileReader.Read> files) {
+        Map<Path, Change> changes = new TreeMap<>();
+        // Files that name their package say where the roots are.
+        files.entrySet().stream()
+                .sorted(Comparator.comparing(each -> packageName(each.getValue()).isEmpty()))
+                .forEach(each -> take(each.getKey(), each.getValue(), changes));
+        apply(changes);
+    }
+
+    private void take(Path file, FileReader.Read read, Map<Path, Change> changes) {
+        Path home = home(file, packageName(read));
+        Path last = homes.put(file, home);
+        if (last != null && !last.equals(home)) {
+            change(last, changes).removed().add(path(last, file));
+        }
+        Change change = change(home, changes);
+        roots.computeIfAbsent(home, root -> OpenModels.in(root, false));
+        String path = path(home, file);
+        read.file().ifPresent(text -> change.written().add(new SourceFile(path, text.text())));
+        read.finding().ifPresent(finding -> change.unreadable().add(at(path, finding)));
+    }
+
+    private static Diagnostic at(String path, Diagnostic finding) {
+        Span span = finding.span();
+        SourceFile file = new SourceFile(path, span.file().text());
+        return Diagnostic.error(
+                finding.code(), file.span(span.start(), span.end()), finding.message());
+    }
+
+    void remove(Collection<Path> files) {
+        Map<Path, Change> changes = new TreeMap<>();
+        for (Path file : files) {
+            Path home = homes.remove(file);
+            if (home != null) {
+                change(home, changes).removed().add(path(home, file));
+            }
+        }
+        apply(changes);
+    }
+
+    private void apply(Map<Path, Change> changes) {
+        changes.forEach(
+                (root, change) -> {
+                    var edit =
+                            new OpenModels.Edit(
+                                    change.written(), change.unreadable(), change.removed());
+                    roots.computeIfPresent(root, (any, models) -> models.with(edit));
+                });
+    }
+
+    private static Change change(Path root, Map<Path, Change> changes) {
+        return changes.computeIfAbsent(
+                root, any -> new Change(new ArrayList<>(), new ArrayList<>(), new HashSet<>()));
+    }
+
+    private static String path(Path root, Path file) {
+        return new PathNames(root).shown(file, false);
+    }
+
+    /** Of a text that need not parse. */
+    private static String packageName(FileReader.Read read) {
+        Matcher matcher = PACKAGE.matcher(read.file().map(SourceFile::text).orElse(""));
+        return matcher.find() ? matcher.group(1) : "";
+    }
+
+    /** Whoever names no package, or another one than the folder, belongs to those around. */
+    private Path home(Path file, String packageName) {
+        Path folder = Objects.requireNonNull(file.getParent());
+        Optional<Path> said =
+                packageName.isEmpty() ? Optional.empty() : ModelRoot.of(packageName, file);
+        return said.or(() -> around(folder)).orElse(folder);
+    }
+
+    /** The deepest known root that holds a folder. */
+    private Optional<Path> around(Path folder) {
+        return roots.keySet().stream()
+                .filter(folder::startsWith)
+                .max(Comparator.comparing(Path::getNameCount));
+    }
+}

@@ -1,0 +1,46 @@
+package arcomat.editor.desk;
+
+import arcomat.editor.text.Positions;
+import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+import arcomat.source.Span;
+import arcomat.syntax.Parsed;
+
+import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.Position;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Function;
+
+/**
+ * What a question is about: a file, among all that belong to it, as they are on the screen now.
+ *
+ * @param models of the file's model root
+ * @param file the file
+ * @param parsed what came of reading it
+ * @param addresses where editors find the files of these models, by their paths
+ */
+public record View(
+        OpenModels models, SourceFile file, Parsed parsed, Function<String, Path> addresses) {
+
+    /** What was found in the file by the last check. */
+    public List<Diagnostic> findings() {
+        return models.findings(file.path());
+    }
+
+    public int offset(Position position) {
+        return Positions.offset(file, position);
+    }
+
+    /** A place in any file of these models. */
+    public Location location(Span span) {
+        return new Location(address(span.file().path()), Positions.range(span));
+    }
+
+    /** The address of a file of these models. */
+    public String address(String path) {
+        return addresses.apply(path).toUri().toString();
+    }
+}

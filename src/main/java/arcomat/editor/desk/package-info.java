@@ -1,0 +1,2 @@
+/** What is open, and the one thread that works on it. */
+package arcomat.editor.desk;

@@ -1,0 +1,99 @@
+package arcomat.editor.server;
+
+import arcomat.editor.answer.CanonicalLayout;
+import arcomat.editor.answer.Fixes;
+import arcomat.editor.desk.View;
+import arcomat.editor.text.Positions;
+
+import org.eclipse.lsp4j.CodeAction;
+import org.eclipse.lsp4j.CodeActionParams;
+import org.eclipse.lsp4j.Command;
+import org.eclipse.lsp4j.DidChangeTextDocumentParams;
+import org.eclipse.lsp4j.DidCloseTextDocumentParams;
+import org.eclipse.lsp4j.DidOpenTextDocumentParams;
+import org.eclipse.lsp4j.DidSaveTextDocumentParams;
+import org.eclipse.lsp4j.DocumentFormattingParams;
+import org.eclipse.lsp4j.DocumentRangeFormattingParams;
+import org.eclipse.lsp4j.TextDocumentIdentifier;
+import org.eclipse.lsp4j.TextEdit;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.services.TextDocumentService;
+
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+
+/** What editors say and ask about one file. */
+final class DocumentRequests implements TextDocumentService {
+    private final Worker worker;
+
+    DocumentRequests(Worker worker) {
+        this.worker = worker;
+    }
+
+    @Override
+    public void didOpen(DidOpenTextDocumentParams params) {
+        var document = params.getTextDocument();
+        Positions.path(document.getUri())
+                .ifPresent(file -> worker.edit(desk -> desk.open(file, document.getText())));
+    }
+
+    @Override
+    public void didChange(DidChangeTextDocumentParams params) {
+        Positions.path(params.getTextDocument().getUri())
+                .ifPresent(
+                        file -> worker.edit(desk -> desk.change(file, params.getContentChanges())));
+    }
+
+    @Override
+    public void didClose(DidCloseTextDocumentParams params) {
+        Positions.path(params.getTextDocument().getUri())
+                .ifPresent(file -> worker.edit(desk -> desk.close(file)));
+    }
+
+    /** What is on the screen is known already. */
+    @Override
+    public void didSave(DidSaveTextDocumentParams params) {}
+
+    /** Asks about a model as it is on the screen; the answer is empty where it is none. */
+    private <T> CompletableFuture<List<T>> ask(
+            TextDocumentIdentifier document, Function<View, List<T>> question) {
+        return worker.ask(
+                (desk, canceled) ->
+                        Positions.path(document.getUri())
+                                .flatMap(desk::view)
+                                .map(question)
+                                .orElse(List.of()));
+    }
+
+    @Override
+    public CompletableFuture<List<Either<Command, CodeAction>>> codeAction(
+            CodeActionParams params) {
+        List<String> kinds = Objects.requireNonNullElse(params.getContext().getOnly(), List.of());
+        return worker.askChecked(
+                (desk, canceled) ->
+                        Positions.path(params.getTextDocument().getUri())
+                                .flatMap(desk::view)
+                                .map(view -> Fixes.at(view, params.getRange(), kinds))
+                                .orElse(List.of())
+                                .stream()
+                                .map(Either::<Command, CodeAction>forRight)
+                                .toList());
+    }
+
+    @Override
+    public CompletableFuture<List<? extends TextEdit>> formatting(DocumentFormattingParams params) {
+        return ask(params.getTextDocument(), view -> CanonicalLayout.of(view.file()))
+                .thenApply(edits -> edits);
+    }
+
+    @Override
+    public CompletableFuture<List<? extends TextEdit>> rangeFormatting(
+            DocumentRangeFormattingParams params) {
+        return ask(
+                        params.getTextDocument(),
+                        view -> CanonicalLayout.in(view.file(), params.getRange()))
+                .thenApply(edits -> edits);
+    }
+}

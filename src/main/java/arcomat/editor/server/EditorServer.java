@@ -1,0 +1,166 @@
+package arcomat.editor.server;
+
+import arcomat.editor.answer.Diagnostics;
+import arcomat.editor.answer.Fixes;
+import arcomat.editor.desk.Desk;
+import arcomat.editor.text.Positions;
+import arcomat.pipeline.recheck.OpenModels;
+
+import org.eclipse.lsp4j.ClientCapabilities;
+import org.eclipse.lsp4j.CodeActionKind;
+import org.eclipse.lsp4j.CodeActionOptions;
+import org.eclipse.lsp4j.Diagnostic;
+import org.eclipse.lsp4j.DidChangeWatchedFilesRegistrationOptions;
+import org.eclipse.lsp4j.FileSystemWatcher;
+import org.eclipse.lsp4j.InitializeParams;
+import org.eclipse.lsp4j.InitializeResult;
+import org.eclipse.lsp4j.InitializedParams;
+import org.eclipse.lsp4j.PublishDiagnosticsParams;
+import org.eclipse.lsp4j.Registration;
+import org.eclipse.lsp4j.RegistrationParams;
+import org.eclipse.lsp4j.ServerCapabilities;
+import org.eclipse.lsp4j.ServerInfo;
+import org.eclipse.lsp4j.TextDocumentSyncKind;
+import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.WorkspaceFoldersOptions;
+import org.eclipse.lsp4j.WorkspaceServerCapabilities;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.services.LanguageClient;
+import org.eclipse.lsp4j.services.LanguageServer;
+import org.eclipse.lsp4j.services.TextDocumentService;
+import org.eclipse.lsp4j.services.WorkspaceService;
+
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+
+/** The server as the protocol sees it: what it can do, and how it begins and ends. */
+public final class EditorServer implements LanguageServer {
+    /** All kinds of files that it wants to hear of. */
+    private static final String FILES = "**/*.{arc,cd,ioautomaton,mt,world,script,campaign}";
+
+    private final String version;
+    private final Worker worker = new Worker(this::publish);
+    private final CompletableFuture<Integer> exit = new CompletableFuture<>();
+    private final Map<String, List<Diagnostic>> published = new HashMap<>();
+
+    @SuppressWarnings("NullAway.Init") // connected before the first message is read
+    private LanguageClient client;
+
+    private boolean watches;
+    private boolean shutDown;
+
+    /**
+     * @param version of the tool
+     */
+    public EditorServer(String version) {
+        this.version = version;
+    }
+
+    /** Says who is asking. */
+    public void connect(LanguageClient asking) {
+        client = asking;
+    }
+
+    /** The exit status, once the editor has said that it needs the server no more. */
+    public CompletableFuture<Integer> exitStatus() {
+        return exit;
+    }
+
+    @Override
+    public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
+        watches = canWatch(params.getCapabilities());
+        if (params.getWorkspaceFolders() != null) {
+            for (WorkspaceFolder folder : params.getWorkspaceFolders()) {
+                Positions.path(folder.getUri())
+                        .ifPresent(path -> worker.edit(desk -> desk.add(path)));
+            }
+        }
+        return CompletableFuture.completedFuture(
+                new InitializeResult(capabilities(), new ServerInfo("Arcomat", version)));
+    }
+
+    private static boolean canWatch(ClientCapabilities capabilities) {
+        var workspace = capabilities == null ? null : capabilities.getWorkspace();
+        var watching = workspace == null ? null : workspace.getDidChangeWatchedFiles();
+        return watching != null && Boolean.TRUE.equals(watching.getDynamicRegistration());
+    }
+
+    private static ServerCapabilities capabilities() {
+        ServerCapabilities can = new ServerCapabilities();
+        can.setTextDocumentSync(TextDocumentSyncKind.Incremental);
+        can.setCodeActionProvider(
+                new CodeActionOptions(List.of(CodeActionKind.QuickFix, Fixes.ALL)));
+        can.setDocumentFormattingProvider(true);
+        can.setDocumentRangeFormattingProvider(true);
+        WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
+        folders.setSupported(true);
+        folders.setChangeNotifications(true);
+        can.setWorkspace(new WorkspaceServerCapabilities(folders));
+        return can;
+    }
+
+    @Override
+    public void initialized(InitializedParams params) {
+        if (watches) {
+            var options =
+                    new DidChangeWatchedFilesRegistrationOptions(
+                            List.of(new FileSystemWatcher(Either.forLeft(FILES))));
+            var registration =
+                    new Registration("files", "workspace/didChangeWatchedFiles", options);
+            // An editor that says no does without.
+            var unused = client.registerCapability(new RegistrationParams(List.of(registration)));
+        }
+    }
+
+    /** Sends what is new to the editor, and that nothing is found where something was. */
+    private void publish(Desk desk) {
+        Set<String> gone = new HashSet<>(published.keySet());
+        for (OpenModels models : desk.models()) {
+            for (String path : models.checkedPaths()) {
+                String address = address(models, path);
+                gone.remove(address);
+                publish(address, Diagnostics.of(models, path, other -> address(models, other)));
+            }
+        }
+        gone.forEach(address -> publish(address, List.of()));
+    }
+
+    private static String address(OpenModels models, String path) {
+        return models.root().resolve(path).toUri().toString();
+    }
+
+    private void publish(String address, List<Diagnostic> findings) {
+        List<Diagnostic> last = published.getOrDefault(address, List.of());
+        if (!findings.equals(last)) {
+            published.put(address, findings);
+            client.publishDiagnostics(new PublishDiagnosticsParams(address, findings));
+        }
+    }
+
+    @Override
+    public CompletableFuture<Object> shutdown() {
+        shutDown = true;
+        worker.end();
+        return CompletableFuture.completedFuture(null);
+    }
+
+    /** Status 0 only where the editor has said before that it would go. */
+    @Override
+    public void exit() {
+        exit.complete(shutDown ? 0 : 1);
+    }
+
+    @Override
+    public TextDocumentService getTextDocumentService() {
+        return new DocumentRequests(worker);
+    }
+
+    @Override
+    public WorkspaceService getWorkspaceService() {
+        return new WorkspaceRequests(worker);
+    }
+}

@@ -1,0 +1,136 @@
+package arcomat.editor.server;
+
+import arcomat.editor.desk.Desk;
+
+import org.eclipse.lsp4j.jsonrpc.CancelChecker;
+import org.eclipse.lsp4j.jsonrpc.CompletableFutures;
+
+import java.time.Duration;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import java.util.function.BiFunction;
+import java.util.function.Consumer;
+
+/**
+ * The one thread that works on the desk: edits and questions in the order in which they come, so
+ * that a question sees all edits before it, and checks whenever there is nothing else to do. A
+ * check is broken off where something else comes, and begun again after that.
+ */
+final class Worker {
+    /** Models nest as deep as their authors like, and what follows them is recursive. */
+    private static final long STACK_BYTES = 512L << 20;
+
+    /** Who types on and on sees findings nevertheless. */
+    private static final Duration LONGEST_WAIT = Duration.ofMillis(500);
+
+    private final Desk desk = new Desk();
+    private final Consumer<Desk> checked;
+    private final ThreadPoolExecutor executor =
+            new ThreadPoolExecutor(
+                    1,
+                    1,
+                    0,
+                    TimeUnit.MILLISECONDS,
+                    new LinkedBlockingQueue<>(),
+                    work -> {
+                        Thread thread = new Thread(null, work, "desk", STACK_BYTES);
+                        thread.setDaemon(true);
+                        return thread;
+                    });
+
+    private boolean needsCheck;
+    private boolean checkIsQueued;
+    private long neededSince;
+
+    /** Ends a check because something else has come. */
+    private static final class BrokenOff extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        private BrokenOff() {
+            super(null, null, false, false);
+        }
+    }
+
+    /**
+     * @param checked told after each check
+     */
+    Worker(Consumer<Desk> checked) {
+        this.checked = checked;
+    }
+
+    /** Does something that may change what is found. */
+    void edit(Consumer<Desk> edit) {
+        executor.execute(
+                () -> {
+                    edit.accept(desk);
+                    if (!needsCheck) {
+                        needsCheck = true;
+                        neededSince = System.nanoTime();
+                    }
+                    checkLater();
+                });
+    }
+
+    /** There is one check in the queue at most, so that two do not wait for one another. */
+    private void checkLater() {
+        if (!checkIsQueued) {
+            checkIsQueued = true;
+            executor.execute(this::checkIfIdle);
+        }
+    }
+
+    /** Answers a question about the texts as they are now. */
+    <T> CompletableFuture<T> ask(BiFunction<Desk, CancelChecker, T> question) {
+        return CompletableFutures.computeAsync(
+                executor,
+                canceled -> {
+                    canceled.checkCanceled();
+                    return question.apply(desk, canceled);
+                });
+    }
+
+    /** Answers a question about what is found in the texts as they are now. */
+    <T> CompletableFuture<T> askChecked(BiFunction<Desk, CancelChecker, T> question) {
+        return ask(
+                (any, canceled) -> {
+                    check(() -> {});
+                    return question.apply(any, canceled);
+                });
+    }
+
+    private void checkIfIdle() {
+        checkIsQueued = false;
+        try {
+            breakOffForOthers();
+            check(this::breakOffForOthers);
+        } catch (BrokenOff others) {
+            checkLater();
+        }
+    }
+
+    private boolean hasOtherWork() {
+        boolean waited = System.nanoTime() - neededSince > LONGEST_WAIT.toNanos();
+        return needsCheck && !waited && !executor.getQueue().isEmpty();
+    }
+
+    private void breakOffForOthers() {
+        if (hasOtherWork()) {
+            throw new BrokenOff();
+        }
+    }
+
+    private void check(Runnable goOn) {
+        if (needsCheck) {
+            desk.check(goOn);
+            needsCheck = false;
+            checked.accept(desk);
+        }
+    }
+
+    /** Finishes what was begun. */
+    void end() {
+        executor.shutdown();
+    }
+}

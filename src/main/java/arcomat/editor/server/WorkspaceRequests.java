@@ -1,0 +1,45 @@
+package arcomat.editor.server;
+
+import arcomat.editor.text.Positions;
+
+import org.eclipse.lsp4j.DidChangeConfigurationParams;
+import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
+import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
+import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.services.WorkspaceService;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/** What editors say and ask about all files together. */
+final class WorkspaceRequests implements WorkspaceService {
+    private final Worker worker;
+
+    WorkspaceRequests(Worker worker) {
+        this.worker = worker;
+    }
+
+    @Override
+    public void didChangeWatchedFiles(DidChangeWatchedFilesParams params) {
+        List<Path> files =
+                params.getChanges().stream()
+                        .flatMap(each -> Positions.path(each.getUri()).stream())
+                        .toList();
+        worker.edit(desk -> desk.changedOnDisk(files));
+    }
+
+    @Override
+    public void didChangeWorkspaceFolders(DidChangeWorkspaceFoldersParams params) {
+        for (WorkspaceFolder folder : params.getEvent().getRemoved()) {
+            Positions.path(folder.getUri())
+                    .ifPresent(path -> worker.edit(desk -> desk.remove(path)));
+        }
+        for (WorkspaceFolder folder : params.getEvent().getAdded()) {
+            Positions.path(folder.getUri()).ifPresent(path -> worker.edit(desk -> desk.add(path)));
+        }
+    }
+
+    /** There is nothing to be configured yet. */
+    @Override
+    public void didChangeConfiguration(DidChangeConfigurationParams params) {}
+}

@@ -1,0 +1,226 @@
+package arcomat.editor;
+
+import arcomat.editor.server.EditorServer;
+import arcomat.source.SourceFile;
+
+import org.eclipse.lsp4j.ClientCapabilities;
+import org.eclipse.lsp4j.CodeAction;
+import org.eclipse.lsp4j.CodeActionContext;
+import org.eclipse.lsp4j.CodeActionParams;
+import org.eclipse.lsp4j.Command;
+import org.eclipse.lsp4j.Diagnostic;
+import org.eclipse.lsp4j.DidChangeTextDocumentParams;
+import org.eclipse.lsp4j.DidCloseTextDocumentParams;
+import org.eclipse.lsp4j.DidOpenTextDocumentParams;
+import org.eclipse.lsp4j.InitializeParams;
+import org.eclipse.lsp4j.InitializedParams;
+import org.eclipse.lsp4j.MessageActionItem;
+import org.eclipse.lsp4j.MessageParams;
+import org.eclipse.lsp4j.Position;
+import org.eclipse.lsp4j.PublishDiagnosticsParams;
+import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.ShowMessageRequestParams;
+import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
+import org.eclipse.lsp4j.TextDocumentIdentifier;
+import org.eclipse.lsp4j.TextDocumentItem;
+import org.eclipse.lsp4j.TextEdit;
+import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
+import org.eclipse.lsp4j.WorkspaceEdit;
+import org.eclipse.lsp4j.WorkspaceFolder;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.launch.LSPLauncher;
+import org.eclipse.lsp4j.services.LanguageClient;
+import org.eclipse.lsp4j.services.LanguageServer;
+
+import java.io.IOException;
+import java.io.PipedInputStream;
+import java.io.PipedOutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+
+/**
+ * An editor without a screen: it keeps the texts that are open, does the edits that it is sent, and
+ * talks to the server through the protocol, as bytes in a pipe.
+ */
+final class EditorClient implements LanguageClient, AutoCloseable {
+    private static final long PATIENCE_SECONDS = 60;
+    private static final int PIPE_BYTES = 1 << 20;
+
+    private final Path folder;
+    private final LanguageServer server;
+    private final Map<String, SourceFile> open = new TreeMap<>();
+    private final Map<String, Integer> versions = new TreeMap<>();
+    private final Map<String, List<Diagnostic>> problems = new ConcurrentHashMap<>();
+
+    /**
+     * @param folder the workspace
+     */
+    EditorClient(Path folder) throws IOException {
+        this.folder = folder;
+        PipedInputStream toServer = new PipedInputStream(PIPE_BYTES);
+        PipedInputStream toClient = new PipedInputStream(PIPE_BYTES);
+        PipedOutputStream fromClient = new PipedOutputStream(toServer);
+        PipedOutputStream fromServer = new PipedOutputStream(toClient);
+        EditorServer served = new EditorServer("0");
+        var serving = LSPLauncher.createServerLauncher(served, toServer, fromServer);
+        served.connect(serving.getRemoteProxy());
+        serving.startListening();
+        var asking = LSPLauncher.createClientLauncher(this, toClient, fromClient);
+        this.server = asking.getRemoteProxy();
+        asking.startListening();
+        InitializeParams params = new InitializeParams();
+        params.setCapabilities(new ClientCapabilities());
+        params.setWorkspaceFolders(List.of(new WorkspaceFolder(address("."), "test")));
+        get(server.initialize(params));
+        server.initialized(new InitializedParams());
+    }
+
+    LanguageServer server() {
+        return server;
+    }
+
+    String address(String path) {
+        return folder.resolve(path).normalize().toUri().toString();
+    }
+
+    /**
+     * The path below the workspace, with forward slashes; addresses outside are left as they are.
+     */
+    String path(String address) {
+        String start = folder.toUri().toString();
+        return address.startsWith(start) ? address.substring(start.length()) : address;
+    }
+
+    TextDocumentIdentifier document(String path) {
+        return new TextDocumentIdentifier(address(path));
+    }
+
+    static <T> T get(CompletableFuture<T> answer) {
+        try {
+            return answer.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        } catch (InterruptedException | ExecutionException | TimeoutException e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    void open(String path) throws IOException {
+        String text = Files.readString(folder.resolve(path));
+        open.put(path, new SourceFile(path, text));
+        versions.put(path, 1);
+        var document = new TextDocumentItem(address(path), "arcomat", 1, text);
+        server.getTextDocumentService().didOpen(new DidOpenTextDocumentParams(document));
+    }
+
+    void close(String path) {
+        open.remove(path);
+        server.getTextDocumentService().didClose(new DidCloseTextDocumentParams(document(path)));
+    }
+
+    SourceFile text(String path) {
+        SourceFile text = open.get(path);
+        if (text == null) {
+            throw new AssertionError(path + " is not open");
+        }
+        return text;
+    }
+
+    /** Replaces a range, as somebody does who types. */
+    void replace(String path, Range range, String text) {
+        SourceFile before = text(path);
+        int start = offset(before, range.getStart());
+        int end = offset(before, range.getEnd());
+        String after = before.text().substring(0, start) + text + before.text().substring(end);
+        open.put(path, new SourceFile(path, after));
+        int version = versions.merge(path, 1, Integer::sum);
+        server.getTextDocumentService()
+                .didChange(
+                        new DidChangeTextDocumentParams(
+                                new VersionedTextDocumentIdentifier(address(path), version),
+                                List.of(new TextDocumentContentChangeEvent(range, text))));
+    }
+
+    private static int offset(SourceFile file, Position position) {
+        return file.lineStart(position.getLine() + 1) + position.getCharacter();
+    }
+
+    /** Does edits that do not overlap: the last one first, so that places stay what they are. */
+    void apply(String path, List<? extends TextEdit> edits) {
+        edits.stream()
+                .sorted(
+                        Comparator.comparing(
+                                        (TextEdit edit) -> edit.getRange().getStart().getLine())
+                                .thenComparing(edit -> edit.getRange().getStart().getCharacter())
+                                .reversed())
+                .forEach(edit -> replace(path, edit.getRange(), edit.getNewText()));
+    }
+
+    /** Files that are not open are opened for it. */
+    void apply(WorkspaceEdit edit) throws IOException {
+        for (Map.Entry<String, List<TextEdit>> each : edit.getChanges().entrySet()) {
+            String path = path(each.getKey());
+            if (!open.containsKey(path)) {
+                open(path);
+            }
+            apply(path, each.getValue());
+        }
+    }
+
+    List<Either<Command, CodeAction>> actions(String path, Range range, List<String> kinds) {
+        CodeActionContext context = new CodeActionContext(List.of());
+        if (!kinds.isEmpty()) {
+            context.setOnly(kinds);
+        }
+        return get(
+                server.getTextDocumentService()
+                        .codeAction(new CodeActionParams(document(path), range, context)));
+    }
+
+    /** What the server has said about files, by their paths, after it has seen all edits. */
+    Map<String, List<Diagnostic>> problems() {
+        // Repairs are those of findings: once they are known, so are the findings.
+        actions("none", new Range(new Position(0, 0), new Position(0, 0)), List.of());
+        Map<String, List<Diagnostic>> shown = new TreeMap<>();
+        problems.forEach(
+                (address, found) -> {
+                    if (!found.isEmpty()) {
+                        shown.put(path(address), found);
+                    }
+                });
+        return shown;
+    }
+
+    @Override
+    public void publishDiagnostics(PublishDiagnosticsParams params) {
+        problems.put(params.getUri(), params.getDiagnostics());
+    }
+
+    @Override
+    public void telemetryEvent(Object object) {}
+
+    @Override
+    public void showMessage(MessageParams params) {}
+
+    @Override
+    public CompletableFuture<MessageActionItem> showMessageRequest(
+            ShowMessageRequestParams params) {
+        return CompletableFuture.completedFuture(null);
+    }
+
+    @Override
+    public void logMessage(MessageParams params) {}
+
+    @Override
+    public void close() {
+        get(server.shutdown());
+        server.exit();
+    }
+}

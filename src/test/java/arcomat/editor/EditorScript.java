@@ -1,0 +1,136 @@
+package arcomat.editor;
+
+import org.eclipse.lsp4j.Diagnostic;
+import org.eclipse.lsp4j.DiagnosticSeverity;
+import org.eclipse.lsp4j.DocumentFormattingParams;
+import org.eclipse.lsp4j.DocumentRangeFormattingParams;
+import org.eclipse.lsp4j.FormattingOptions;
+import org.eclipse.lsp4j.Position;
+import org.eclipse.lsp4j.Range;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * What somebody does in an editor, line by line, and what the editor shows. Positions are written
+ * as in findings, line and column from 1: {@code 3:5}, {@code 3:5-4:1}.
+ */
+final class EditorScript {
+    private final EditorClient client;
+
+    EditorScript(EditorClient client) {
+        this.client = client;
+    }
+
+    /** Does one step and returns what there is to see. */
+    String run(String step) throws IOException {
+        String[] words = step.split(" ", 4);
+        String path = words.length > 1 ? words[1] : "";
+        String place = words.length > 2 ? words[2] : "";
+        String rest = words.length > 3 ? words[3] : "";
+        return switch (words[0]) {
+            case "open" -> silently(() -> client.open(path));
+            case "close" -> silently(() -> client.close(path));
+            case "show" -> client.text(path).text();
+            case "type" -> silently(() -> client.replace(path, range(place), unescaped(rest)));
+            case "problems" -> problems();
+            case "fixes" -> fixes(path, range(place));
+            case "fix" -> silently(() -> fix(path, range(place), rest));
+            case "fix-all" -> silently(() -> fixAll(path));
+            case "format" -> silently(() -> format(path));
+            case "format-range" -> silently(() -> format(path, range(place)));
+            default -> throw new AssertionError("no step: " + step);
+        };
+    }
+
+    private interface Action {
+        void run() throws IOException;
+    }
+
+    private static String silently(Action action) throws IOException {
+        action.run();
+        return "";
+    }
+
+    private String problems() {
+        StringBuilder text = new StringBuilder();
+        client.problems()
+                .forEach((path, found) -> found.forEach(each -> text.append(line(path, each))));
+        return text.toString();
+    }
+
+    private static String line(String path, Diagnostic problem) {
+        return "%s:%s %s %s: %s\n"
+                .formatted(
+                        path,
+                        written(problem.getRange()),
+                        problem.getSeverity() == DiagnosticSeverity.Error ? "error" : "warning",
+                        problem.getCode().getLeft(),
+                        problem.getMessage().getLeft());
+    }
+
+    private String fixes(String path, Range range) {
+        return client.actions(path, range, List.of("quickfix")).stream()
+                .map(each -> each.getRight().getTitle() + "\n")
+                .collect(Collectors.joining());
+    }
+
+    private void fix(String path, Range range, String title) throws IOException {
+        for (var each : client.actions(path, range, List.of("quickfix"))) {
+            if (each.getRight().getTitle().equals(title)) {
+                client.apply(each.getRight().getEdit());
+                return;
+            }
+        }
+        throw new AssertionError("no fix '" + title + "' at " + written(range));
+    }
+
+    private void fixAll(String path) throws IOException {
+        for (var each : client.actions(path, range("1:1"), List.of("source.fixAll"))) {
+            client.apply(each.getRight().getEdit());
+        }
+    }
+
+    private void format(String path) {
+        var params = new DocumentFormattingParams(client.document(path), new FormattingOptions());
+        client.apply(
+                path,
+                EditorClient.get(client.server().getTextDocumentService().formatting(params)));
+    }
+
+    private void format(String path, Range range) {
+        var params =
+                new DocumentRangeFormattingParams(
+                        client.document(path), new FormattingOptions(), range);
+        client.apply(
+                path,
+                EditorClient.get(client.server().getTextDocumentService().rangeFormatting(params)));
+    }
+
+    /** {@code 3:5} or {@code 3:5-4:1}. */
+    static Range range(String written) {
+        String[] ends = written.split("-");
+        Position start = position(ends[0]);
+        return new Range(start, ends.length > 1 ? position(ends[1]) : start);
+    }
+
+    static Position position(String written) {
+        String[] parts = written.split(":");
+        return new Position(Integer.parseInt(parts[0]) - 1, Integer.parseInt(parts[1]) - 1);
+    }
+
+    static String written(Range range) {
+        return range.getStart().equals(range.getEnd())
+                ? written(range.getStart())
+                : written(range.getStart()) + "-" + written(range.getEnd());
+    }
+
+    private static String written(Position position) {
+        return (position.getLine() + 1) + ":" + (position.getCharacter() + 1);
+    }
+
+    private static String unescaped(String text) {
+        return text.replace("\\n", "\n");
+    }
+}

@@ -1,0 +1,110 @@
+package arcomat.pipeline.recheck;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import arcomat.pipeline.Progress;
+import arcomat.pipeline.Session;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.CheckFiles;
+import arcomat.pipeline.file.FileFinder;
+import arcomat.pipeline.file.FileReader;
+import arcomat.source.Diagnostic;
+import arcomat.source.SourceFile;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/** What is found while models are edited is what a check of the folder finds. */
+class OpenModelsTest {
+    private static final int FILES = 30;
+    private static final int ROUNDS = 25;
+
+    @Property(tries = 12)
+    void findsWhatAFullCheckFinds(@ForAll long seed) throws IOException {
+        Path folder = Files.createTempDirectory("open");
+        try {
+            Random random = new Random(seed);
+            EditedModels models = new EditedModels(folder, random);
+            while (models.size() < FILES) {
+                models.add();
+            }
+            boolean executable = random.nextBoolean();
+            OpenModels open = OpenModels.in(folder, executable);
+            StringBuilder what = new StringBuilder("at first");
+            for (int round = 0; round < ROUNDS; round++) {
+                open = open.with(edit(open, folder));
+                // Not every edit is checked: some are followed by the next too soon.
+                if (round == 0 || random.nextInt(3) > 0) {
+                    open = open.check(() -> {});
+                    assertThat(found(open))
+                            .as(what.toString())
+                            .isEqualTo(found(folder, executable));
+                    what.setLength(0);
+                }
+                what.append(models.edit()).append("; ");
+            }
+        } finally {
+            IncrementalCheckTest.delete(folder);
+        }
+    }
+
+    /** The difference between what is open and what lies in the folder. */
+    private static OpenModels.Edit edit(OpenModels open, Path folder) throws IOException {
+        List<SourceFile> written = new ArrayList<>();
+        List<Diagnostic> unreadable = new ArrayList<>();
+        Set<String> removed = new HashSet<>(open.paths());
+        removed.removeIf(open::isLibrary);
+        try (Stream<Path> files = Files.walk(folder)) {
+            for (Path file : files.filter(FileFinder::isModelFile).sorted().toList()) {
+                String path = folder.relativize(file).toString();
+                removed.remove(path);
+                FileReader.Read read = FileReader.read(file, path);
+                read.finding().ifPresent(unreadable::add);
+                read.file().filter(now -> isNew(now, open)).ifPresent(written::add);
+            }
+        }
+        return new OpenModels.Edit(written, unreadable, removed);
+    }
+
+    private static boolean isNew(SourceFile now, OpenModels open) {
+        return open.source(now.path()).filter(old -> old.text().equals(now.text())).isEmpty();
+    }
+
+    private static String found(OpenModels open) {
+        return text(open.checkedPaths().stream().flatMap(path -> open.findings(path).stream()));
+    }
+
+    private static String found(Path folder, boolean executable) {
+        try {
+            Session session = Session.in(folder, Progress.NONE);
+            return text(session.run(new CheckFiles(List.of("."), executable)).findings().stream());
+        } catch (WrongUse e) {
+            throw new AssertionError(e);
+        }
+    }
+
+    private static String text(Stream<Diagnostic> findings) {
+        StringBuilder text = new StringBuilder();
+        findings.sorted(Diagnostic.ORDER)
+                .forEach(
+                        each ->
+                                text.append(each.span())
+                                        .append(' ')
+                                        .append(each.code())
+                                        .append(' ')
+                                        .append(each.message())
+                                        .append(each.related())
+                                        .append('\n'));
+        return text.toString();
+    }
+}
