@@ -50,7 +50,8 @@ class ErrorIndexTest {
                     "ARC0916", "error; warning of `check-brick`",
                     "ARC0917", "error; warning from 80 %",
                     "ARC0918", "error; warning from 80 %",
-                    "ARC1002", "warning; error where completion is `error`");
+                    "ARC1002", "warning; error where completion is `error`",
+                    "ARC1105", "error; warning where it is not decided");
 
     private static final Map<String, String> CHAPTERS = new LinkedHashMap<>();
 

@@ -1,7 +1,7 @@
 package arcomat.pipeline.campaign;
 
 import arcomat.campaign.RareEvent;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageCount;
 import arcomat.pipeline.Session;
@@ -29,7 +29,7 @@ public record FurtherRuns(PrepareCampaign.Ready ready, Function<Freight, Engine>
      * @param rare empty where the campaign has no splitting
      * @param coverage of the automata of its robots, by these runs
      */
-    public record Found(Optional<WorstRun> worst, Optional<RareEvent> rare, Coverage coverage) {}
+    public record Found(Optional<WorstSearch> worst, Optional<RareEvent> rare, Coverage coverage) {}
 
     /**
      * @throws WrongUse where runs cannot go on
@@ -39,7 +39,7 @@ public record FurtherRuns(PrepareCampaign.Ready ready, Function<Freight, Engine>
         CoverageCount count = new CoverageCount(ready.items());
         Function<Freight, Engine> counted =
                 engines.andThen(engine -> new ShownRows(engine, row -> count.see(row.reached())));
-        Optional<WorstRun> worst = session.run(new SearchWorst(ready, counted));
+        Optional<WorstSearch> worst = session.run(new SearchWorst(ready, counted));
         Optional<RareEvent> rare = session.run(new SplitRuns(ready, counted));
         return new Found(worst, rare, count.coverage());
     }

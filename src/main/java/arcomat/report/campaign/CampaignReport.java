@@ -4,7 +4,7 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.RareEvent;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Decision;
@@ -33,7 +33,7 @@ public record CampaignReport(
         CampaignResult result,
         Overview overview,
         Coverage coverage,
-        Optional<WorstRun> worst,
+        Optional<WorstSearch> worst,
         Optional<RareEvent> rare,
         long planned,
         String table) {
@@ -54,7 +54,7 @@ public record CampaignReport(
     }
 
     /** What came of it, in a sentence. */
-    String headline() {
+    public String headline() {
         String runs = "%,d %s of %s".formatted(runs(), runs() == 1 ? "run" : "runs", world());
         return runs + ": " + verdict();
     }

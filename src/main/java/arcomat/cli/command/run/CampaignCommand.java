@@ -170,6 +170,10 @@ public final class CampaignCommand extends Command {
     private void tell(MakeCampaign.Made made, Ready ready, Coverage coverage) {
         StringBuilder head =
                 new StringBuilder("%,d runs of %s".formatted(made.runs(), ready.world()));
+        long seeds = ready.campaign().seeds(made.runs());
+        if (seeds < made.runs()) {
+            head.append(" on %,d %s".formatted(seeds, seeds == 1 ? "seed" : "seeds"));
+        }
         if (made.runs() < made.planned()) {
             head.append(", decided before the %,d that were planned".formatted(made.planned()));
         }

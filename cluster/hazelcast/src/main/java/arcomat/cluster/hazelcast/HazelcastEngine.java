@@ -172,15 +172,23 @@ final class HazelcastEngine implements Engine {
     }
 
     private void leave(UUID worker) {
-        int lost = dispatch.leave(worker);
+        Dispatch.Loss loss = dispatch.leave(worker);
         board.trials(notice, worker).destroy();
         String given =
-                switch (lost) {
+                switch (loss.again()) {
                     case 0 -> "";
                     case 1 -> "; 1 run is made by others";
-                    default -> "; " + lost + " runs are made by others";
+                    default -> "; " + loss.again() + " runs are made by others";
                 };
         told.accept("worker " + numbers.get(worker) + " is gone" + given);
+        loss.givenUp().forEach(this::giveUp);
+    }
+
+    /** The same words whoever was lost: they are a part of the table. */
+    private void giveUp(Trial trial) {
+        String why = "%d workers were lost with it".formatted(Dispatch.LOSSES);
+        rows.add(Row.withoutAnswers(trial, Row.Ending.GIVEN_UP, why));
+        told.accept("run %d is given up: %s".formatted(trial.number(), why));
     }
 
     private void read(byte[] bytes) {
