@@ -4,6 +4,7 @@ import arcomat.campaign.RareEvent;
 import arcomat.campaign.WorstSearch;
 import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.coverage.CoverageCount;
+import arcomat.campaign.coverage.CoverageItems;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -29,7 +30,13 @@ public record FurtherRuns(PrepareCampaign.Ready ready, Function<Freight, Engine>
      * @param rare empty where the campaign has no splitting
      * @param coverage of the automata of its robots, by these runs
      */
-    public record Found(Optional<WorstSearch> worst, Optional<RareEvent> rare, Coverage coverage) {}
+    public record Found(Optional<WorstSearch> worst, Optional<RareEvent> rare, Coverage coverage) {
+        /** Where there were no further runs. */
+        public static Found nothing(CoverageItems items) {
+            Coverage none = new CoverageCount(items).coverage();
+            return new Found(Optional.empty(), Optional.empty(), none);
+        }
+    }
 
     /**
      * @throws WrongUse where runs cannot go on
