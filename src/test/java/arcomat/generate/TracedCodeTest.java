@@ -57,7 +57,9 @@ class TracedCodeTest {
         return files;
     }
 
-    /** What marks say is what notes say, which are code: each is right before the line it is about. */
+    /**
+     * What marks say is what notes say, which are code: each is right before the line it is about.
+     */
     @ParameterizedTest
     @ValueSource(
             strings = {"composition", "events", "expressions", "guards", "latched", "mentions"})
@@ -66,12 +68,15 @@ class TracedCodeTest {
         check(Lowering.lower(Scenario.read(path).workspace()));
     }
 
-    /** So many transitions that a state has several methods, and so many states that these share. */
+    /**
+     * So many transitions that a state has several methods, and so many states that these share.
+     */
     @Test
     void inMethodsOfTheirOwnToo() {
         assertThat(check(large("a, b", 900, i -> "a -> b"))).isEqualTo(1800);
         String states = names(IntStream.range(0, 300));
-        assertThat(check(large(states, 300, i -> "s" + i + " -> s" + (i + 1) % 300))).isEqualTo(600);
+        assertThat(check(large(states, 300, i -> "s" + i + " -> s" + (i + 1) % 300)))
+                .isEqualTo(600);
     }
 
     private static String names(IntStream numbers) {
@@ -79,7 +84,8 @@ class TracedCodeTest {
     }
 
     private static Model large(String states, int transitions, IntFunction<String> arrow) {
-        StringBuilder text = new StringBuilder("==== p/A.arc\npackage p;\ncomponent A {\n    timing instant;\n");
+        StringBuilder text =
+                new StringBuilder("==== p/A.arc\npackage p;\ncomponent A {\n    timing instant;\n");
         text.append("    port <<total>> in Integer i, out Integer o;\n");
         text.append("    <<completion = \"ignore\">> automaton {\n        state ").append(states);
         text.append(";\n        initial ").append(states.replaceFirst(",.*", "")).append(";\n");
@@ -93,8 +99,7 @@ class TracedCodeTest {
         int marks = 0;
         for (Choosing choosing : Choosing.values()) {
             Request request = Request.all(model, choosing);
-            Generation plain =
-                    Generator.generate(request, Target.shipped("jvm").orElseThrow());
+            Generation plain = Generator.generate(request, Target.shipped("jvm").orElseThrow());
             Generation traced =
                     Generator.generate(request.withTrace(), Target.shipped("jvm").orElseThrow());
             Map<String, String> texts = files(request.withTrace());
@@ -108,7 +113,10 @@ class TracedCodeTest {
                 each.lines()
                         .transitions()
                         .values()
-                        .forEach(line -> assertThat(line(file.lines().toList(), line)).matches(DONE));
+                        .forEach(
+                                line ->
+                                        assertThat(line(file.lines().toList(), line))
+                                                .matches(DONE));
             }
         }
         return marks;

@@ -14,11 +14,7 @@ import java.util.List;
  * @param reached what the run has covered
  */
 public record Answer(
-        long number,
-        Row.Ending ending,
-        String remark,
-        List<Double> answers,
-        ReachedItems reached) {
+        long number, Row.Ending ending, String remark, List<Double> answers, ReachedItems reached) {
     public Answer {
         answers = List.copyOf(answers);
     }

@@ -75,11 +75,7 @@ public final class TrialBytes {
             long number = in.readLong();
             answers.add(
                     new Answer(
-                            number,
-                            ending(in.readByte()),
-                            in.readUTF(),
-                            numbers(in),
-                            reached(in)));
+                            number, ending(in.readByte()), in.readUTF(), numbers(in), reached(in)));
         }
         return answers;
     }
