@@ -1,10 +1,12 @@
 package arcomat.sim.load;
 
 import arcomat.sim.device.Hardware;
+import arcomat.sim.time.Carriers;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
+import java.util.concurrent.Executor;
 
 /**
  * A program for bricks. One for many of them makes its class files ready once, and where all its
@@ -18,21 +20,28 @@ public final class LoadedProgram {
     private final List<Probe> probes;
     private final List<LineProbe> lines;
     private final int numbers;
+    private final boolean rests;
+    private final Carriers carriers = new Carriers();
     private @Nullable Stock counted;
     private @Nullable Stock free;
 
     private LoadedProgram(
-            Program program, boolean once, List<Probe> probes, List<LineProbe> lines) {
+            Program program,
+            boolean once,
+            List<Probe> probes,
+            List<LineProbe> lines,
+            boolean rests) {
         this.program = program;
         this.once = once;
         this.probes = List.copyOf(probes);
         this.lines = List.copyOf(lines);
         this.numbers = lines.stream().mapToInt(each -> each.number() + 1).max().orElse(0);
+        this.rests = rests;
     }
 
     /** For one brick. */
     public static LoadedProgram forOnce(Program program) {
-        return new LoadedProgram(program, true, List.of(), List.of());
+        return new LoadedProgram(program, true, List.of(), List.of(), false);
     }
 
     /** For many bricks, one after the other or at the same time. */
@@ -48,7 +57,20 @@ public final class LoadedProgram {
      */
     public static LoadedProgram forMany(
             Program program, List<Probe> probes, List<LineProbe> lines) {
-        return new LoadedProgram(program, false, probes, lines);
+        return new LoadedProgram(program, false, probes, lines, true);
+    }
+
+    /**
+     * The same program, each of whose threads has one of the PC from its beginning to its end. It
+     * does the same, and takes longer.
+     */
+    public LoadedProgram onThreads() {
+        return new LoadedProgram(program, once, probes, lines, false);
+    }
+
+    /** Threads of the PC for those of its bricks. */
+    public Executor carriers() {
+        return carriers;
     }
 
     public Program program() {
@@ -73,13 +95,21 @@ public final class LoadedProgram {
         return stock(isCounted).repeats();
     }
 
+    /**
+     * Whether on bricks with limits, or without, its main thread needs none of the PC's between its
+     * slices: the tool has made the program, or it has the same form.
+     */
+    public boolean rests(boolean isCounted) {
+        return stock(isCounted).rests();
+    }
+
     private synchronized Stock stock(boolean isCounted) {
         Stock stock = isCounted ? counted : free;
         if (stock == null) {
             stock =
                     once
                             ? Stock.forOnce(program, isCounted)
-                            : Stock.forMany(program, isCounted, probes, lines);
+                            : Stock.forMany(program, isCounted, probes, lines, rests);
             if (isCounted) {
                 counted = stock;
             } else {
@@ -101,6 +131,6 @@ public final class LoadedProgram {
 
     /** What a method of a class that begins again is called in its class file. */
     public static String written(String method) {
-        return method.equals(Repetition.BEGIN) ? "<clinit>" : method;
+        return method.equals(Repetition.BEGIN) ? "<clinit>" : SliceLoop.written(method);
     }
 }

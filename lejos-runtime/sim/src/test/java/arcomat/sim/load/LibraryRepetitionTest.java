@@ -19,7 +19,7 @@ class LibraryRepetitionTest {
     @Test
     void everyClassThatIsLoadedOncePerBrickCanBeginAgain() throws IOException, URISyntaxException {
         ClassFiles files =
-                new Redirected(new Program("none", Map.of()), true, List.of(), List.of());
+                new Redirected(new Program("none", Map.of()), true, List.of(), List.of(), false);
         Beginnings beginnings = new Beginnings(files);
         List<String> names = names();
         assertThat(names).hasSizeGreaterThan(50);
