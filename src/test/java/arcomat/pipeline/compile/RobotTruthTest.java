@@ -155,7 +155,7 @@ class RobotTruthTest {
         Set<String> taken = new TreeSet<>();
         List<Map<String, Value>> slices = new ArrayList<>();
         try (Laboratory laboratory = new Laboratory()) {
-            LoadedProgram program = 
+            LoadedProgram program =
                     LoadedProgram.forMany(robot.program(), List.of(), probes).onThreads();
             SimulatedBrick brick = laboratory.place("robot", program);
             brick.observe(new Looker(robot, slices));

@@ -165,8 +165,7 @@ public final class TrialRunner implements Function<Trial, Row> {
                     return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
                 }
                 ReachedItems reached = notes.reached();
-                List<Double> answers =
-                        new ArrayList<>(Answers.of(summary, transitions(reached)));
+                List<Double> answers = new ArrayList<>(Answers.of(summary, transitions(reached)));
                 answers.addAll(measured.answers());
                 answers.addAll(sightings.answers(watches));
                 answers.addAll(levels.answers());

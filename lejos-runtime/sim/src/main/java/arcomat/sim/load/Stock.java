@@ -21,7 +21,8 @@ final class Stock {
 
     /** For one brick: what it does not need is not looked at. */
     static Stock forOnce(Program program, boolean counted) {
-        return new Stock(new Redirected(program, counted, List.of(), List.of(), false), false, false);
+        return new Stock(
+                new Redirected(program, counted, List.of(), List.of(), false), false, false);
     }
 
     /**
