@@ -4,4 +4,10 @@
  */
 grammar Arcomat;
 
+// Parse trees that take less memory; they mean the same.
+options {
+    superClass = arcomat.syntax.runtime.TreeParser;
+    contextSuperClass = arcomat.syntax.runtime.RuleNode;
+}
+
 import Arc, ClassDiagram, StreamTest;

@@ -40,18 +40,26 @@ block
     ;
 
 item
-    : name ('==' | '=') value                                               # messageItem
-    | 'call' expression                                                     # callItem
-    | qualifiedName operator = ('++' | '--')                                # incrementItem
-    | value                                                                 # unnamedItem
+    : name ('==' | '=') value
+    | 'call' expression
+    | qualifiedName operator = ('++' | '--')
+    | value
     ;
 
 value
-    : 'alt' '{' value (',' value)* '}'                                      # alternativesValue
-    | '[' expression (',' expression)* ']'                                  # sequenceValue
-    | '--'                                                                  # noMessageValue
-    | '?'                                                                   # anyMessageValue
-    | expression                                                            # singleValue
+    : alternatives
+    | sequence
+    | nothing = '--'
+    | anything = '?'
+    | expression
+    ;
+
+alternatives
+    : 'alt' '{' value (',' value)* '}'
+    ;
+
+sequence
+    : '[' expression (',' expression)* ']'
     ;
 
 stereotypes

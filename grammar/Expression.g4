@@ -11,28 +11,24 @@ expressionUnit
 
 // From the tightest to the loosest operator.
 expression
-    : operand                                                               # operandExpression
+    : primary suffix*                                                       # operandExpression
     | operator = ('!' | '-' | '+' | '~') expression                         # unaryExpression
     | '(' primitiveType ')' expression                                      # primitiveCastExpression
     | '(' objectType ')' castOperand                                            # castExpression
-    | expression operator = ('*' | '/' | '%') expression                    # binaryExpression
-    | expression operator = ('+' | '-') expression                          # binaryExpression
-    | expression operator = ('<' | '<=' | '>' | '>=') expression            # binaryExpression
+    | left = expression operator = ('*' | '/' | '%') right = expression     # binaryExpression
+    | left = expression operator = ('+' | '-') right = expression           # binaryExpression
+    | left = expression operator = ('<' | '<=' | '>' | '>=') right = expression # binaryExpression
     | expression 'instanceof' instanceType                                  # instanceOfExpression
     | expression 'isin' '{' (expression (',' expression)*)? '}'             # membershipExpression
     // Two alternatives: one with a choice inside would misparse "a == b && c".
     | expression operator = ('==' | '!=') '--'                              # absenceExpression
-    | expression operator = ('==' | '!=') expression                        # binaryExpression
-    | expression operator = '&&' expression                                 # binaryExpression
-    | expression operator = '||' expression                                 # binaryExpression
-    | <assoc = right> expression operator = 'implies' expression            # binaryExpression
-    | expression operator = '<=>' expression                                # binaryExpression
+    | left = expression operator = ('==' | '!=') right = expression         # binaryExpression
+    | left = expression operator = '&&' right = expression                  # binaryExpression
+    | left = expression operator = '||' right = expression                  # binaryExpression
+    | <assoc = right> left = expression operator = 'implies' right = expression # binaryExpression
+    | left = expression operator = '<=>' right = expression                 # binaryExpression
     | <assoc = right> expression '?' expression ':' expression              # conditionalExpression
     | 'if' expression 'then' expression 'else' expression                   # ifExpression
-    ;
-
-operand
-    : primary suffix*
     ;
 
 suffix
@@ -40,16 +36,18 @@ suffix
     | '[' expression ']'                                                    # indexSuffix
     ;
 
+// Alternatives without labels, as of items and values in blocks: these three are most of a parse
+// tree, and a labelled one is made twice.
 primary
-    : literal                                                               # literalPrimary
-    | name arguments?                                                       # namePrimary
-    | '(' expression ')'                                                    # parenthesesPrimary
-    | 'new' creator                                                         # creationPrimary
+    : literal
+    | name arguments?
+    | '(' expression ')'
+    | 'new' creator
     ;
 
 // No sign in front: "(a) - b" is a subtraction.
 castOperand
-    : operand                                                               # plainOperand
+    : primary suffix*                                                       # plainOperand
     | operator = ('!' | '~') castOperand                                    # unaryOperand
     | '(' primitiveType ')' castOperand                                     # primitiveCastOperand
     | '(' objectType ')' castOperand                                            # typeCastOperand
@@ -101,7 +99,7 @@ typeArgument
 
 typeSuffix
     : '[' low = expression '..' high = expression ']'                       # rangeSuffix
-    | ('[' ']')+                                                            # arraySuffix
+    | (dimensions += '[' ']')+                                              # arraySuffix
     ;
 
 variable

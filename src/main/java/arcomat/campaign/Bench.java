@@ -18,7 +18,7 @@ abstract class Bench {
     static Bench of(Demand demand, Campaign campaign) {
         return demand.match(
                 probability -> new OfEvent(probability, campaign),
-                share -> new OfShare(share, campaign.column(share.measure())));
+                share -> new OfShare(share, campaign));
     }
 
     /** A row that was made or given up. */
@@ -27,6 +27,11 @@ abstract class Bench {
     abstract boolean isDecided();
 
     abstract Judgement judge(Function<String, Measurements> measured);
+
+    /** Where runs share seeds, it is seeds that count. */
+    private static String onSeeds(long seeds, long runs) {
+        return seeds < runs ? " on %,d %s".formatted(seeds, seeds == 1 ? "seed" : "seeds") : "";
+    }
 
     /** Nobody knows what they would have said: they count against whatever is wanted. */
     private static String withoutAnswer(long runs, String what) {
@@ -43,6 +48,7 @@ abstract class Bench {
      */
     private static final class OfEvent extends Bench {
         private final Demand.Probability demand;
+        private final Campaign campaign;
         private final int column;
         private final boolean sequential;
         private final Confidence confidence;
@@ -55,6 +61,7 @@ abstract class Bench {
 
         OfEvent(Demand.Probability demand, Campaign campaign) {
             this.demand = demand;
+            this.campaign = campaign;
             this.column = campaign.column(demand.event());
             this.sequential = campaign.stopsWhenDecided();
             this.confidence = new Confidence(demand.confidence());
@@ -95,23 +102,27 @@ abstract class Bench {
                 String when =
                         "decided by run %,d, %,d of them against it"
                                 .formatted(course.trials(), course.events());
-                return new Judgement(subject, true, course.decision(), when);
+                return new Judgement(subject, true, course.decision(), when, demand.place());
             }
-            Proportion proportion = new Proportion(bad, seen);
+            Proportion proportion = new Proportion(bad, seen, campaign.seeds(seen));
             // Who might have stopped earlier must not be judged as if that had not been possible.
             Decision decision =
                     sequential || seen == 0
                             ? Decision.UNDECIDED
                             : new FixedTest(bound, confidence).decide(proportion);
-            String because = figures(proportion) + withoutAnswer(unknown, "an answer") + needed();
-            return new Judgement(subject, true, decision, because);
+            String because =
+                    figures(proportion) + withoutAnswer(unknown, "an answer") + needed(proportion);
+            return new Judgement(subject, true, decision, because, demand.place());
         }
 
         /** What a plan that is too small would have to be. */
-        private String needed() {
-            long runs =
+        private String needed(Proportion proportion) {
+            long least =
                     sequential ? test.leastTrials() : SampleSize.withoutEvents(bound, confidence);
-            return seen < runs ? "; it takes %,d runs at least".formatted(runs) : "";
+            String what = proportion.groups() < seen ? "seeds" : "runs";
+            return proportion.groups() < least
+                    ? "; it takes %,d %s at least".formatted(least, what)
+                    : "";
         }
 
         private String figures(Proportion proportion) {
@@ -123,8 +134,13 @@ abstract class Bench {
             long events = isBelow() ? bad : seen - bad;
             double least = isBelow() ? low : 1 - high;
             double most = isBelow() ? high : 1 - low;
-            return "%,d of %,d runs; it is at most %s, and at least %s"
-                    .formatted(events, seen, Figure.text(most), Figure.text(least));
+            return "%,d of %,d runs%s; it is at most %s, and at least %s"
+                    .formatted(
+                            events,
+                            seen,
+                            onSeeds(proportion.groups(), seen),
+                            Figure.text(most),
+                            Figure.text(least));
         }
     }
 
@@ -134,12 +150,14 @@ abstract class Bench {
      */
     private static final class OfShare extends Bench {
         private final Demand.Share demand;
+        private final Campaign campaign;
         private final int column;
         private long unknown;
 
-        OfShare(Demand.Share demand, int column) {
+        OfShare(Demand.Share demand, Campaign campaign) {
             this.demand = demand;
-            this.column = column;
+            this.campaign = campaign;
+            this.column = campaign.column(demand.measure());
         }
 
         @Override
@@ -164,16 +182,20 @@ abstract class Bench {
                                     Figure.percent(demand.confidence()));
             Measurements numbers = measured.apply(demand.measure()).with(unwanted(), unknown);
             if (numbers.size() == 0) {
-                return new Judgement(subject, true, Decision.UNDECIDED, "no run was made");
+                return new Judgement(
+                        subject, true, Decision.UNDECIDED, "no run was made", demand.place());
             }
             // One side is asked about, so an interval may be wrong on that side alone.
             Confidence each = new Confidence(1 - 2 * (1 - demand.confidence()));
             Quantile quantile = new Quantile(demand.quantile());
-            ConfidenceInterval interval = quantile.interval(numbers, each);
+            long seeds = campaign.seeds(numbers.size());
+            ConfidenceInterval interval = quantile.interval(numbers, seeds, each);
             String because =
                     figures(quantile.estimate(numbers), interval)
+                            + (seeds < numbers.size() ? "," : "")
+                            + onSeeds(seeds, numbers.size())
                             + withoutAnswer(unknown, "a number");
-            return new Judgement(subject, true, decide(interval), because);
+            return new Judgement(subject, true, decide(interval), because, demand.place());
         }
 
         /** A number that is on the wrong side of every bound. */

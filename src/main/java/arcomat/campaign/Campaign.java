@@ -12,8 +12,8 @@ import java.util.Optional;
  * @param world path of the world's file, relative to the campaign's
  * @param measures columns of its own
  * @param watches events of its own
- * @param firstSeed of the first run; each further one has the next, or all points of a grid the
- *     same
+ * @param firstSeed of the first run; each further one has the next, but all points of a grid have
+ *     the same
  * @param stopsWhenDecided whether it may end before its last run, as soon as every requirement on a
  *     probability is decided
  */
@@ -77,6 +77,18 @@ public record Campaign(
         List<String> columns() {
             return levels.stream().map(level -> "within_" + level).toList();
         }
+    }
+
+    /**
+     * How many seeds so many runs have: points of a grid share them, and so do two words that are
+     * compared. Runs of different seeds are independent of each other; those of one are not.
+     */
+    public long seeds(long runs) {
+        int words = comparison.isPresent() ? 2 : 1;
+        return plan.match(
+                random -> runs / words,
+                latin -> runs / words,
+                grid -> Math.min(runs / words, grid.seeds()));
     }
 
     /** What every row of the table answers. */

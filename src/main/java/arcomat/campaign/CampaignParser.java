@@ -179,6 +179,7 @@ public final class CampaignParser {
             checkColumns();
             checkComparison();
             checkSearch();
+            checkStop();
             Optional.ofNullable(split).ifPresent(this::checkSplit);
         }
         findings.sort(Diagnostic.ORDER);
@@ -251,6 +252,20 @@ public final class CampaignParser {
                             search.place(),
                             "a search needs a range to search in: write 'vary NAME from LOW to"
                                     + " HIGH'"));
+        }
+    }
+
+    /** Who looks after each run needs runs that are independent, and all of one kind. */
+    private void checkStop() {
+        Span place = once.get("stop");
+        boolean grid = plan != null && plan.match(random -> false, latin -> false, all -> true);
+        if (place != null && (grid || comparison != null)) {
+            String why =
+                    grid
+                            ? "the points of a grid are tried all: 'stop decided' goes with 'sample"
+                                    + " random'"
+                            : "a comparison takes all of its pairs: leave out 'stop decided'";
+            findings.add(Diagnostic.error(MEANINGLESS, place, why));
         }
     }
 

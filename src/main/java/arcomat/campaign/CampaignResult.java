@@ -38,17 +38,26 @@ public record CampaignResult(
     /**
      * How often something happened.
      *
-     * @param proportion of the runs that say whether it did
+     * @param runs in which it did
+     * @param known runs that say whether it did
      * @param unknown runs that were given up, or do not say it
+     * @param seeds of all of these runs
      */
-    public record Occurrence(Column column, Proportion proportion, long unknown) {
+    public record Occurrence(Column column, long runs, long known, long unknown, long seeds) {
+        /** Of the known runs; not a number where there are none. */
+        public double share() {
+            return (double) runs / known;
+        }
+
         /** Where the probability is, whatever the unknown ones would have said. */
         public ConfidenceInterval interval(Confidence confidence) {
-            long events = proportion.events();
-            long trials = proportion.trials() + unknown;
             return new ConfidenceInterval(
-                    new Proportion(events, trials).exact(confidence).low(),
-                    new Proportion(events + unknown, trials).exact(confidence).high());
+                    ofSo(runs).exact(confidence).low(),
+                    ofSo(runs + unknown).exact(confidence).high());
+        }
+
+        private Proportion ofSo(long events) {
+            return new Proportion(events, known + unknown, seeds);
         }
     }
 
@@ -88,7 +97,6 @@ public record CampaignResult(
 
     /** Whether the runs do not decide something that was asked for. */
     public boolean isOpen() {
-        return judgements.stream()
-                .anyMatch(each -> each.isDemand() && each.decision() == Decision.UNDECIDED);
+        return judgements.stream().anyMatch(Judgement::isOpen);
     }
 }

@@ -4,7 +4,6 @@ import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.CampaignResult.Spread;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.statistics.Measurements;
-import arcomat.campaign.statistics.Proportion;
 
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -80,15 +79,21 @@ public final class Judge {
     }
 
     private List<Occurrence> occurrences() {
-        List<Occurrence> all = new ArrayList<>();
+        List<Occurrence> occurrences = new ArrayList<>();
         for (int i = 0; i < happened.length; i++) {
             Column column = campaign.columns().get(i);
             if (column.isEvent()) {
-                long unknown = count(Ending.MADE) + count(Ending.GIVEN_UP) - answered[i];
-                all.add(new Occurrence(column, new Proportion(happened[i], answered[i]), unknown));
+                long all = count(Ending.MADE) + count(Ending.GIVEN_UP);
+                occurrences.add(
+                        new Occurrence(
+                                column,
+                                happened[i],
+                                answered[i],
+                                all - answered[i],
+                                campaign.seeds(all)));
             }
         }
-        return all;
+        return occurrences;
     }
 
     private List<Spread> spreads(Function<String, Measurements> measured) {

@@ -26,6 +26,7 @@ public final class Pairing {
     private long pairs;
     private long betterPairs;
     private long worsePairs;
+    private final SeedPairs seeds = new SeedPairs();
 
     public Pairing(Campaign campaign) {
         this.comparison = campaign.comparison();
@@ -49,9 +50,11 @@ public final class Pairing {
             if (after && !before) {
                 betterPairs++;
                 keep(pair, better);
+                seeds.add(row.trial().seed(), 1);
             } else if (before && !after) {
                 worsePairs++;
                 keep(pair, worse);
+                seeds.add(row.trial().seed(), -1);
             }
         }
     }
@@ -74,12 +77,19 @@ public final class Pairing {
         return row.answers(column) && row.happened(column) == wanted;
     }
 
+    private String onSeeds(McNemar test) {
+        return test.better() + test.worse() < betterPairs + worsePairs
+                ? "; on the whole %,d seeds got better and %,d worse"
+                        .formatted(test.better(), test.worse())
+                : "";
+    }
+
     Optional<Judgement> judge() {
         return comparison.map(this::judge);
     }
 
     private Judgement judge(Campaign.Comparison asked) {
-        McNemar test = new McNemar(betterPairs, worsePairs);
+        McNemar test = seeds.test();
         double error = 1 - asked.confidence();
         Decision decision = Decision.UNDECIDED;
         String word = "no difference is shown";
@@ -91,14 +101,14 @@ public final class Pairing {
             word = "the new one is better";
         }
         String because =
-                "%s: of %,d pairs %,d got better and %,d worse"
-                        .formatted(word, pairs, betterPairs, worsePairs);
+                "%s: of %,d pairs %,d got better and %,d worse%s"
+                        .formatted(word, pairs, betterPairs, worsePairs, onSeeds(test));
         String subject =
                 "%s by %s at %s"
                         .formatted(
                                 asked.parameter(),
                                 asked.event(),
                                 Figure.percent(asked.confidence()));
-        return new Judgement(subject, false, decision, because);
+        return new Judgement(subject, false, decision, because, asked.place());
     }
 }

@@ -37,7 +37,7 @@ public sealed interface Plan {
      * Every value with every other.
      *
      * @param steps of each range; words are taken all
-     * @param seeds runs at each point
+     * @param seeds runs at each point; all points have the same ones
      */
     record Grid(int steps, int seeds) implements Plan {
         @Override

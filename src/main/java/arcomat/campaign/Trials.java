@@ -78,9 +78,11 @@ public final class Trials {
      */
     public Trial trial(long number) {
         long alike = number / variants();
-        long point = alike / repeated;
-        // All points of a grid have the same seeds: what differs between them is not chance.
-        long seed = campaign.firstSeed() + (repeated > 1 ? alike % repeated : point);
+        long point = alike % points;
+        // Common random numbers: what differs between the points of a grid is not chance. All
+        // points have a seed before any has the next one, so that what shares it is together.
+        long turn = campaign.plan().match(random -> alike, latin -> alike, grid -> alike / points);
+        long seed = campaign.firstSeed() + turn;
         Map<String, String> values = new LinkedHashMap<>();
         List<String> coordinates = coordinates(point);
         for (Variation each : campaign.variations()) {

@@ -30,4 +30,9 @@ public final class LimitedProgress implements Progress {
             throw new TimeIsUp(work);
         }
     }
+
+    @Override
+    public Progress unlimited() {
+        return told;
+    }
 }

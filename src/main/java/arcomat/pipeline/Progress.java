@@ -16,6 +16,11 @@ public interface Progress {
      */
     default void goOn() {}
 
+    /** The same, for work whose end is not that of what is around it. */
+    default Progress unlimited() {
+        return this;
+    }
+
     /** Work on a number of things: {@code parsing 1 file}; nothing is said about no things. */
     default void step(String work, int number, String noun) {
         if (number > 0) {

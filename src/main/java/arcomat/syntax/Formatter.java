@@ -2,6 +2,7 @@ package arcomat.syntax;
 
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
+import arcomat.syntax.Reading.Leaves;
 import arcomat.syntax.layout.Layout;
 
 import java.util.List;
@@ -19,7 +20,7 @@ public final class Formatter {
 
     /** A file with syntax errors is not formatted; its findings tell why. */
     public static Formatted format(SourceFile file) {
-        return Reading.use(file, Formatter::formatted);
+        return Reading.use(file, Leaves.KEPT, Formatter::formatted);
     }
 
     private static Formatted formatted(Reading reading) {

@@ -3,6 +3,7 @@ package arcomat.syntax;
 import arcomat.source.SourceFile;
 import arcomat.source.Span;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.syntax.runtime.RuleNode;
 
 import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
@@ -42,9 +43,9 @@ final class Gaps {
     }
 
     private void take(ParserRuleContext context) {
-        if (context.children != null) {
-            context.children.removeIf(this::isGap);
-            context.children.forEach(this::takeInside);
+        ((RuleNode) context).removeChildrenIf(this::isGap);
+        for (int i = 0; i < context.getChildCount(); i++) {
+            takeInside(context.getChild(i));
         }
     }
 

@@ -1,6 +1,7 @@
 package arcomat.syntax;
 
 import arcomat.source.SourceFile;
+import arcomat.syntax.Reading.Leaves;
 import arcomat.syntax.build.UnitBuilder;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
@@ -18,7 +19,7 @@ public final class Parser {
     private Parser() {}
 
     public static Parsed parse(SourceFile file) {
-        return Reading.use(file, Parser::parsed);
+        return Reading.use(file, Leaves.OMITTED, Parser::parsed);
     }
 
     private static Parsed parsed(Reading reading) {
@@ -38,6 +39,9 @@ public final class Parser {
 
     private static Unit unit(Reading reading) {
         return UnitBuilder.unit(
-                reading.file(), Objects.requireNonNull(reading.root()), reading.comments());
+                reading.file(),
+                Objects.requireNonNull(reading.root()),
+                reading.tokens().getTokens(),
+                reading.comments());
     }
 }

@@ -4,6 +4,7 @@ import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
+import arcomat.syntax.runtime.FilledTokens;
 import arcomat.tree.Unit.Comment;
 
 import org.antlr.v4.runtime.ANTLRErrorStrategy;
@@ -32,24 +33,30 @@ record Reading(
         @Nullable ParserRuleContext root,
         List<Diagnostic> findings) {
 
+    /** Whether the parse tree of a text without errors has its tokens: trees are built without. */
+    enum Leaves {
+        KEPT,
+        OMITTED
+    }
+
     /** From this depth on parse trees are built and walked on a stack of their own. */
     private static final int DEEP = 100;
 
     /** Reads a file and gives the reading to a task that may recurse as deep as the text nests. */
-    static <T> T use(SourceFile file, Function<Reading, T> task) {
+    static <T> T use(SourceFile file, Leaves leaves, Function<Reading, T> task) {
         CommonTokenStream tokens = tokens(file);
         TokenChecks checks = TokenChecks.of(file, tokens.getTokens());
         if (checks.depth() < DEEP || !checks.findings().isEmpty()) {
-            return task.apply(of(file, tokens, checks.findings()));
+            return task.apply(of(file, tokens, leaves, checks.findings()));
         }
-        return DeepStack.call(() -> task.apply(of(file, tokens, checks.findings())));
+        return DeepStack.call(() -> task.apply(of(file, tokens, leaves, checks.findings())));
     }
 
     private static Reading of(
-            SourceFile file, CommonTokenStream tokens, List<Diagnostic> findings) {
+            SourceFile file, CommonTokenStream tokens, Leaves leaves, List<Diagnostic> findings) {
         ParserRuleContext root = null;
         if (findings.isEmpty()) {
-            root = parseFast(file, tokens);
+            root = parseFast(file, tokens, leaves);
             if (root == null) {
                 root = parseSlow(file, tokens, findings);
             }
@@ -58,9 +65,7 @@ record Reading(
     }
 
     private static CommonTokenStream tokens(SourceFile file) {
-        ArcomatLexer lexer = new ArcomatLexer(new Characters(file.path(), file.text()));
-        lexer.removeErrorListeners();
-        return new FilledTokens(lexer);
+        return FilledTokens.of(file, ArcomatLexer::new);
     }
 
     private static List<Comment> comments(SourceFile file, CommonTokenStream tokens) {
@@ -78,9 +83,13 @@ record Reading(
 
     /** Null where the fast mode finds no tree. */
     private static @Nullable ParserRuleContext parseFast(
-            SourceFile file, CommonTokenStream tokens) {
+            SourceFile file, CommonTokenStream tokens, Leaves leaves) {
+        ArcomatParser parser = parser(tokens, new BailErrorStrategy(), PredictionMode.SLL);
+        if (leaves == Leaves.OMITTED) {
+            parser.omitLeaves();
+        }
         try {
-            return parse(file, tokens, new BailErrorStrategy(), PredictionMode.SLL);
+            return Language.of(file).enter(parser);
         } catch (ParseCancellationException e) {
             return null;
         }
@@ -95,18 +104,16 @@ record Reading(
     private static ParserRuleContext parseSlow(
             SourceFile file, CommonTokenStream tokens, List<Diagnostic> findings) {
         tokens.seek(0);
-        return parse(file, tokens, new Recovery(file, findings), PredictionMode.LL);
+        Recovery recovery = new Recovery(file, findings);
+        return Language.of(file).enter(parser(tokens, recovery, PredictionMode.LL));
     }
 
-    private static ParserRuleContext parse(
-            SourceFile file,
-            CommonTokenStream tokens,
-            ANTLRErrorStrategy strategy,
-            PredictionMode mode) {
+    private static ArcomatParser parser(
+            CommonTokenStream tokens, ANTLRErrorStrategy strategy, PredictionMode mode) {
         ArcomatParser parser = new ArcomatParser(tokens);
         parser.removeErrorListeners();
         parser.setErrorHandler(strategy);
         parser.getInterpreter().setPredictionMode(mode);
-        return Language.of(file).enter(parser);
+        return parser;
     }
 }

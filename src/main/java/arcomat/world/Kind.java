@@ -1,6 +1,6 @@
 package arcomat.world;
 
-import arcomat.source.Span;
+import arcomat.source.Diagnostic;
 
 import java.util.List;
 import java.util.Optional;
@@ -48,15 +48,29 @@ public record Kind(
      * What runs on the brick.
      *
      * @param form how it is given
-     * @param name path of a jar, or qualified name of a component, with arguments if it takes some
-     * @param folder of the model root of a component; else empty. Paths are relative to the world's
-     *     file
-     * @param place where the world says so
+     * @param named path of a jar, or qualified name of a component, with arguments if it takes some
+     * @param models the model root of a component; absent for a jar. Paths are relative to the
+     *     world's file
      */
-    public record Program(Form form, String name, String folder, Span place) {
+    public record Program(Form form, Word named, Optional<Word> models) {
+        /** The path or the qualified name. */
+        public String name() {
+            return named.text();
+        }
+
+        /** Of the model root of a component; else empty. */
+        public String folder() {
+            return models.map(Word::text).orElse("");
+        }
+
+        /** A finding about it, with the values of the parameters by which the world names it. */
+        public Diagnostic error(String code, String message) {
+            return models.map(named::toldWith).orElse(named).error(code, message);
+        }
+
         /** What tells it from every other program, wherever it is named. */
         public String key() {
-            return form + " " + name + " in " + folder;
+            return form + " " + name() + " in " + folder();
         }
 
         /** Ways to name a program. */
@@ -70,10 +84,19 @@ public record Kind(
      * A sensor that a program asks over two wires.
      *
      * @param socket 1 to 4; the sensor that the kind has there says what is around it
-     * @param device a file that describes it, relative to the world's file, or a kind of sensors
-     * @param place where the world says so
+     * @param named a file that describes it, relative to the world's file, or a kind of sensors
      */
-    public record Described(int socket, String device, Span place) {}
+    public record Described(int socket, Word named) {
+        /** The file or the kind. */
+        public String device() {
+            return named.text();
+        }
+
+        /** A finding about it, with the values of the parameters by which the world names it. */
+        public Diagnostic error(String code, String message) {
+            return named.error(code, message);
+        }
+    }
 
     /** What a robot of this kind fills at a place. */
     Disc body(Pose pose) {

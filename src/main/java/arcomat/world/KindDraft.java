@@ -100,7 +100,7 @@ final class KindDraft {
         Word socket = words.choice("a socket", SOCKETS);
         once(socket, "device in ");
         Word device = words.next("the path of a Java file");
-        return new Described(SOCKETS.indexOf(socket.text()) + 1, device.text(), device.place());
+        return new Described(SOCKETS.indexOf(socket.text()) + 1, device);
     }
 
     private void once(Word word) throws Unreadable {
@@ -125,12 +125,12 @@ final class KindDraft {
     private static Program program(Words words) throws Unreadable {
         if (words.choice("what it is given as", List.of("component", "jar")).text().equals("jar")) {
             Word file = words.next("the path of a jar");
-            return new Program(Program.Form.JAR, file.text(), "", file.place());
+            return new Program(Program.Form.JAR, file, Optional.empty());
         }
         Word component = words.call("the qualified name of a component");
         words.expect("in");
-        String folder = words.next("the folder of its models").text();
-        return new Program(Program.Form.COMPONENT, component.text(), folder, component.place());
+        Word folder = words.next("the folder of its models");
+        return new Program(Program.Form.COMPONENT, component, Optional.of(folder));
     }
 
     private Wheels wheels(Words words) throws Unreadable {

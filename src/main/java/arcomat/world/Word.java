@@ -34,6 +34,13 @@ public record Word(String text, Span place, List<Given> values) {
         return new Word(text + " " + next.text, place.to(next.place), all);
     }
 
+    /** The same word; what stands in another one, by which it is told, is said beside it. */
+    Word toldWith(Word other) {
+        List<Given> all = new ArrayList<>(values);
+        all.addAll(other.values);
+        return new Word(text, place, all);
+    }
+
     /** A finding about this word, which says where its text comes from if that is elsewhere. */
     Diagnostic error(String code, String message) {
         Diagnostic finding = Diagnostic.error(code, place, message);

@@ -66,7 +66,8 @@ function quartiles(measure, bins) {
 function histogram(measure, made) {
   const heading = element("figcaption", {}, element("strong", {}, measure.name), element("span", {}, measure.meaning));
   if (measure.bins.length === 0) {
-    return element("figure", {}, heading, element("p", { class: "figures" }, "No run has a number."));
+    const none = measure.never > 0 ? `Never, in ${runs(measure.never)}.` : "No run has a number.";
+    return element("figure", {}, heading, element("p", { class: "figures" }, none));
   }
   const bins = new Bins(measure);
   const told = `least ${number(measure.least)}, median ${number(measure.median)}, greatest ${number(measure.greatest)}`;

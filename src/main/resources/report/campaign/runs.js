@@ -20,21 +20,24 @@ function notable(answer) {
   if (answer.notable.length === 0) {
     return null;
   }
-  const items = answer.notable.map((each) =>
-    element(
-      "li",
-      {},
-      element(
-        "p",
-        {},
-        element("strong", {}, `run ${count(each.run)}, seed ${each.seed}`),
-        ...each.events.map((name) => element("span", { class: "event-chip " + (name === "goal" ? "good" : "bad") }, name)),
-      ),
-      element("p", { class: "figures" }, [...values(each.values), ...Object.entries(each.measures).map(([name, value]) => `${name} ${number(value)}`)].join(", ")),
-      command(each.command),
-    ),
-  );
+  const items = answer.notable.map((each) => shown(each, `run ${count(each.run)}, seed ${each.seed}`));
   return section("runs", "Runs to look at", element("ol", { class: "runs" }, ...items));
+}
+
+/** A run with its values, what it answered, and its command. */
+function shown(run, title) {
+  return element(
+    "li",
+    {},
+    element(
+      "p",
+      {},
+      element("strong", {}, title),
+      ...run.events.map((name) => element("span", { class: "event-chip " + (name === "goal" ? "good" : "bad") }, name)),
+    ),
+    element("p", { class: "figures" }, [...values(run.values), ...Object.entries(run.measures).map(([name, value]) => `${name} ${number(value)}`)].join(", ")),
+    command(run.command),
+  );
 }
 
 function compared(answer) {

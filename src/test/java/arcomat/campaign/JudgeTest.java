@@ -123,7 +123,7 @@ class JudgeTest {
                             : row(campaign, number, "collision", number < 20 ? NONE : 0));
         }
         CampaignResult.Occurrence collision = result(campaign, rows).occurrences().get(0);
-        assertThat(collision.proportion().trials()).isEqualTo(30);
+        assertThat(collision.known()).isEqualTo(30);
         assertThat(collision.interval(Confidence.USUAL).low()).isZero();
         assertThat(collision.interval(Confidence.USUAL).high()).isBetween(0.53, 0.56);
     }
@@ -150,6 +150,22 @@ class JudgeTest {
         ChangedPairs changes = pairing.changes().orElseThrow();
         assertThat(changes.better()).isEqualTo(better);
         assertThat(changes.worse()).isEqualTo(worse);
+    }
+
+    /** Ten points of one seed are one witness, ten seeds are ten. */
+    @ParameterizedTest
+    @CsvSource({"10, 1, UNDECIDED", "1, 10, FAILS", "3, 4, UNDECIDED", "3, 5, FAILS"})
+    void pairsOfOneSeedSpeakOnce(int points, int seeds, Decision decision) {
+        Campaign campaign = campaign("compare who by collision at 95");
+        Pairing pairing = new Pairing(campaign);
+        for (long pair = 0; pair < (long) points * seeds; pair++) {
+            for (int word = 0; word < 2; word++) {
+                Row row = row(campaign, 2 * pair + word, "collision", word);
+                Trial trial = new Trial(2 * pair + word, 1 + pair / points, Map.of());
+                pairing.see(Row.made(trial, row.answers()));
+            }
+        }
+        assertThat(pairing.judge().orElseThrow().decision()).isEqualTo(decision);
     }
 
     private static Row run(Campaign campaign, long number, String how) {

@@ -33,17 +33,26 @@ class TrialsTest {
         assertThat(all(trials).map(each -> each.seed() + " " + each.values()))
                 .containsExactly(
                         "1 {n=0, who=A}",
-                        "2 {n=0, who=A}",
                         "1 {n=0, who=B}",
-                        "2 {n=0, who=B}",
                         "1 {n=5, who=A}",
-                        "2 {n=5, who=A}",
                         "1 {n=5, who=B}",
-                        "2 {n=5, who=B}",
                         "1 {n=10, who=A}",
-                        "2 {n=10, who=A}",
                         "1 {n=10, who=B}",
+                        "2 {n=0, who=A}",
+                        "2 {n=0, who=B}",
+                        "2 {n=5, who=A}",
+                        "2 {n=5, who=B}",
+                        "2 {n=10, who=A}",
                         "2 {n=10, who=B}");
+    }
+
+    /** As many as are not named: one. */
+    @Test
+    void aGridWithoutANumberOfSeedsHasOneSeedForAllPoints() {
+        Trials trials = of("vary n from 0 to 10", "sample grid 5", "seeds from 7");
+        assertThat(trials.count()).isEqualTo(5);
+        assertThat(all(trials).map(Trial::seed)).containsOnly(7L);
+        assertThat(all(trials).map(each -> each.values().get("n"))).doesNotHaveDuplicates();
     }
 
     @Test

@@ -40,7 +40,10 @@ final class EditorScript {
             case "fix-all" -> silently(() -> fixAll(path));
             case "format" -> silently(() -> format(path));
             case "format-range" -> silently(() -> format(path, range(place)));
-            default -> throw new AssertionError("no step: " + step);
+            default ->
+                    new NameSteps(client)
+                            .run(words[0], path, place)
+                            .orElseThrow(() -> new AssertionError("no step: " + step));
         };
     }
 

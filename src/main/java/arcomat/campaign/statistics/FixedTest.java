@@ -1,8 +1,8 @@
 package arcomat.campaign.statistics;
 
 /**
- * Whether the probability of an event is at most {@code bound}, after a number of independent
- * trials that was settled before the first of them. By the one-sided bounds of Clopper and Pearson:
+ * Whether the probability of an event is at most {@code bound}, after a number of trials that was
+ * settled before the first of them. By the one-sided bounds of {@link Proportion}:
  *
  * <ul>
  *   <li>where the probability is greater than the bound, the test says {@code HOLDS} with a

@@ -41,6 +41,25 @@ public record Quantile(double share) {
     }
 
     /**
+     * The same, where numbers come in groups that are as large as each other, and only those of
+     * different groups are independent ({@link ChernoffBound}, of the share of each group that does
+     * not exceed the quantile, and of the one that is smaller).
+     *
+     * @param groups as many as numbers, where all are independent
+     */
+    public ConfidenceInterval interval(Measurements measured, long groups, Confidence confidence) {
+        if (groups == measured.size()) {
+            return interval(measured, confidence);
+        }
+        ChernoffBound bound = new ChernoffBound(groups, confidence.ofEachSide().error());
+        long low = (long) StrictMath.ceil(bound.meanAtLeast(share) * measured.size());
+        long high = (long) StrictMath.floor(bound.meanAtMost(share) * measured.size()) + 1;
+        return new ConfidenceInterval(
+                low < 1 ? Double.NEGATIVE_INFINITY : measured.ranked(low),
+                high > measured.size() ? Double.POSITIVE_INFINITY : measured.ranked(high));
+    }
+
+    /**
      * The first rank from 1 that is so, where all after it are so, too; else the one after the
      * last.
      */

@@ -14,7 +14,6 @@ import arcomat.tree.TypeReference.TypeArgument;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /** The part of the walk that goes through expressions and types, and collects their names. */
 final class ExpressionWalk {
@@ -44,7 +43,9 @@ final class ExpressionWalk {
     }
 
     void all(List<Typed> expressions, Context context) {
-        expressions.forEach(expression -> one(expression, context));
+        for (Typed expression : expressions) {
+            one(expression, context);
+        }
     }
 
     /** A value where something of a type is declared. */
@@ -56,7 +57,9 @@ final class ExpressionWalk {
     }
 
     void values(List<Typed> values, TypeSymbol type, Context context) {
-        values.forEach(value -> value(value, type, context));
+        for (Typed value : values) {
+            value(value, type, context);
+        }
     }
 
     /** Arguments for parameters; there may be too many, and none of the parameters known. */
@@ -81,21 +84,29 @@ final class ExpressionWalk {
     }
 
     private void parts(Expression expression, Context context) {
-        named(expression).ifPresent(this::name);
-        if (expression instanceof Expression.Cast cast) {
-            type(cast.type(), context);
+        if (expression instanceof Expression.Leaf leaf) {
+            leaf(leaf);
+            return;
         }
-        expression.operands().forEach(operand -> parts(operand, context));
+        types(expression, context);
+        for (Expression operand : expression.operands()) {
+            parts(operand, context);
+        }
     }
 
     /** A call without a target makes an object of a class in stream tests: {@code Cup(5)}. */
-    private static Optional<QualifiedName> named(Expression expression) {
-        if (expression instanceof Expression.Reference reference) {
-            return Optional.of(reference.name());
+    private void types(Expression expression, Context context) {
+        if (expression instanceof Expression.Call call && call.target().isEmpty()) {
+            name(new QualifiedName(call.name().span(), List.of(call.name())));
+        } else if (expression instanceof Expression.Cast cast) {
+            type(cast.type(), context);
         }
-        return expression instanceof Expression.Call call && call.target().isEmpty()
-                ? Optional.of(new QualifiedName(call.name().span(), List.of(call.name())))
-                : Optional.empty();
+    }
+
+    private void leaf(Expression.Leaf leaf) {
+        if (leaf instanceof Expression.Reference reference) {
+            name(reference.name());
+        }
     }
 
     void type(TypeReference type, Context context) {

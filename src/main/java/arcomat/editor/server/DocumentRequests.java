@@ -2,7 +2,6 @@ package arcomat.editor.server;
 
 import arcomat.editor.answer.CanonicalLayout;
 import arcomat.editor.answer.Fixes;
-import arcomat.editor.desk.View;
 import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.CodeAction;
@@ -14,21 +13,19 @@ import org.eclipse.lsp4j.DidOpenTextDocumentParams;
 import org.eclipse.lsp4j.DidSaveTextDocumentParams;
 import org.eclipse.lsp4j.DocumentFormattingParams;
 import org.eclipse.lsp4j.DocumentRangeFormattingParams;
-import org.eclipse.lsp4j.TextDocumentIdentifier;
 import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
-import org.eclipse.lsp4j.services.TextDocumentService;
 
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
-import java.util.function.Function;
 
 /** What editors say and ask about one file. */
-final class DocumentRequests implements TextDocumentService {
+final class DocumentRequests extends NameRequests {
     private final Worker worker;
 
     DocumentRequests(Worker worker) {
+        super(worker);
         this.worker = worker;
     }
 
@@ -55,17 +52,6 @@ final class DocumentRequests implements TextDocumentService {
     /** What is on the screen is known already. */
     @Override
     public void didSave(DidSaveTextDocumentParams params) {}
-
-    /** Asks about a model as it is on the screen; the answer is empty where it is none. */
-    private <T> CompletableFuture<List<T>> ask(
-            TextDocumentIdentifier document, Function<View, List<T>> question) {
-        return worker.ask(
-                (desk, canceled) ->
-                        Positions.path(document.getUri())
-                                .flatMap(desk::view)
-                                .map(question)
-                                .orElse(List.of()));
-    }
 
     @Override
     public CompletableFuture<List<Either<Command, CodeAction>>> codeAction(

@@ -96,6 +96,7 @@ public final class EditorServer implements LanguageServer {
                 new CodeActionOptions(List.of(CodeActionKind.QuickFix, Fixes.ALL)));
         can.setDocumentFormattingProvider(true);
         can.setDocumentRangeFormattingProvider(true);
+        NameRequests.announce(can);
         WorkspaceFoldersOptions folders = new WorkspaceFoldersOptions();
         folders.setSupported(true);
         folders.setChangeNotifications(true);

@@ -6,7 +6,7 @@ import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.overview.Overview;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -60,7 +60,7 @@ public record MakeCampaign(
         public CampaignReport report(
                 String file,
                 PrepareCampaign.Ready made,
-                Optional<WorstRun> worst,
+                Optional<WorstSearch> worst,
                 Optional<RareEvent> rare) {
             return new CampaignReport(
                     file,

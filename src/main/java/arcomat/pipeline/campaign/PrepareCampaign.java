@@ -31,6 +31,9 @@ import java.util.Optional;
  */
 public record PrepareCampaign(String file, Limits limits, Duration patience, String version)
         implements Task<PrepareCampaign.Prepared> {
+    /** What a run may take by the PC's clock where nobody says it. */
+    public static final Duration PATIENCE = Duration.ofMinutes(5);
+
     /**
      * What came of it.
      *

@@ -5,7 +5,7 @@ import arcomat.campaign.Demand.Side;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Variation;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.statistics.WorstCase;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -15,6 +15,7 @@ import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.pipeline.campaign.engine.Freight;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,20 +31,20 @@ import java.util.function.Function;
  * @param engines starts who makes the runs
  */
 public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine> engines)
-        implements Task<Optional<WorstRun>> {
+        implements Task<Optional<WorstSearch>> {
     /**
-     * Empty where the campaign does not ask for it, or no run has such a number.
+     * Empty where the campaign does not ask for it.
      *
      * @throws WrongUse where runs cannot go on
      */
     @Override
-    public Optional<WorstRun> run(Session session) throws WrongUse {
+    public Optional<WorstSearch> run(Session session) throws WrongUse {
         if (ready.campaign().search().isEmpty()) {
             return Optional.empty();
         }
         Campaign.Search search = ready.campaign().search().get();
         try (Engine engine = engines.apply(ready.freight())) {
-            return new Course(ready.campaign(), search, engine).run(session);
+            return Optional.of(new Course(ready.campaign(), search, engine).run(session));
         } catch (EngineFailure e) {
             throw new WrongUse("%s", String.valueOf(e.getMessage()));
         }
@@ -56,6 +57,7 @@ public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine>
         private final Engine engine;
         private final int column;
         private Optional<Row> worst = Optional.empty();
+        private List<WorstSearch.Step> steps = List.of();
         private int runs;
 
         Course(Campaign campaign, Campaign.Search search, Engine engine) {
@@ -65,15 +67,28 @@ public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine>
             this.column = campaign.column(search.measure());
         }
 
-        Optional<WorstRun> run(Session session) {
+        WorstSearch run(Session session) {
             WorstCase course = WorstCase.start(campaign.variations().size(), campaign.firstSeed());
             for (long generation = 0; runs < search.runs(); generation++) {
                 List<Row> rows = rows(course.points(), generation, session);
                 rows.forEach(this::compare);
+                steps = WorstSearch.with(steps, step(rows), search.side());
                 course = course.next(rows.stream().mapToDouble(this::badness).toArray());
             }
-            int searches = course.searches();
-            return worst.map(row -> new WorstRun(search, row, row.answer(column), runs, searches));
+            return new WorstSearch(
+                    search,
+                    steps,
+                    worst.map(row -> new WorstSearch.Found(row, row.answer(column))),
+                    course.searches());
+        }
+
+        private WorstSearch.Step step(List<Row> rows) {
+            List<Row> known = rows.stream().filter(row -> row.answers(column)).toList();
+            Optional<Double> worstOfAll =
+                    known.stream()
+                            .min(Comparator.comparingDouble(this::badness))
+                            .map(row -> row.answer(column));
+            return new WorstSearch.Step(1, rows.size(), rows.size() - known.size(), worstOfAll);
         }
 
         private List<Row> rows(List<double[]> points, long generation, Session session) {
@@ -103,7 +118,7 @@ public record SearchWorst(PrepareCampaign.Ready ready, Function<Freight, Engine>
 
         /** The smaller the worse; not a number where a run has none. */
         private double badness(Row row) {
-            if (!row.wasMade()) {
+            if (!row.answers(column)) {
                 return Double.NaN;
             }
             return search.side() == Side.BELOW ? row.answer(column) : -row.answer(column);

@@ -114,7 +114,7 @@ final class WorldPrograms {
             findings.addAll(made.findings());
             return made.program();
         } catch (WrongUse e) {
-            findings.add(Diagnostic.error(NO_PROGRAM, wanted.place(), e.getMessage()));
+            findings.add(wanted.error(NO_PROGRAM, String.valueOf(e.getMessage())));
             return null;
         }
     }
@@ -124,7 +124,7 @@ final class WorldPrograms {
         for (Kind.Described each : kind.described()) {
             boolean isFile = each.device().endsWith(".java");
             if (isFile && !runDevices) {
-                findings.add(Diagnostic.error(PluggedDevices.NO_DEVICE, each.place(), STRANGER));
+                findings.add(each.error(PluggedDevices.NO_DEVICE, STRANGER));
                 continue;
             }
             String device = isFile ? beside(each.device()) : each.device();
@@ -134,8 +134,7 @@ final class WorldPrograms {
                 devices.putAll(plugged.devices());
                 findings.addAll(plugged.findings());
             } catch (WrongUse e) {
-                findings.add(
-                        Diagnostic.error(PluggedDevices.NO_DEVICE, each.place(), e.getMessage()));
+                findings.add(each.error(PluggedDevices.NO_DEVICE, String.valueOf(e.getMessage())));
             }
         }
         return new PluggedDevices(devices, List.of());

@@ -105,8 +105,8 @@ final class WorldRun implements Witness.Instruments {
         }
         long end = world.seconds() * SECOND;
         long watch = world.goal() > 0 ? WATCH : SECOND;
-        while (laboratory.time() < end && !isOver()) {
-            laboratory.runUntil(Math.min(end, laboratory.time() + watch));
+        if (!isOver()) {
+            laboratory.runUntil(end, watch, this::isOver);
         }
         for (SimulatedBrick brick : bricks) {
             brick.outcome().failure().ifPresent(reason -> witness.failed(brick.name(), reason));

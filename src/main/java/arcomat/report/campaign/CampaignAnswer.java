@@ -7,7 +7,6 @@ import arcomat.campaign.CampaignResult.Spread;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
 import arcomat.campaign.Variation;
-import arcomat.campaign.WorstRun;
 import arcomat.campaign.overview.Histogram;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Confidence;
@@ -101,9 +100,9 @@ record CampaignAnswer(
             return new Event(
                     name,
                     occurrence.column().meaning(),
-                    occurrence.proportion().events(),
-                    occurrence.proportion().trials(),
-                    finite(occurrence.proportion().estimate()),
+                    occurrence.runs(),
+                    occurrence.known(),
+                    finite(occurrence.share()),
                     interval.low(),
                     interval.high(),
                     Bound.of(name, campaign));
@@ -183,23 +182,6 @@ record CampaignAnswer(
                     answers.events(),
                     answers.measures(),
                     replay.command(row));
-        }
-    }
-
-    /**
-     * What a search for the worst case has found.
-     *
-     * @param which smallest or largest
-     * @param runs how many the search made
-     */
-    record Worst(String which, String measure, double value, int runs, Run run) {
-        static Worst of(WorstRun worst, CampaignReport report) {
-            return new Worst(
-                    worst.which(),
-                    worst.search().measure(),
-                    worst.value(),
-                    worst.runs(),
-                    Run.of(worst.row(), report.campaign(), report.replay()));
         }
     }
 

@@ -22,6 +22,8 @@ public final class CampaignPage {
                     "campaign/histograms.js",
                     "campaign/heat.js",
                     "campaign/runs.js",
+                    "campaign/rare.js",
+                    "campaign/worst.js",
                     "campaign/campaign.js");
 
     private CampaignPage() {}

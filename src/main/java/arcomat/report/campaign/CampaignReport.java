@@ -4,7 +4,7 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.RareEvent;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Decision;
 import arcomat.report.page.Page.Tone;
@@ -30,7 +30,7 @@ public record CampaignReport(
         RunAgain replay,
         CampaignResult result,
         Overview overview,
-        Optional<WorstRun> worst,
+        Optional<WorstSearch> worst,
         Optional<RareEvent> rare,
         long planned,
         String table) {
@@ -51,7 +51,7 @@ public record CampaignReport(
     }
 
     /** What came of it, in a sentence. */
-    String headline() {
+    public String headline() {
         String runs = "%,d %s of %s".formatted(runs(), runs() == 1 ? "run" : "runs", world());
         return runs + ": " + verdict();
     }

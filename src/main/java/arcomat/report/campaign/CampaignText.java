@@ -6,7 +6,7 @@ import arcomat.campaign.CampaignResult.Spread;
 import arcomat.campaign.Figure;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.Row;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.statistics.Confidence;
 import arcomat.campaign.statistics.ConfidenceInterval;
 import arcomat.campaign.statistics.Decision;
@@ -46,10 +46,8 @@ public final class CampaignText {
             table.add(
                     List.of(
                             each.column().name(),
-                            "%,d of %,d"
-                                    .formatted(
-                                            each.proportion().events(), each.proportion().trials()),
-                            number(each.proportion().estimate()),
+                            "%,d of %,d".formatted(each.runs(), each.known()),
+                            number(each.share()),
                             number(interval.low()) + " to " + number(interval.high())));
         }
         return table.render(style);
@@ -86,7 +84,7 @@ public final class CampaignText {
     }
 
     private String line(Judgement judgement) {
-        String word = word(judgement);
+        String word = judgement.word() + ": ";
         String shown =
                 switch (judgement.decision()) {
                     case HOLDS -> style.good(word);
@@ -94,21 +92,6 @@ public final class CampaignText {
                     case UNDECIDED -> judgement.isDemand() ? style.warning(word) : word;
                 };
         return shown + Printable.escape(judgement.subject() + " (" + judgement.because() + ")");
-    }
-
-    private static String word(Judgement judgement) {
-        if (judgement.isDemand()) {
-            return switch (judgement.decision()) {
-                case HOLDS -> "holds: ";
-                case FAILS -> "fails: ";
-                case UNDECIDED -> "unknown: ";
-            };
-        }
-        return switch (judgement.decision()) {
-            case HOLDS -> "better: ";
-            case FAILS -> "worse: ";
-            case UNDECIDED -> "compared: ";
-        };
     }
 
     /** The worst run, and how to see it. */
@@ -126,13 +109,24 @@ public final class CampaignText {
     }
 
     /** What a search has found. */
-    public static String found(WorstRun worst, RunAgain replay) {
-        return "the %s %s that a search of %,d runs has found is %s: %s\n"
-                .formatted(
-                        worst.which(),
-                        worst.search().measure(),
-                        worst.runs(),
-                        number(worst.value()),
-                        replay.command(worst.row()));
+    public static String found(WorstSearch search, RunAgain replay) {
+        String what = "%s %s".formatted(search.which(), search.search().measure());
+        String unknown =
+                search.unknown() == 0
+                        ? ""
+                        : ", %,d of them without such a number,".formatted(search.unknown());
+        return search.worst()
+                .map(
+                        worst ->
+                                "the %s that a search of %,d runs%s has found is %s: %s\n"
+                                        .formatted(
+                                                what,
+                                                search.runs(),
+                                                unknown,
+                                                number(worst.value()),
+                                                replay.command(worst.row())))
+                .orElse(
+                        "the %s: none of the %,d runs of the search has such a number\n"
+                                .formatted(what, search.runs()));
     }
 }

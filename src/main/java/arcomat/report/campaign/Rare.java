@@ -12,6 +12,7 @@ import java.util.Optional;
  * What a splitting says, in the form of JSON.
  *
  * @param measure the distance that becomes small
+ * @param asked the last level, in mm
  * @param probability that it comes to the last level; absent where runs were given up
  * @param low the interval's, 95 %
  * @param families of the runs that came to the last level
@@ -20,6 +21,7 @@ import java.util.Optional;
  */
 record Rare(
         String measure,
+        int asked,
         Optional<Double> probability,
         Optional<Double> low,
         Optional<Double> high,
@@ -42,6 +44,7 @@ record Rare(
         Optional<ConfidenceInterval> interval = known.map(each -> each.interval(Confidence.USUAL));
         return new Rare(
                 event.split().measure(),
+                event.event(),
                 known.map(RareEvent::estimate),
                 interval.map(ConfidenceInterval::low),
                 interval.map(ConfidenceInterval::high),

@@ -8,6 +8,7 @@ import arcomat.report.text.Printable;
 import arcomat.report.text.Style;
 
 import java.util.List;
+import java.util.stream.Stream;
 
 /** What became of components as cases, one each. */
 public final class GateCases {
@@ -15,8 +16,10 @@ public final class GateCases {
 
     private GateCases() {}
 
-    public static List<Case> of(Gate gate) {
-        return gate.entries().stream().map(GateCases::of).toList();
+    /** Then what campaigns require. */
+    public static List<Case> of(Gate gate, GatedCampaigns campaigns) {
+        return Stream.concat(gate.entries().stream().map(GateCases::of), campaigns.cases().stream())
+                .toList();
     }
 
     private static Case of(Gate.Entry entry) {

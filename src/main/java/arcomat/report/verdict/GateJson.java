@@ -3,6 +3,7 @@ package arcomat.report.verdict;
 import arcomat.analysis.evolution.Change;
 import arcomat.analysis.evolution.Gate;
 import arcomat.analysis.refinement.Verdict.Answer;
+import arcomat.report.campaign.CampaignVerdict;
 import arcomat.report.finding.FindingsJson;
 import arcomat.report.text.Json;
 import arcomat.report.text.Printable;
@@ -20,6 +21,7 @@ import java.util.stream.Stream;
 public record GateJson(
         String verdict,
         List<Entry> components,
+        Optional<List<CampaignVerdict>> campaigns,
         List<FindingsJson.Finding> findings,
         Optional<List<String>> leftOut) {
 
@@ -65,12 +67,18 @@ public record GateJson(
      * @param leftOut their paths
      */
     public static String render(
-            Gate gate, List<Diagnostic> findings, List<Diagnostic> unread, List<String> leftOut) {
-        Answer answer = leftOut.isEmpty() ? gate.answer() : gate.answer().and(Answer.UNKNOWN);
+            Gate gate,
+            GatedCampaigns campaigns,
+            List<Diagnostic> findings,
+            List<Diagnostic> unread,
+            List<String> leftOut) {
+        Answer whole = gate.answer().and(campaigns.answer());
+        Answer answer = leftOut.isEmpty() ? whole : whole.and(Answer.UNKNOWN);
         return Json.text(
                 new GateJson(
                         Printable.word(answer),
                         gate.entries().stream().map(Entry::of).toList(),
+                        campaigns.verdicts(),
                         Stream.concat(unread.stream(), findings.stream())
                                 .map(FindingsJson.Finding::of)
                                 .toList(),

@@ -17,21 +17,23 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 
 /**
- * What became of components: a line for each that changed, then the stories of those that do not
- * keep their promises, other findings, and a summary.
+ * What became of components: a line for each that changed and for each campaign, then the stories
+ * of those that do not keep their promises, other findings, and a summary.
  */
 public final class GateText {
     private static final int WIDEST = "incomparable".length();
 
     private GateText() {}
 
-    public static String render(Gate gate, List<Diagnostic> findings, Style style) {
+    public static String render(
+            Gate gate, GatedCampaigns campaigns, List<Diagnostic> findings, Style style) {
         StringBuilder out = new StringBuilder();
         for (Gate.Entry entry : gate.entries()) {
             if (entry.change().relation() != Relation.UNCHANGED) {
                 out.append(line(entry, style));
             }
         }
+        out.append(campaigns.lines(WIDEST + 2, style));
         for (Gate.Entry entry : gate.entries()) {
             if (entry.change().relation().isDoubtful()) {
                 story(entry, findings, style, out);
@@ -42,7 +44,9 @@ public final class GateText {
                 section(FindingsText.render(finding, style), out);
             }
         }
-        return out.append(out.isEmpty() ? "" : "\n").append(summary(gate, style)).toString();
+        return out.append(out.isEmpty() ? "" : "\n")
+                .append(summary(gate, campaigns, style))
+                .toString();
     }
 
     /** {@code refines p.Lift}, with what it has more. */
@@ -111,7 +115,7 @@ public final class GateText {
     }
 
     /** How many became what. */
-    public static String summary(Gate gate, Style style) {
+    public static String summary(Gate gate, GatedCampaigns campaigns, Style style) {
         List<String> counts = new ArrayList<>();
         for (Relation relation : Relation.values()) {
             long number =
@@ -125,6 +129,6 @@ public final class GateText {
         String text = counts.isEmpty() ? "no components" : String.join(", ", counts);
         long meant = gate.entries().stream().filter(each -> each.excuse().isPresent()).count();
         String reasons = meant == 0 ? "" : " (" + meant + " with a reason)";
-        return VerdictText.paint(text, gate.answer(), style) + reasons + "\n";
+        return VerdictText.paint(text, gate.answer(), style) + reasons + campaigns.summary() + "\n";
     }
 }

@@ -57,6 +57,11 @@ public final class InvariantSymbol {
         return obstacle().isPresent() ? Optional.empty() : typed.get().filter(this::isTruth);
     }
 
+    /** Its text with what the names in it stand for, also where it has no meaning here. */
+    public Optional<Typed> typed() {
+        return typed.get();
+    }
+
     private boolean isTruth(Typed condition) {
         return condition.problems().isEmpty() && condition.type().isBoolean();
     }

@@ -11,7 +11,8 @@ import java.util.Optional;
 final class Problems {
     private static final int LONGEST = 40;
 
-    private final List<ExpressionProblem> found = new ArrayList<>(0);
+    /** Most expressions have none. */
+    private List<ExpressionProblem> found = List.of();
 
     List<ExpressionProblem> found() {
         return found;
@@ -22,6 +23,9 @@ final class Problems {
     }
 
     void report(Kind kind, Expression at, String message, Optional<String> suggestion) {
+        if (found.isEmpty()) {
+            found = new ArrayList<>();
+        }
         found.add(new ExpressionProblem(kind, at.span(), message, suggestion));
     }
 

@@ -61,7 +61,9 @@ public sealed interface TypedExpression {
     /** Visits this expression and everything in it. */
     default void walk(Consumer<? super TypedExpression> visitor) {
         visitor.accept(this);
-        parts().forEach(part -> part.walk(visitor));
+        for (TypedExpression part : parts()) {
+            part.walk(visitor);
+        }
     }
 
     /** An expression without parts. */
@@ -69,6 +71,11 @@ public sealed interface TypedExpression {
         @Override
         default List<TypedExpression> parts() {
             return List.of();
+        }
+
+        @Override
+        default void walk(Consumer<? super TypedExpression> visitor) {
+            visitor.accept(this);
         }
     }
 
@@ -168,6 +175,13 @@ public sealed interface TypedExpression {
         @Override
         public List<TypedExpression> parts() {
             return List.of(left, right);
+        }
+
+        @Override
+        public void walk(Consumer<? super TypedExpression> visitor) {
+            visitor.accept(this);
+            left.walk(visitor);
+            right.walk(visitor);
         }
 
         @Override

@@ -23,6 +23,9 @@ public final class ValueScope {
     private final Optional<ValueScope> outer;
     private final Map<String, ValueSymbol> values = new HashMap<>();
 
+    /** Those of outer scopes included: names are looked up more often than scopes are made. */
+    private final Map<String, ValueSymbol> reached = new HashMap<>();
+
     private ValueScope(
             UnitScope unitScope,
             Function<TypeReference, Resolution<TypeSymbol>> types,
@@ -32,6 +35,8 @@ public final class ValueScope {
         this.types = types;
         this.outer = outer;
         values.forEach(v -> this.values.putIfAbsent(v.name(), v));
+        outer.ifPresent(scope -> reached.putAll(scope.reached));
+        reached.putAll(this.values);
     }
 
     /** A scope in which only constants of enumerations can be named. */
@@ -46,8 +51,7 @@ public final class ValueScope {
 
     /** What a simple name means here. */
     public Optional<ValueSymbol> value(String name) {
-        ValueSymbol own = values.get(name);
-        return own != null ? Optional.of(own) : outer.flatMap(scope -> scope.value(name));
+        return Optional.ofNullable(reached.get(name));
     }
 
     /** All names, inner ones first: to suggest the nearest. */

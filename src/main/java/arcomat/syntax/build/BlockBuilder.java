@@ -3,8 +3,6 @@ package arcomat.syntax.build;
 import arcomat.syntax.antlr.ArcomatParser;
 import arcomat.tree.Block;
 
-import java.util.Optional;
-
 /** Blocks and their items. */
 final class BlockBuilder extends TreeBuilder<Block.Item> {
     final ValueBuilder values;
@@ -19,23 +17,21 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
     }
 
     @Override
-    public Block.Item visitMessageItem(ArcomatParser.MessageItemContext context) {
+    public Block.Item visitItem(ArcomatParser.ItemContext context) {
+        if (context.operator != null) {
+            return increment(context);
+        }
+        return context.expression() == null
+                ? message(context)
+                : new Block.Call(span(context), phrases.expressions.build(context.expression()));
+    }
+
+    private Block.Item message(ArcomatParser.ItemContext context) {
         return new Block.Message(
                 span(context), phrases.optionalName(context.name()), values.build(context.value()));
     }
 
-    @Override
-    public Block.Item visitUnnamedItem(ArcomatParser.UnnamedItemContext context) {
-        return new Block.Message(span(context), Optional.empty(), values.build(context.value()));
-    }
-
-    @Override
-    public Block.Item visitCallItem(ArcomatParser.CallItemContext context) {
-        return new Block.Call(span(context), phrases.expressions.build(context.expression()));
-    }
-
-    @Override
-    public Block.Item visitIncrementItem(ArcomatParser.IncrementItemContext context) {
+    private Block.Item increment(ArcomatParser.ItemContext context) {
         boolean up = context.operator.getText().equals("++");
         return new Block.Increment(
                 span(context), phrases.qualifiedName(context.qualifiedName()), up);
@@ -48,29 +44,31 @@ final class BlockBuilder extends TreeBuilder<Block.Item> {
         }
 
         @Override
-        public Block.Value visitAlternativesValue(ArcomatParser.AlternativesValueContext context) {
+        public Block.Value visitValue(ArcomatParser.ValueContext context) {
+            ArcomatParser.ExpressionContext expression = context.expression();
+            if (expression != null) {
+                return new Block.Single(span(context), phrases.expressions.build(expression));
+            }
+            return context.nothing == null && context.anything == null
+                    ? buildSole(context)
+                    : mark(context);
+        }
+
+        private Block.Value mark(ArcomatParser.ValueContext context) {
+            return context.nothing == null
+                    ? new Block.AnyMessage(span(context))
+                    : new Block.NoMessage(span(context));
+        }
+
+        @Override
+        public Block.Value visitAlternatives(ArcomatParser.AlternativesContext context) {
             return new Block.Alternatives(span(context), buildAll(context.value()));
         }
 
         @Override
-        public Block.Value visitSequenceValue(ArcomatParser.SequenceValueContext context) {
+        public Block.Value visitSequence(ArcomatParser.SequenceContext context) {
             return new Block.Sequence(
                     span(context), phrases.expressions.buildAll(context.expression()));
-        }
-
-        @Override
-        public Block.Value visitNoMessageValue(ArcomatParser.NoMessageValueContext context) {
-            return new Block.NoMessage(span(context));
-        }
-
-        @Override
-        public Block.Value visitAnyMessageValue(ArcomatParser.AnyMessageValueContext context) {
-            return new Block.AnyMessage(span(context));
-        }
-
-        @Override
-        public Block.Value visitSingleValue(ArcomatParser.SingleValueContext context) {
-            return new Block.Single(span(context), phrases.expressions.build(context.expression()));
         }
 
         @Override

@@ -10,7 +10,6 @@ import arcomat.tree.Component.TypeParameter;
 import arcomat.tree.Element;
 import arcomat.tree.IoTable;
 
-import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
 import java.util.List;
@@ -21,11 +20,20 @@ import java.util.Optional;
 final class ComponentBuilder extends TreeBuilder<Element> {
     private final AutomatonBuilder automata;
     private final BlockBuilder.ValueBuilder values;
+    private final List<Token> tokens;
 
-    ComponentBuilder(Phrases phrases, AutomatonBuilder automata, BlockBuilder.ValueBuilder values) {
+    /**
+     * @param tokens all those of the file
+     */
+    ComponentBuilder(
+            Phrases phrases,
+            AutomatonBuilder automata,
+            BlockBuilder.ValueBuilder values,
+            List<Token> tokens) {
         super(phrases);
         this.automata = automata;
         this.values = values;
+        this.tokens = tokens;
     }
 
     // ---- components -----------------------------------------------------------------------
@@ -51,7 +59,7 @@ final class ComponentBuilder extends TreeBuilder<Element> {
 
     private static boolean hasModifier(ArcomatParser.ComponentContext context, String word) {
         for (ArcomatParser.ModifierContext modifier : context.modifier()) {
-            if (modifier.getText().equals(word)) {
+            if (modifier.start.getText().equals(word)) {
                 return true;
             }
         }
@@ -82,12 +90,12 @@ final class ComponentBuilder extends TreeBuilder<Element> {
 
     @Override
     public Element visitElement(ArcomatParser.ElementContext context) {
-        return build((ParserRuleContext) context.getChild(0));
+        return buildSole(context);
     }
 
     @Override
     public Element visitBehaviour(ArcomatParser.BehaviourContext context) {
-        return build((ParserRuleContext) context.getChild(0));
+        return buildSole(context);
     }
 
     @Override
@@ -182,7 +190,8 @@ final class ComponentBuilder extends TreeBuilder<Element> {
                 optional(context.kind, phrases::name),
                 phrases.name(context.title),
                 span(context.invariantBody()).text(),
-                InvariantBody.condition(context.invariantBody()).map(phrases.expressions::build));
+                InvariantBody.condition(context.invariantBody(), tokens)
+                        .map(phrases.expressions::build));
     }
 
     @Override

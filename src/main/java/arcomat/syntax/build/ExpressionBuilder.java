@@ -26,13 +26,10 @@ import org.antlr.v4.runtime.Token;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.Collectors;
+import java.util.function.IntFunction;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 
 /** Expressions. Parentheses leave no node. */
 final class ExpressionBuilder extends TreeBuilder<Expression> {
@@ -40,14 +37,19 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     private static final int LONG_ROW = 16;
 
     /** By type of token, since most texts of tokens are never asked for. */
-    private static final Map<Integer, BinaryOperator> BINARY =
-            byToken(BinaryOperator.values(), BinaryOperator::symbol);
+    private static final BinaryOperator[] BINARY =
+            byToken(BinaryOperator.values(), BinaryOperator::symbol, BinaryOperator[]::new);
 
-    private static final Map<Integer, UnaryOperator> UNARY =
-            byToken(UnaryOperator.values(), UnaryOperator::symbol);
+    private static final UnaryOperator[] UNARY =
+            byToken(UnaryOperator.values(), UnaryOperator::symbol, UnaryOperator[]::new);
 
-    private static <O> Map<Integer, O> byToken(O[] operators, Function<O, String> symbol) {
-        return Stream.of(operators).collect(Collectors.toMap(o -> typeOf(symbol.apply(o)), o -> o));
+    private static <O> O[] byToken(
+            O[] operators, Function<O, String> symbol, IntFunction<O[]> array) {
+        O[] all = array.apply(ArcomatLexer.VOCABULARY.getMaxTokenType() + 1);
+        for (O operator : operators) {
+            all[typeOf(symbol.apply(operator))] = operator;
+        }
+        return all;
     }
 
     private static int typeOf(String symbol) {
@@ -70,21 +72,21 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     @Override
     public Expression visitOperandExpression(ArcomatParser.OperandExpressionContext context) {
-        return build(context.operand());
+        return operand(context.primary(), context.suffix());
     }
 
     @Override
     public Expression visitPlainOperand(ArcomatParser.PlainOperandContext context) {
-        return build(context.operand());
+        return operand(context.primary(), context.suffix());
     }
 
-    @Override
-    public Expression visitOperand(ArcomatParser.OperandContext context) {
-        Expression result = build(context.primary());
+    private Expression operand(
+            ArcomatParser.PrimaryContext primary, List<ArcomatParser.SuffixContext> suffixes) {
+        Expression result = visitPrimary(primary);
         // "(a).b" is no qualified name, though its parentheses leave no node.
-        boolean isName = context.primary() instanceof ArcomatParser.NamePrimaryContext;
-        for (ArcomatParser.SuffixContext suffix : context.suffix()) {
-            result = join(span(context.start, suffix.stop), result, isName, suffix);
+        boolean isName = primary.name() != null;
+        for (ArcomatParser.SuffixContext suffix : suffixes) {
+            result = join(span(primary.start, suffix.stop), result, isName, suffix);
         }
         return result;
     }
@@ -107,8 +109,26 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     @Override
-    public Expression visitLiteralPrimary(ArcomatParser.LiteralPrimaryContext context) {
-        return build(context.literal());
+    public Expression visitPrimary(ArcomatParser.PrimaryContext context) {
+        if (context.name() != null) {
+            return named(context);
+        }
+        if (context.literal() != null) {
+            return visitLiteral(context.literal());
+        }
+        return context.expression() == null ? creation(context) : build(context.expression());
+    }
+
+    private Expression named(ArcomatParser.PrimaryContext context) {
+        Name name = phrases.name(context.name());
+        return context.arguments() == null
+                ? new Reference(name.span(), new QualifiedName(name.span(), List.of(name)))
+                : new Call(span(context), Optional.empty(), name, arguments(context.arguments()));
+    }
+
+    private Expression creation(ArcomatParser.PrimaryContext context) {
+        Span span = span(context);
+        return new JavaExpression(span, span.text());
     }
 
     @Override
@@ -130,25 +150,6 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     @Override
-    public Expression visitNamePrimary(ArcomatParser.NamePrimaryContext context) {
-        Name name = phrases.name(context.name());
-        return context.arguments() == null
-                ? new Reference(name.span(), new QualifiedName(name.span(), List.of(name)))
-                : new Call(span(context), Optional.empty(), name, arguments(context.arguments()));
-    }
-
-    @Override
-    public Expression visitParenthesesPrimary(ArcomatParser.ParenthesesPrimaryContext context) {
-        return build(context.expression());
-    }
-
-    @Override
-    public Expression visitCreationPrimary(ArcomatParser.CreationPrimaryContext context) {
-        Span span = span(context);
-        return new JavaExpression(span, span.text());
-    }
-
-    @Override
     public Expression visitUnaryExpression(ArcomatParser.UnaryExpressionContext context) {
         return unary(context, context.operator, context.expression());
     }
@@ -159,10 +160,7 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
     }
 
     private Expression unary(ParserRuleContext context, Token operator, ParserRuleContext operand) {
-        return new Unary(
-                span(context),
-                Objects.requireNonNull(UNARY.get(operator.getType())),
-                build(operand));
+        return new Unary(span(context), UNARY[operator.getType()], build(operand));
     }
 
     @Override
@@ -193,11 +191,13 @@ final class ExpressionBuilder extends TreeBuilder<Expression> {
 
     @Override
     public Expression visitBinaryExpression(ArcomatParser.BinaryExpressionContext context) {
+        BinaryOperator operator = BINARY[context.operator.getType()];
+        if (!Rows.goesOn(context)) {
+            Expression left = build(context.left);
+            return new Binary(span(context), operator, left, build(context.right));
+        }
         List<ArcomatParser.ExpressionContext> row = Rows.operands(context);
-        return row(
-                Objects.requireNonNull(BINARY.get(context.operator.getType())),
-                row,
-                row.size() > LONG_ROW);
+        return row(operator, row, row.size() > LONG_ROW);
     }
 
     /**

@@ -8,8 +8,6 @@ import org.antlr.v4.runtime.CommonTokenStream;
 import org.antlr.v4.runtime.ListTokenSource;
 import org.antlr.v4.runtime.Token;
 import org.antlr.v4.runtime.misc.ParseCancellationException;
-import org.antlr.v4.runtime.tree.ParseTree;
-import org.antlr.v4.runtime.tree.TerminalNode;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -22,20 +20,20 @@ import java.util.Optional;
 final class InvariantBody {
     private InvariantBody() {}
 
+    /**
+     * @param tokens all those of the file
+     */
     static Optional<ArcomatParser.ExpressionContext> condition(
-            ArcomatParser.InvariantBodyContext body) {
-        if (body.javaBlock() != null || body.children == null) {
+            ArcomatParser.InvariantBodyContext body, List<Token> tokens) {
+        if (body.javaBlock() != null) {
             return Optional.empty();
         }
-        List<Token> tokens = new ArrayList<>();
-        for (ParseTree child : body.children) {
-            if (child instanceof TerminalNode leaf) {
-                // A copy, since a stream numbers its tokens.
-                tokens.add(new CommonToken(leaf.getSymbol()));
-            }
+        List<Token> own = new ArrayList<>();
+        for (int i = body.start.getTokenIndex(); i <= body.stop.getTokenIndex(); i++) {
+            // A copy, since a stream numbers its tokens.
+            own.add(new CommonToken(tokens.get(i)));
         }
-        ArcomatParser parser =
-                new ArcomatParser(new CommonTokenStream(new ListTokenSource(tokens)));
+        ArcomatParser parser = new ArcomatParser(new CommonTokenStream(new ListTokenSource(own)));
         parser.removeErrorListeners();
         parser.setErrorHandler(new BailErrorStrategy());
         try {

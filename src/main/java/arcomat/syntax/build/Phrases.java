@@ -19,9 +19,7 @@ import org.antlr.v4.runtime.Token;
 import org.jspecify.annotations.Nullable;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -32,11 +30,12 @@ import java.util.Optional;
 final class Phrases {
     final ExpressionBuilder expressions = new ExpressionBuilder(this);
     private final SourceFile file;
-    private final Map<String, String> texts = new HashMap<>();
+    private final KnownTexts texts;
     private Span latest;
 
     Phrases(SourceFile file) {
         this.file = file;
+        this.texts = new KnownTexts(file.text());
         this.latest = file.span(0, 0);
     }
 
@@ -58,9 +57,7 @@ final class Phrases {
     }
 
     String text(Span span) {
-        String text = span.text();
-        String known = texts.putIfAbsent(text, text);
-        return known == null ? text : known;
+        return texts.of(span);
     }
 
     // ---- names ----------------------------------------------------------------------------
@@ -154,7 +151,7 @@ final class Phrases {
                         ? Optional.of(range(range))
                         : Optional.empty(),
                 suffix instanceof ArcomatParser.ArraySuffixContext array
-                        ? array.getChildCount() / 2
+                        ? array.dimensions.size()
                         : 0);
     }
 

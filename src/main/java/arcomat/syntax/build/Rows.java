@@ -1,20 +1,27 @@
 package arcomat.syntax.build;
 
-import arcomat.syntax.antlr.ArcomatLexer;
 import arcomat.syntax.antlr.ArcomatParser;
 
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
 
 /**
  * Rows of one of the operators {@code &&} and {@code ||}, which the parser makes a tree that is as
  * deep as the row is long.
  */
 final class Rows {
+    private static final Set<String> ROWS = Set.of("&&", "||");
+
     private Rows() {}
 
-    /** The operands of a row; those of any other operation are two. */
+    /** Whether an operation is a row of more than two operands. */
+    static boolean goesOn(ArcomatParser.BinaryExpressionContext context) {
+        return isPart(context.left, context) && ROWS.contains(context.operator.getText());
+    }
+
+    /** The operands of a row. */
     static List<ArcomatParser.ExpressionContext> operands(
             ArcomatParser.BinaryExpressionContext context) {
         List<ArcomatParser.ExpressionContext> operands = new ArrayList<>();
@@ -22,18 +29,17 @@ final class Rows {
         do {
             ArcomatParser.BinaryExpressionContext row =
                     (ArcomatParser.BinaryExpressionContext) rest;
-            operands.add(row.expression(1));
-            rest = row.expression(0);
-        } while (isRow(context)
-                && rest instanceof ArcomatParser.BinaryExpressionContext left
-                && left.operator.getType() == context.operator.getType());
+            operands.add(row.right);
+            rest = row.left;
+        } while (isPart(rest, context));
         operands.add(rest);
         Collections.reverse(operands);
         return operands;
     }
 
-    private static boolean isRow(ArcomatParser.BinaryExpressionContext context) {
-        String operator = ArcomatLexer.VOCABULARY.getLiteralName(context.operator.getType());
-        return operator.equals("'&&'") || operator.equals("'||'");
+    private static boolean isPart(
+            ArcomatParser.ExpressionContext left, ArcomatParser.BinaryExpressionContext row) {
+        return left instanceof ArcomatParser.BinaryExpressionContext inner
+                && inner.operator.getType() == row.operator.getType();
     }
 }

@@ -7,6 +7,7 @@ import org.antlr.v4.runtime.ParserRuleContext;
 import org.antlr.v4.runtime.Token;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -24,6 +25,11 @@ abstract class TreeBuilder<T> extends ArcomatBaseVisitor<T> {
 
     final T build(ParserRuleContext context) {
         return context.accept(this);
+    }
+
+    /** The node of a production that is one of several others. */
+    final T buildSole(ParserRuleContext context) {
+        return build((ParserRuleContext) Objects.requireNonNull(context.getChild(0)));
     }
 
     final List<T> buildAll(List<? extends ParserRuleContext> contexts) {

@@ -9,6 +9,7 @@ import arcomat.tree.Unit.Comment;
 import arcomat.tree.Unit.Import;
 
 import org.antlr.v4.runtime.ParserRuleContext;
+import org.antlr.v4.runtime.Token;
 
 import java.util.List;
 
@@ -18,20 +19,25 @@ public final class UnitBuilder extends TreeBuilder<Unit> {
     private final AutomatonBuilder automata;
     private final ComponentBuilder components;
 
-    private UnitBuilder(Phrases phrases, List<Comment> comments) {
+    private UnitBuilder(Phrases phrases, List<Token> tokens, List<Comment> comments) {
         super(phrases);
         this.comments = comments;
         BlockBuilder blocks = new BlockBuilder(phrases);
         this.automata = new AutomatonBuilder(phrases, blocks);
-        this.components = new ComponentBuilder(phrases, automata, blocks.values);
+        this.components = new ComponentBuilder(phrases, automata, blocks.values, tokens);
     }
 
     /**
      * @param context what an entry rule returned, without errors
+     * @param tokens every token of the file, comments and its end included
      * @param comments every comment of the file in text order
      */
-    public static Unit unit(SourceFile file, ParserRuleContext context, List<Comment> comments) {
-        return new UnitBuilder(new Phrases(file), comments).build(context);
+    public static Unit unit(
+            SourceFile file,
+            ParserRuleContext context,
+            List<Token> tokens,
+            List<Comment> comments) {
+        return new UnitBuilder(new Phrases(file), tokens, comments).build(context);
     }
 
     @Override

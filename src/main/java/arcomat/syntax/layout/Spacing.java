@@ -64,7 +64,7 @@ final class Spacing {
             case ":" -> !(parent instanceof ArcomatParser.ConditionalExpressionContext);
             case "<" -> isTypeBracket(parent);
             case ">" -> isBracket(parent);
-            case "++", "--" -> parent instanceof ArcomatParser.IncrementItemContext;
+            case "++", "--" -> parent instanceof ArcomatParser.ItemContext;
             case "*" -> isRepetition(parent);
             default -> false;
         };

@@ -110,7 +110,7 @@ class MakeCampaignTest {
         assertThat(other.table()).isEqualTo(one.table());
         assertThat(folder.resolve("other/rows.csv"))
                 .hasSameTextualContentAs(folder.resolve("one/rows.csv"));
-        assertThat(one.result().occurrences().get(0).proportion().events()).isEqualTo(50);
+        assertThat(one.result().occurrences().get(0).runs()).isEqualTo(50);
     }
 
     @ParameterizedTest

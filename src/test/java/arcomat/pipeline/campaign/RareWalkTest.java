@@ -6,7 +6,6 @@ import arcomat.campaign.CampaignResult.Occurrence;
 import arcomat.campaign.RareEvent;
 import arcomat.campaign.statistics.Confidence;
 import arcomat.campaign.statistics.ConfidenceInterval;
-import arcomat.campaign.statistics.Proportion;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.campaign.engine.Engine;
@@ -43,19 +42,18 @@ class RareWalkTest {
                         .ready()
                         .orElseThrow();
         RareEvent rare = session.run(new SplitRuns(ready, RareWalkTest::engine)).orElseThrow();
-        Proportion counted =
+        Occurrence counted =
                 session
                         .run(new MakeCampaign(ready, "", false, RareWalkTest::engine))
                         .result()
                         .occurrences()
                         .stream()
                         .filter(each -> each.column().name().equals("near"))
-                        .map(Occurrence::proportion)
                         .findFirst()
                         .orElseThrow();
         ConfidenceInterval bySplitting = rare.interval(SURE);
-        ConfidenceInterval byCounting = counted.exact(SURE);
-        assertThat(rare.runs()).isLessThan(counted.trials() / 3);
+        ConfidenceInterval byCounting = counted.interval(SURE);
+        assertThat(rare.runs()).isLessThan(counted.known() / 3);
         assertThat(bySplitting.low()).isLessThan(byCounting.high()).isPositive();
         assertThat(bySplitting.high()).isGreaterThan(byCounting.low()).isLessThan(0.006);
     }

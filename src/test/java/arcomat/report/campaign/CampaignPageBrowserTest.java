@@ -18,7 +18,24 @@ import java.util.Map;
 class CampaignPageBrowserTest extends BrowserTest {
     @Override
     protected Map<String, Executable> tests() {
-        return Map.of("what a campaign found", this::look);
+        return Map.of("what a campaign found", this::look, "what is rare, and worst", this::search);
+    }
+
+    private void search() throws WrongUse {
+        CampaignReport report = SampleCampaigns.searched("yard.campaign");
+        Session session = Session.in(Path.of(""), Progress.NONE);
+        session.run(new WriteCampaignPage(report, folder.toString()));
+        browser.open(folder.resolve("index.html").toUri().toString(), "#runs li");
+        browser.resize(1500, 2700);
+        assertThat(browser.text("#rare .said")).contains("distance of 20 mm: probability 0.1");
+        assertThat(browser.findAll("#rare .estimate")).hasSize(4);
+        assertThat(browser.text("#rare code")).startsWith("arcomat world models/yard");
+        assertThat(browser.text("#worst .said"))
+                .contains("smallest distance", "320 runs, 8 of them without", "31.4", "1 time");
+        assertThat(browser.findAll("#worst .generation")).hasSize(39);
+        assertThat(browser.text("#worst code")).startsWith("arcomat world models/yard");
+        browser.picture("campaign-search");
+        narrow();
     }
 
     private void look() throws WrongUse {

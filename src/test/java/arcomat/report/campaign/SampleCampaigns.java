@@ -3,15 +3,20 @@ package arcomat.report.campaign;
 import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignParser;
 import arcomat.campaign.Judge;
+import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
+import arcomat.campaign.WorstSearch;
 import arcomat.campaign.overview.Overview;
+import arcomat.campaign.statistics.Families;
 import arcomat.campaign.statistics.Measurements;
+import arcomat.campaign.statistics.Splitting;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
 import java.util.SplittableRandom;
@@ -33,6 +38,16 @@ final class SampleCampaigns {
             compare driver by collision
             """;
 
+    static final String SEARCHED =
+            """
+            world ../world/yard.world
+            vary speed from 100 to 250
+            vary light from 0 to 4
+            sample random 500
+            worst smallest distance runs 300
+            split on distance levels 200 100 50 20 runs 400
+            """;
+
     private SampleCampaigns() {}
 
     static Campaign campaign(String text) {
@@ -42,6 +57,46 @@ final class SampleCampaigns {
     }
 
     static CampaignReport report(String file, String text) {
+        return report(file, text, Optional.empty(), Optional.empty());
+    }
+
+    /** Level by level fewer; the search settles once. */
+    static CampaignReport searched(String file) {
+        Campaign campaign = campaign(SEARCHED);
+        Row row = rows(campaign).filter(Row::wasMade).findFirst().orElseThrow();
+        List<WorstSearch.Step> course = new ArrayList<>();
+        double least = 150;
+        for (int i = 0; i < 40; i++) {
+            least = i == 20 ? 120 : least * 0.93;
+            Optional<Double> worst = i == 3 ? Optional.empty() : Optional.of(least + i * 7 % 11);
+            course.add(new WorstSearch.Step(1, 8, i == 3 ? 8 : 0, worst));
+        }
+        WorstSearch search =
+                new WorstSearch(
+                        campaign.search().orElseThrow(),
+                        course,
+                        Optional.of(new WorstSearch.Found(row, 31.4)),
+                        2);
+        List<Splitting.Level> levels =
+                List.of(
+                        new Splitting.Level(400, 180),
+                        new Splitting.Level(400, 95),
+                        new Splitting.Level(400, 60),
+                        new Splitting.Level(400, 36));
+        List<Long> families = new ArrayList<>(Collections.nCopies(36, 1L));
+        RareEvent rare =
+                new RareEvent(
+                        campaign.split().orElseThrow(),
+                        levels,
+                        new Families(families),
+                        1600,
+                        0,
+                        Optional.of(new RareEvent.Nearest(row, 12.5)));
+        return report(file, SEARCHED, Optional.of(search), Optional.of(rare));
+    }
+
+    private static CampaignReport report(
+            String file, String text, Optional<WorstSearch> worst, Optional<RareEvent> rare) {
         Campaign campaign = campaign(text);
         Judge judge = new Judge(campaign);
         rows(campaign).forEach(judge::see);
@@ -51,8 +106,8 @@ final class SampleCampaigns {
                 new RunAgain("models/yard/world/yard.world", true),
                 judge.result(column -> measured(campaign, column)),
                 Overview.of(campaign, () -> rows(campaign)),
-                Optional.empty(),
-                Optional.empty(),
+                worst,
+                rare,
                 Trials.of(campaign).count(),
                 "0123456789abcdef");
     }
@@ -71,11 +126,11 @@ final class SampleCampaigns {
         Trials trials = Trials.of(campaign);
         return LongStream.range(0, trials.count())
                 .mapToObj(trials::trial)
-                .map(SampleCampaigns::row);
+                .map(trial -> row(trial, campaign.columns().size()));
     }
 
     /** The same for the same seed, but for what the driver makes of it. */
-    private static Row row(Trial trial) {
+    private static Row row(Trial trial, int columns) {
         SplittableRandom chance = new SplittableRandom(trial.seed());
         double speed = number(trial, "speed", 200);
         double light = number(trial, "light", 1);
@@ -113,6 +168,9 @@ final class SampleCampaigns {
                         case "clearance" -> Double.NaN;
                         default -> 0.0;
                     });
+        }
+        while (answers.size() < columns) {
+            answers.add(Double.POSITIVE_INFINITY); // levels that were not reached
         }
         return Row.made(trial, answers);
     }

@@ -49,7 +49,7 @@ public final class Texts {
         text.append(";\n\n    initial state0 / {light = red};\n\n");
         for (int t = 0; t < TRANSITIONS; t++) {
             text.append("    state").append(t % STATES);
-            text.append(" -> state").append((t * 5 + number) % STATES);
+            text.append(" -> state").append(target(number, t));
             text.append(" [level >= ").append(t).append(" && level < ").append(number + 100 + t);
             text.append("] {request == ").append(t % 2 == 0 ? "press" : "release");
             text.append(", amount == ").append(t);
@@ -58,6 +58,11 @@ public final class Texts {
             text.append(", level = level + ").append(t + 1).append("};\n");
         }
         return text.append("  }\n}\n").toString();
+    }
+
+    /** The first transition of each state leads to the next one: every state is reached. */
+    private static int target(int number, int transition) {
+        return (transition < STATES ? transition + 1 : transition * 5 + number) % STATES;
     }
 
     /** As many classes as make up a length: Java says the same at greater length. */
@@ -99,7 +104,7 @@ public final class Texts {
         text.append("          light = Light.").append(t % 3 == 0 ? "RED" : "GREEN").append(";\n");
         text.append("          total = amount + ").append(number).append(";\n");
         text.append("          level = level + ").append(t + 1).append(";\n");
-        text.append("          state = ").append((t * 5 + number) % STATES).append(";\n");
+        text.append("          state = ").append(target(number, t)).append(";\n");
         text.append("          return;\n        }\n");
     }
 

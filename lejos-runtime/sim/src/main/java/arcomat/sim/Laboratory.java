@@ -10,6 +10,7 @@ import arcomat.sim.time.VirtualTime;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 
 /**
  * Where bricks run, all in one virtual time, reaching each other over Bluetooth by their names.
@@ -90,6 +91,45 @@ public final class Laboratory implements AutoCloseable {
         long moment = milliseconds * VirtualTime.MILLISECOND;
         while (time.now() < moment) {
             time.runUntil(moment);
+        }
+    }
+
+    /**
+     * Lets time pass up to a moment, or until somebody who looks regularly says that it is enough.
+     *
+     * @param period from one look to the next, in milliseconds; the first one is after the first
+     * @param isEnough sees everything that happened at the moment; must not wait, nor let time pass
+     */
+    public void runUntil(long milliseconds, long period, BooleanSupplier isEnough) {
+        Inspection inspection = new Inspection(period * VirtualTime.MILLISECOND, isEnough);
+        long moment = milliseconds * VirtualTime.MILLISECOND;
+        time.start(inspection, time.now() + inspection.period);
+        while (time.now() < moment && !inspection.isOver) {
+            time.runUntil(moment);
+        }
+        time.stop(inspection);
+    }
+
+    /** Looks on whichever thread has the baton: waking another one for that would take longer. */
+    private final class Inspection extends Timetable {
+        private final long period;
+        private final BooleanSupplier isEnough;
+        private boolean isOver;
+
+        Inspection(long period, BooleanSupplier isEnough) {
+            super(Rank.CONTROLLER);
+            this.period = period;
+            this.isEnough = isEnough;
+        }
+
+        @Override
+        protected long act() {
+            isOver = isEnough.getAsBoolean();
+            if (isOver) {
+                time.wakeController();
+                return VirtualTime.NEVER;
+            }
+            return time.now() + period;
         }
     }
 

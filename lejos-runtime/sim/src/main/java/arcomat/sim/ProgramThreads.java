@@ -10,12 +10,14 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.Executor;
 
 /** The threads of one program, from main until the last has ended. */
 final class ProgramThreads implements Lifetime {
     private final String name;
     private final VirtualTime time;
     private final Runnable whenOver;
+    private final Executor carriers;
     private final Map<Thread, Strand> strands = new IdentityHashMap<>();
     private final Set<Thread> started = Collections.newSetFromMap(new IdentityHashMap<>());
     private final Set<Thread> daemons = Collections.newSetFromMap(new IdentityHashMap<>());
@@ -24,11 +26,13 @@ final class ProgramThreads implements Lifetime {
 
     /**
      * @param whenOver what the brick does as soon as the program is over
+     * @param carriers threads of the PC that carry these
      */
-    ProgramThreads(String name, VirtualTime time, Runnable whenOver) {
+    ProgramThreads(String name, VirtualTime time, Runnable whenOver, Executor carriers) {
         this.name = name;
         this.time = time;
         this.whenOver = whenOver;
+        this.carriers = carriers;
     }
 
     Outcome outcome() {
@@ -49,13 +53,18 @@ final class ProgramThreads implements Lifetime {
         start(thread, thread);
     }
 
-    /** The thread object of main is never started either. */
+    /**
+     * The thread object of main is never started either.
+     *
+     * @param body called again after each rest
+     */
     void startMain(Runnable body) {
         start(main, body);
     }
 
     private void start(Thread thread, Runnable body) {
-        strands.put(thread, time.start(name + " " + thread.getName(), () -> run(thread, body)));
+        String full = name + " " + thread.getName();
+        strands.put(thread, time.start(full, () -> run(thread, body), carriers));
     }
 
     private void run(Thread thread, Runnable body) {
@@ -66,6 +75,12 @@ final class ProgramThreads implements Lifetime {
         } catch (Throwable e) {
             end(Outcome.failed(e));
         }
+        if (!time.running().rests()) {
+            ended(thread);
+        }
+    }
+
+    private void ended(Thread thread) {
         strands.remove(thread);
         if (daemons.containsAll(strands.keySet())) {
             exit();

@@ -15,10 +15,12 @@ import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.radio.Ether;
 import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
+import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
 
 import java.lang.invoke.MethodHandle;
 import java.util.List;
+import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
@@ -32,10 +34,10 @@ public final class SimulatedBrick implements Action.Receiver {
 
     SimulatedBrick(
             String name, LoadedProgram program, VirtualTime time, Ether ether, Limits limits) {
-        threads = new ProgramThreads(name, time, this::programOver);
+        threads = new ProgramThreads(name, time, this::programOver, program.carriers());
         hardware = new Hardware(name, time, threads, ether.join(name), limits);
         loader = program.take(hardware);
-        threads.startMain(() -> runMain(loader, program.mainClass()));
+        threads.startMain(() -> runMain(program.mainClass()));
     }
 
     private void programOver() {
@@ -46,7 +48,12 @@ public final class SimulatedBrick implements Action.Receiver {
     }
 
     /** As on the brick, main gets no arguments, not even an empty array. */
-    private static void runMain(BrickLoader loader, String mainClass) {
+    private void runMain(String mainClass) {
+        Strand strand = hardware.time().running();
+        if (strand.resumes()) {
+            loader.goOn(Objects.requireNonNull(strand.saved().takeObject()));
+            return;
+        }
         MethodHandle main;
         try {
             main = loader.main(mainClass);

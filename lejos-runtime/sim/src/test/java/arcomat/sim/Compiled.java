@@ -10,6 +10,7 @@ import java.io.OutputStream;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -54,6 +55,11 @@ final class Compiled {
     }
 
     static Program source(String mainClass, String text) {
+        return sources(mainClass, Map.of(mainClass, text));
+    }
+
+    /** A program of several files, by their paths without {@code .java}. */
+    static Program sources(String mainClass, Map<String, String> texts) {
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
         Memory memory = new Memory(compiler.getStandardFileManager(null, null, null));
         List<String> options =
@@ -66,21 +72,23 @@ final class Compiled {
                         "-Xlint:-options",
                         "-classpath",
                         System.getProperty("java.class.path"));
-        JavaFileObject source =
-                new SimpleJavaFileObject(
-                        URI.create("string:///" + mainClass + ".java"),
-                        JavaFileObject.Kind.SOURCE) {
-                    @Override
-                    public CharSequence getCharContent(boolean ignoreEncodingErrors) {
-                        return text;
-                    }
-                };
-        boolean compiled =
-                compiler.getTask(null, memory, null, options, null, List.of(source)).call();
+        List<JavaFileObject> sources = new ArrayList<>();
+        texts.forEach((path, text) -> sources.add(inMemory(path, text)));
+        boolean compiled = compiler.getTask(null, memory, null, options, null, sources).call();
         assertThat(compiled).as("the program compiles").isTrue();
         Map<String, byte[]> classes = new HashMap<>();
         memory.classes.forEach((name, bytes) -> classes.put(name, bytes.toByteArray()));
         return new Program(mainClass, classes);
+    }
+
+    private static JavaFileObject inMemory(String path, String text) {
+        return new SimpleJavaFileObject(
+                URI.create("string:///" + path + ".java"), JavaFileObject.Kind.SOURCE) {
+            @Override
+            public CharSequence getCharContent(boolean ignoreEncodingErrors) {
+                return text;
+            }
+        };
     }
 
     private static final class Memory extends ForwardingJavaFileManager<JavaFileManager> {

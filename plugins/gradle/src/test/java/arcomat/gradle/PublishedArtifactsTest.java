@@ -39,6 +39,7 @@ class PublishedArtifactsTest {
         "arcomat-brick-api, asm",
         "arcomat-brick-simulation, arcomat-brick-api asm asm-tree",
         "arcomat-cluster-hazelcast, arcomat hazelcast",
+        "arcomat-cluster-spark, arcomat",
         "arcomat-gradle-plugin, ''",
         "arcomat-runtime, ''",
         "arcomat.gradle.plugin, arcomat-gradle-plugin"
@@ -69,6 +70,7 @@ class PublishedArtifactsTest {
         "arcomat-brick-api, arcomat/brick/api/StubJar",
         "arcomat-brick-simulation, lejos/nxt/Motor",
         "arcomat-cluster-hazelcast, arcomat/cluster/hazelcast/HazelcastProvider",
+        "arcomat-cluster-spark, arcomat/cluster/spark/SparkCampaign",
         "arcomat-gradle-plugin, arcomat/gradle/ArcomatPlugin",
         "arcomat-runtime, arcomat/rt/Choice"
     })

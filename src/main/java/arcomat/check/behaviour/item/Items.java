@@ -52,11 +52,12 @@ public final class Items {
 
     /** A value and, for alternatives, the values in it. */
     public static List<ItemValue> parts(ItemValue value) {
+        if (!(value instanceof ItemValue.Alternatives alternatives)) {
+            return List.of(value);
+        }
         List<ItemValue> parts = new ArrayList<>();
         parts.add(value);
-        if (value instanceof ItemValue.Alternatives alternatives) {
-            alternatives.values().forEach(each -> parts.addAll(parts(each)));
-        }
+        alternatives.values().forEach(each -> parts.addAll(parts(each)));
         return parts;
     }
 

@@ -1,17 +1,21 @@
 package arcomat.cli.command.proof;
 
 import arcomat.analysis.evolution.Gate;
+import arcomat.analysis.refinement.Verdict.Answer;
 import arcomat.cli.command.LimitedCommand;
 import arcomat.cli.option.CheckRendering;
 import arcomat.cli.option.ReportFormat;
 import arcomat.cli.option.ReportOptions;
 import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.MachineFormats;
+import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.gate.PassGate;
+import arcomat.pipeline.gate.PrepareGateCampaigns;
+import arcomat.pipeline.gate.RunGateCampaigns;
 import arcomat.report.finding.JunitXml;
 import arcomat.report.finding.Reported;
 import arcomat.report.finding.Reported.Standing;
@@ -19,6 +23,7 @@ import arcomat.report.text.Style;
 import arcomat.report.verdict.GateCases;
 import arcomat.report.verdict.GateJson;
 import arcomat.report.verdict.GateText;
+import arcomat.report.verdict.GatedCampaigns;
 import arcomat.source.Diagnostic;
 import arcomat.source.Suppressed;
 
@@ -29,6 +34,7 @@ import picocli.CommandLine.Parameters;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 
 /** {@code arcomat gate}: whether components still keep what they promised. */
 @CommandLine.Command(
@@ -42,9 +48,11 @@ import java.util.List;
             "  git worktree add ../main main",
             "  arcomat gate --base ../main/models models",
             "  arcomat gate --base ../main/models --report junit=build/gate.xml models",
+            "  arcomat gate --base ../main/models --campaign meeting.campaign models",
             "",
-            "Exit status: 0 all keep their promises; 1 one does not; 3 one is unknown; 2 wrong use"
-                    + " or models with errors."
+            "Exit status: 0 all keep their promises, and what campaigns require holds; 1 something"
+                    + " fails; 3 something is unknown; 2 wrong use, or models or campaigns with"
+                    + " errors."
         })
 public final class GateCommand extends LimitedCommand {
     @Mixin private ReportOptions reports = new ReportOptions();
@@ -56,6 +64,14 @@ public final class GateCommand extends LimitedCommand {
             description = "The same model root as it was: a checkout of main. May be repeated.")
     private List<String> base;
 
+    @Option(
+            names = "--campaign",
+            paramLabel = "FILE.campaign",
+            description =
+                    "A campaign that has to hold as well: what it requires is asked of the models"
+                            + " as they are. May be repeated.")
+    private List<String> campaigns = new ArrayList<>();
+
     @Parameters(paramLabel = "PATH", arity = "1..*", description = "Model files and model roots.")
     private List<String> paths;
 
@@ -65,47 +81,75 @@ public final class GateCommand extends LimitedCommand {
         return false;
     }
 
+    /** All that the gate has found out. */
+    private record Outcome(PassGate.Result result, Gate gate, RunGateCampaigns.Result runs) {
+        GatedCampaigns campaigns() {
+            return new GatedCampaigns(runs.reports());
+        }
+
+        Answer answer() {
+            return gate.answer().and(campaigns().answer());
+        }
+
+        List<Diagnostic> findings() {
+            return Stream.concat(result.findings().stream(), runs.findings().stream())
+                    .sorted(Diagnostic.ORDER)
+                    .toList();
+        }
+    }
+
     @Override
     protected int run(Session session) throws WrongUse {
+        PrepareGateCampaigns.Prepared prepared =
+                session.run(new PrepareGateCampaigns(campaigns, Version.number()));
+        if (prepared.check().hasErrors()) {
+            tellAside(prepared.check());
+            reports.write(
+                    CheckRendering.refused("gate", prepared.check(), console()),
+                    session,
+                    console());
+            return ExitStatus.WRONG_USE;
+        }
         PassGate.Result result = session.run(new PassGate(base, paths, limits()));
-        tellAside(result.aside());
+        Aside aside = result.aside().and(prepared.check().aside());
+        tellAside(aside);
         if (result.gate().isEmpty()) {
             reports.write((format, style) -> refusal(result, format, style), session, console());
             return ExitStatus.WRONG_USE;
         }
-        reports.write((format, style) -> text(result, format, style), session, console());
-        return result.aside().isEmpty()
-                ? status(result.gate().get().answer())
-                : ExitStatus.WRONG_USE;
+        RunGateCampaigns.Result runs = session.run(new RunGateCampaigns(prepared.campaigns()));
+        Outcome outcome = new Outcome(result, result.gate().get(), runs);
+        reports.write((format, style) -> text(outcome, aside, format, style), session, console());
+        return aside.isEmpty() ? status(outcome.answer()) : ExitStatus.WRONG_USE;
     }
 
-    private String text(PassGate.Result result, ReportFormat format, Style style) {
-        Gate gate = result.gate().orElseThrow();
-        List<Diagnostic> findings = result.findings();
-        Aside aside = result.aside();
+    private String text(Outcome outcome, Aside aside, ReportFormat format, Style style) {
+        Gate gate = outcome.gate();
+        GatedCampaigns tried = outcome.campaigns();
+        List<Diagnostic> findings = outcome.findings();
         return switch (format) {
-            case text -> GateText.render(gate, findings, style);
-            case json -> GateJson.render(gate, findings, aside.findings(), aside.files());
-            case sarif -> MachineFormats.of(console()).sarif(reported(result), false);
+            case text -> GateText.render(gate, tried, findings, style);
+            case json -> GateJson.render(gate, tried, findings, aside.findings(), aside.files());
+            case sarif -> MachineFormats.of(console()).sarif(reported(outcome, aside), false);
             case github ->
                     MachineFormats.of(console())
-                            .github(reported(result), GateText.summary(gate, style));
+                            .github(reported(outcome, aside), GateText.summary(gate, tried, style));
             case junit ->
                     JunitXml.render(
                             "arcomat gate",
-                            CheckRendering.withCasesAside(GateCases.of(gate), aside));
+                            CheckRendering.withCasesAside(GateCases.of(gate, tried), aside));
         };
     }
 
-    private static List<Reported> reported(PassGate.Result result) {
+    private static List<Reported> reported(Outcome outcome, Aside aside) {
         List<Reported> all = new ArrayList<>();
-        for (Diagnostic finding : result.findings()) {
+        for (Diagnostic finding : outcome.findings()) {
             all.add(new Reported(finding, Standing.NEW, "", List.of()));
         }
-        for (Suppressed each : result.meant()) {
+        for (Suppressed each : outcome.result().meant()) {
             all.add(new Reported(each.finding(), Standing.SUPPRESSED, each.reason(), List.of()));
         }
-        return CheckRendering.withAside(all, result.aside());
+        return CheckRendering.withAside(all, aside);
     }
 
     /** What keeps the sides from being compared: for people, which side it is. */

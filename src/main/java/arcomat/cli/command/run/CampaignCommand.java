@@ -2,7 +2,7 @@ package arcomat.cli.command.run;
 
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.RareEvent;
-import arcomat.campaign.WorstRun;
+import arcomat.campaign.WorstSearch;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.ClusterOptions;
@@ -123,7 +123,7 @@ public final class CampaignCommand extends Command {
         Ready ready = prepared.ready().get();
         Function<Freight, Engine> engines = engines(ready.freight(), session);
         MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
-        Optional<WorstRun> worst = session.run(new SearchWorst(ready, engines));
+        Optional<WorstSearch> worst = session.run(new SearchWorst(ready, engines));
         Optional<RareEvent> rare = session.run(new SplitRuns(ready, engines));
         CampaignReport shown = made.report(campaign, ready, worst, rare);
         if (format == OutputFormat.json) {
@@ -169,6 +169,10 @@ public final class CampaignCommand extends Command {
     private void tell(MakeCampaign.Made made, Ready ready) {
         StringBuilder head =
                 new StringBuilder("%,d runs of %s".formatted(made.runs(), ready.world()));
+        long seeds = ready.campaign().seeds(made.runs());
+        if (seeds < made.runs()) {
+            head.append(" on %,d %s".formatted(seeds, seeds == 1 ? "seed" : "seeds"));
+        }
         if (made.runs() < made.planned()) {
             head.append(", decided before the %,d that were planned".formatted(made.planned()));
         }

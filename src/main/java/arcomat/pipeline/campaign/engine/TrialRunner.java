@@ -7,6 +7,7 @@ import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Watched;
 import arcomat.pipeline.campaign.measure.Measuring;
+import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.sim.device.Limits;
 import arcomat.sim.load.LoadedProgram;
@@ -37,9 +38,16 @@ public final class TrialRunner implements Function<Trial, Row> {
     /** Worlds with their values: on a grid they come again, drawn ones do not. */
     private static final int KEPT = 1000;
 
+    /** One run of so many, the first one among them, is made in both ways. */
+    private static final int CHECKED = 1000;
+
     private final Freight freight;
     private final SourceFile text;
     private final Map<String, LoadedProgram> programs = new TreeMap<>();
+
+    /** The same ones, which never rest. */
+    private final Map<String, LoadedProgram> onThreads = new TreeMap<>();
+
     private final Measuring measuring;
     private final List<Watched> watches;
     private final Optional<Campaign.Split> split;
@@ -51,6 +59,7 @@ public final class TrialRunner implements Function<Trial, Row> {
         List<Probe> probes = Sightings.probes(freight.monitors());
         freight.programs()
                 .forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each, probes)));
+        programs.forEach((key, each) -> onThreads.put(key, each.onThreads()));
         Campaign campaign = campaign(freight);
         this.measuring = Measuring.of(campaign, text);
         this.watches = campaign.watches();
@@ -79,34 +88,85 @@ public final class TrialRunner implements Function<Trial, Row> {
         }
     }
 
+    /**
+     * Makes a run.
+     *
+     * @throws IllegalStateException where it turns out that programs do something else when their
+     *     threads rest between slices: that would be a fault of ours
+     */
     @Override
     public Row apply(Trial trial) {
         Stage stage = stage(trial.values());
         if (stage.bare() == null || stage.world() == null || stage.measuring() == null) {
             return Row.withoutAnswers(trial, Ending.IMPOSSIBLE, stage.remark());
         }
-        Measuring.Run measured = stage.measuring().start();
-        LevelTimes levels = new LevelTimes(split, stage.bare(), measured);
-        Sightings sightings = new Sightings(freight.monitors(), levels);
-        try {
-            Summary summary =
-                    stage.world()
-                            .summarize(
-                                    trial.seeds(),
-                                    Duration.ofSeconds(freight.patienceSeconds()),
-                                    freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
-                                    sightings);
-            if (sightings.doubt().isPresent()) {
-                return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
+        OneRun run = new OneRun(trial, stage.bare(), stage.measuring());
+        if (trial.number() % CHECKED != 0 || !anyRests()) {
+            return run.row(stage.world(), Function.identity());
+        }
+        return run.checked(stage.world(), PreparedWorld.of(stage.bare(), onThreads));
+    }
+
+    private boolean anyRests() {
+        return programs.values().stream().anyMatch(each -> each.rests(freight.limited()));
+    }
+
+    /** One run, which may be made again. */
+    private final class OneRun {
+        private final Trial trial;
+        private final World bare;
+        private final Measuring.InWorld measuring;
+        private boolean isOutOfPatience;
+
+        OneRun(Trial trial, World bare, Measuring.InWorld measuring) {
+            this.trial = trial;
+            this.bare = bare;
+            this.measuring = measuring;
+        }
+
+        Row checked(PreparedWorld resting, PreparedWorld threads) {
+            List<Fingerprint> prints = new ArrayList<>();
+            Function<Onlooker, Onlooker> watched =
+                    beside -> {
+                        prints.add(new Fingerprint(beside));
+                        return prints.get(prints.size() - 1);
+                    };
+            Row row = row(resting, watched);
+            Row other = row(threads, watched);
+            boolean same = row.equals(other) && prints.get(0).bits() == prints.get(1).bits();
+            // Who is out of patience has seen a part of the run, and not always the same one.
+            if (!same && !isOutOfPatience) {
+                throw new IllegalStateException(
+                        "seed %s with %s: the run is another one where threads do not rest"
+                                .formatted(trial.seeds().text(), trial.values()));
             }
-            List<Double> answers = new ArrayList<>(Answers.of(summary));
-            answers.addAll(measured.answers());
-            answers.addAll(sightings.answers(watches));
-            answers.addAll(levels.answers());
-            return Row.made(trial, answers);
-        } catch (OutOfPatience e) {
-            String why = "after " + freight.patienceSeconds() + " s of the PC's time";
-            return Row.withoutAnswers(trial, Ending.GIVEN_UP, why);
+            return row;
+        }
+
+        Row row(PreparedWorld world, Function<Onlooker, Onlooker> watched) {
+            Measuring.Run measured = measuring.start();
+            LevelTimes levels = new LevelTimes(split, bare, measured);
+            Sightings sightings = new Sightings(freight.monitors(), levels);
+            try {
+                Summary summary =
+                        world.summarize(
+                                trial.seeds(),
+                                Duration.ofSeconds(freight.patienceSeconds()),
+                                freight.limited() ? Limits.OF_THE_BRICK : Limits.NONE,
+                                watched.apply(sightings));
+                if (sightings.doubt().isPresent()) {
+                    return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
+                }
+                List<Double> answers = new ArrayList<>(Answers.of(summary));
+                answers.addAll(measured.answers());
+                answers.addAll(sightings.answers(watches));
+                answers.addAll(levels.answers());
+                return Row.made(trial, answers);
+            } catch (OutOfPatience e) {
+                isOutOfPatience = true;
+                String why = "after " + freight.patienceSeconds() + " s of the PC's time";
+                return Row.withoutAnswers(trial, Ending.GIVEN_UP, why);
+            }
         }
     }
 

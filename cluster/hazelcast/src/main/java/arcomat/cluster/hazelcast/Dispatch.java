@@ -2,6 +2,8 @@ package arcomat.cluster.hazelcast;
 
 import arcomat.campaign.Trial;
 
+import org.jspecify.annotations.Nullable;
+
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -18,6 +20,11 @@ import java.util.UUID;
 /**
  * Which trials are wanted, and who has which: knows nothing of networks. A trial is wanted until it
  * is answered for the first time, whoever answers.
+ *
+ * <p>A worker that is gone may have been ended by a run that it made: then the next one will be,
+ * and so forth. Which of the runs it was that it held nobody knows. So who was held by two workers
+ * that are gone is given to a third one that has nothing else, and given up if that one goes as
+ * well: whatever was beside the cause is made.
  */
 final class Dispatch {
     /**
@@ -29,7 +36,12 @@ final class Dispatch {
     /** Trials of one message at most. */
     private static final int BATCH = 32;
 
+    /** A trial that so many workers went with is given up; the last of them had no other one. */
+    static final int LOSSES = 3;
+
     private final Deque<Trial> waiting = new ArrayDeque<>();
+    private final Deque<Trial> suspected = new ArrayDeque<>();
+    private final Map<Long, Integer> losses = new HashMap<>();
     private final Map<Long, Trial> wanted = new HashMap<>();
     private final Map<UUID, Worker> workers = new LinkedHashMap<>();
 
@@ -37,6 +49,7 @@ final class Dispatch {
         private final UUID name;
         private final int threads;
         private final Set<Long> held = new LinkedHashSet<>();
+        private boolean full;
 
         Worker(UUID name, int threads) {
             this.name = name;
@@ -48,9 +61,29 @@ final class Dispatch {
         }
 
         int room() {
-            return HELD * threads - held.size();
+            return full ? 0 : HELD * threads - held.size();
+        }
+
+        /** It gets nothing else until it has answered. */
+        Batch alone(Trial trial) {
+            held.add(trial.number());
+            full = true;
+            return new Batch(name, List.of(trial));
+        }
+
+        void answered(long number) {
+            held.remove(number);
+            full &= !held.isEmpty();
         }
     }
+
+    /**
+     * What a worker held that is gone.
+     *
+     * @param again how many trials have to be made by others
+     * @param givenUp those that nobody is to make any more
+     */
+    record Loss(int again, List<Trial> givenUp) {}
 
     /** Trials for a worker. */
     record Batch(UUID worker, List<Trial> trials) {}
@@ -69,26 +102,35 @@ final class Dispatch {
         workers.put(worker, new Worker(worker, threads));
     }
 
-    /**
-     * What it held comes first now: later trials wait for it.
-     *
-     * @return how many trials have to be made by others
-     */
-    int leave(UUID worker) {
+    /** What it held comes first now: later trials wait for it. */
+    Loss leave(UUID worker) {
         Worker gone = workers.remove(worker);
         if (gone == null) {
-            return 0;
+            return new Loss(0, List.of());
         }
         List<Trial> lost = gone.held.stream().filter(wanted::containsKey).map(wanted::get).toList();
+        List<Trial> givenUp = new ArrayList<>();
         for (int i = lost.size() - 1; i >= 0; i--) {
-            waiting.addFirst(lost.get(i));
+            Trial trial = lost.get(i);
+            int times = losses.merge(trial.number(), 1, Integer::sum);
+            if (times >= LOSSES) {
+                forget(trial.number());
+                givenUp.add(trial);
+            } else {
+                (times == LOSSES - 1 ? suspected : waiting).addFirst(trial);
+            }
         }
-        return lost.size();
+        return new Loss(lost.size() - givenUp.size(), givenUp);
+    }
+
+    private @Nullable Trial forget(long number) {
+        losses.remove(number);
+        return wanted.remove(number);
     }
 
     /** Gives out what is waiting, as far as workers have room for it. */
     List<Batch> assign() {
-        List<Batch> batches = new ArrayList<>();
+        List<Batch> batches = new ArrayList<>(assignSuspected());
         // Several messages for each thread, so that all have an end at about the same time.
         int size = Math.max(1, Math.min(BATCH, waiting.size() / (2 * Math.max(1, threads()))));
         Optional<Worker> next = idlest();
@@ -97,6 +139,21 @@ final class Dispatch {
             next = idlest();
         }
         batches.removeIf(batch -> batch.trials().isEmpty());
+        return batches;
+    }
+
+    /**
+     * Each to a worker that has nothing else. All others have to wait for early rows as well, so
+     * there will be such a worker.
+     */
+    private List<Batch> assignSuspected() {
+        List<Batch> batches = new ArrayList<>();
+        for (Worker worker : workers.values()) {
+            suspected.removeIf(trial -> !wanted.containsKey(trial.number()));
+            if (worker.held.isEmpty() && !suspected.isEmpty()) {
+                batches.add(worker.alone(suspected.removeFirst()));
+            }
+        }
         return batches;
     }
 
@@ -127,9 +184,9 @@ final class Dispatch {
     Optional<Trial> answer(UUID from, long number) {
         Worker worker = workers.get(from);
         if (worker != null) {
-            worker.held.remove(number);
+            worker.answered(number);
         }
-        return Optional.ofNullable(wanted.remove(number));
+        return Optional.ofNullable(forget(number));
     }
 
     Set<UUID> workers() {

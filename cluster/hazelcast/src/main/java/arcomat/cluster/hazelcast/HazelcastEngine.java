@@ -2,15 +2,16 @@ package arcomat.cluster.hazelcast;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
-import arcomat.cluster.hazelcast.Letter.Answer;
 import arcomat.cluster.hazelcast.Letter.Answers;
 import arcomat.cluster.hazelcast.Letter.Breakdown;
 import arcomat.cluster.hazelcast.Letter.Hello;
 import arcomat.cluster.hazelcast.Letter.Refusal;
+import arcomat.pipeline.campaign.engine.Answer;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.EngineFailure;
 import arcomat.pipeline.campaign.engine.Freight;
 import arcomat.pipeline.campaign.engine.Meeting;
+import arcomat.pipeline.campaign.engine.TrialBytes;
 
 import com.hazelcast.client.Client;
 import com.hazelcast.collection.IQueue;
@@ -122,7 +123,7 @@ final class HazelcastEngine implements Engine {
 
     private void assign() {
         for (Dispatch.Batch each : dispatch.assign()) {
-            board.trials(notice, each.worker()).add(LetterText.of(each.trials()));
+            board.trials(notice, each.worker()).add(TrialBytes.of(each.trials()));
         }
     }
 
@@ -171,15 +172,23 @@ final class HazelcastEngine implements Engine {
     }
 
     private void leave(UUID worker) {
-        int lost = dispatch.leave(worker);
+        Dispatch.Loss loss = dispatch.leave(worker);
         board.trials(notice, worker).destroy();
         String given =
-                switch (lost) {
+                switch (loss.again()) {
                     case 0 -> "";
                     case 1 -> "; 1 run is made by others";
-                    default -> "; " + lost + " runs are made by others";
+                    default -> "; " + loss.again() + " runs are made by others";
                 };
         told.accept("worker " + numbers.get(worker) + " is gone" + given);
+        loss.givenUp().forEach(this::giveUp);
+    }
+
+    /** The same words whoever was lost: they are a part of the table. */
+    private void giveUp(Trial trial) {
+        String why = "%d workers were lost with it".formatted(Dispatch.LOSSES);
+        rows.add(Row.withoutAnswers(trial, Row.Ending.GIVEN_UP, why));
+        told.accept("run %d is given up: %s".formatted(trial.number(), why));
     }
 
     private void read(byte[] bytes) {

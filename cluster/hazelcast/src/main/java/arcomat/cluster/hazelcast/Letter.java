@@ -1,7 +1,6 @@
 package arcomat.cluster.hazelcast;
 
-import arcomat.campaign.Row;
-import arcomat.campaign.Trial;
+import arcomat.pipeline.campaign.engine.Answer;
 
 import java.util.List;
 import java.util.UUID;
@@ -65,17 +64,6 @@ sealed interface Letter {
                 Function<Refusal, R> refusal,
                 Function<Breakdown, R> breakdown) {
             return breakdown.apply(this);
-        }
-    }
-
-    /** A row without its trial, which the campaign knows. */
-    record Answer(long number, Row.Ending ending, String remark, List<Double> answers) {
-        static Answer of(Row row) {
-            return new Answer(row.trial().number(), row.ending(), row.remark(), row.answers());
-        }
-
-        Row row(Trial trial) {
-            return new Row(trial, ending, remark, answers);
         }
     }
 }

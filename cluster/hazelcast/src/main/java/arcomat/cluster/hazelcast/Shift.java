@@ -2,8 +2,9 @@ package arcomat.cluster.hazelcast;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
-import arcomat.cluster.hazelcast.Letter.Answer;
+import arcomat.pipeline.campaign.engine.Answer;
 import arcomat.pipeline.campaign.engine.EngineFailure;
+import arcomat.pipeline.campaign.engine.TrialBytes;
 
 import com.hazelcast.collection.IQueue;
 import com.hazelcast.core.HazelcastException;
@@ -86,7 +87,7 @@ final class Shift {
     private Letter make(byte[] batch, Function<Trial, Row> runner) {
         try {
             List<Answer> answers = new ArrayList<>();
-            for (Trial each : LetterText.trials(batch)) {
+            for (Trial each : TrialBytes.trials(batch)) {
                 answers.add(Answer.of(runner.apply(each)));
                 made.incrementAndGet();
             }

@@ -6,6 +6,7 @@ import arcomat.campaign.Trial;
 
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 import java.util.ArrayList;
@@ -64,8 +65,8 @@ class DispatchTest {
         dispatch.assign();
         assertThat(dispatch.answer(dead, 1)).isPresent();
         dispatch.submit(trials(4, 6));
-        assertThat(dispatch.leave(dead)).isEqualTo(3);
-        assertThat(dispatch.leave(dead)).isZero();
+        assertThat(dispatch.leave(dead).again()).isEqualTo(3);
+        assertThat(dispatch.leave(dead).again()).isZero();
         dispatch.join(UUID.randomUUID(), 1);
         assertThat(dispatch.assign())
                 .flatExtracting(Dispatch.Batch::trials)
@@ -91,6 +92,67 @@ class DispatchTest {
         assertThat(dispatch.answer(other, 7)).as("nobody asked").isEmpty();
     }
 
+    /**
+     * Each worker makes what it has from the first to the last, and is ended by one of them: no end
+     * of workers goes there, and whatever was beside it is made.
+     */
+    @ParameterizedTest
+    @CsvSource({"1, 40, 7", "4, 40, 7", "4, 200, 0", "4, 200, 199"})
+    void aRunThatEndsItsWorkersIsGivenUpAndNoOther(int threads, long count, long deadly) {
+        Dispatch dispatch = new Dispatch();
+        dispatch.submit(trials(0, count));
+        List<Long> answered = new ArrayList<>();
+        List<Trial> givenUp = new ArrayList<>();
+        int workers = 0;
+        while (answered.size() + givenUp.size() < count) {
+            assertThat(++workers).isLessThanOrEqualTo(Dispatch.LOSSES + 1);
+            UUID worker = UUID.randomUUID();
+            dispatch.join(worker, threads);
+            givenUp.addAll(workUntilTheEnd(dispatch, worker, deadly, answered));
+        }
+        assertThat(givenUp).extracting(Trial::number).containsExactly(deadly);
+        assertThat(answered).doesNotHaveDuplicates().hasSize((int) count - 1);
+    }
+
+    /** The runs that are given up because this worker is gone. */
+    private static List<Trial> workUntilTheEnd(
+            Dispatch dispatch, UUID worker, long deadly, List<Long> answered) {
+        List<Dispatch.Batch> batches = dispatch.assign();
+        while (!batches.isEmpty()) {
+            for (Trial each : batches.stream().flatMap(b -> b.trials().stream()).toList()) {
+                if (each.number() == deadly) {
+                    return dispatch.leave(worker).givenUp();
+                }
+                dispatch.answer(worker, each.number());
+                answered.add(each.number());
+            }
+            batches = dispatch.assign();
+        }
+        return List.of();
+    }
+
+    /** Two workers that were ended by somebody else take nothing away. */
+    @Test
+    void whoIsSuspectedIsAloneAndThenLikeOthers() {
+        Dispatch dispatch = new Dispatch();
+        dispatch.submit(trials(0, 3));
+        for (int gone = 1; gone < Dispatch.LOSSES; gone++) {
+            UUID dead = UUID.randomUUID();
+            dispatch.join(dead, 2);
+            assertThat(numbers(dispatch.assign())).containsExactly(0L, 1L, 2L);
+            assertThat(dispatch.leave(dead).again()).isEqualTo(3);
+        }
+        dispatch.submit(trials(3, 6));
+        UUID last = UUID.randomUUID();
+        dispatch.join(last, 2);
+        for (long suspect = 0; suspect < 3; suspect++) {
+            assertThat(numbers(dispatch.assign())).containsExactly(suspect);
+            assertThat(dispatch.assign()).isEmpty();
+            assertThat(dispatch.answer(last, suspect)).isPresent();
+        }
+        assertThat(numbers(dispatch.assign())).containsExactly(3L, 4L, 5L);
+    }
+
     /** Workers come, answer in any order, and die at any moment. */
     @ParameterizedTest
     @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8})
@@ -109,7 +171,7 @@ class DispatchTest {
             dispatch.assign().forEach(batch -> held.get(batch.worker()).addAll(batch.trials()));
             UUID one = List.copyOf(held.keySet()).get(random.nextInt(held.size()));
             if (random.nextInt(30) == 0) {
-                dispatch.leave(one);
+                dispatch.leave(one).givenUp().forEach(each -> answered.add(each.number()));
                 held.remove(one);
             } else if (!held.get(one).isEmpty()) {
                 List<Trial> mine = held.get(one);

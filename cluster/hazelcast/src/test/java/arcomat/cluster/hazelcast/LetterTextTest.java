@@ -3,19 +3,14 @@ package arcomat.cluster.hazelcast;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.campaign.Row;
-import arcomat.campaign.Trial;
-import arcomat.cluster.hazelcast.Letter.Answer;
-import arcomat.world.Seeds;
+import arcomat.pipeline.campaign.engine.Answer;
 
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 import java.io.IOException;
 import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.UUID;
 import java.util.stream.Stream;
 
@@ -65,24 +60,5 @@ class LetterTextTest {
         } catch (IOException refused) {
             return false;
         }
-    }
-
-    @Test
-    void trialsKeepTheOrderOfTheirValues() throws IOException {
-        Map<String, String> values = new LinkedHashMap<>();
-        values.put("speed", "0.25");
-        values.put("fetcher", "coffee.floor.Fetcher(3, \"ü\")");
-        values.put("a", "");
-        List<Trial> trials = List.of(new Trial(0, -1, Map.of()), new Trial(1L << 40, 5, values));
-        List<Trial> read = LetterText.trials(LetterText.of(trials));
-        assertThat(read).isEqualTo(trials);
-        assertThat(read.get(1).values().keySet()).containsExactly("speed", "fetcher", "a");
-    }
-
-    @Test
-    void trialsKeepTheirSeeds() throws IOException {
-        Seeds seeds = Seeds.of(5).then(1250, 77).then(1251, -1);
-        List<Trial> trials = List.of(new Trial(0, seeds, Map.of()));
-        assertThat(LetterText.trials(LetterText.of(trials))).isEqualTo(trials);
     }
 }

@@ -3,6 +3,7 @@ package arcomat.sim.device;
 import arcomat.brick.api.BrickCost;
 import arcomat.sim.memory.Heap;
 import arcomat.sim.radio.Radio;
+import arcomat.sim.time.SavedVariables;
 import arcomat.sim.time.VirtualTime;
 
 import java.util.List;
@@ -172,6 +173,23 @@ public final class Hardware {
         long from = time.now();
         time.waitInterruptibly(tickAfter(milliseconds));
         slices.slept(from, milliseconds);
+    }
+
+    /**
+     * As {@link #sleepInterruptibly}, but the calling thread rests meanwhile: it has to leave all
+     * its calls, and comes here a second time when the time has passed.
+     */
+    public void rest(long milliseconds) throws InterruptedException {
+        SavedVariables saved = time.running().saved();
+        if (time.running().resumes()) {
+            time.rested();
+            slices.slept(saved.takeNumber(), milliseconds);
+        } else {
+            processor.rest();
+            long from = time.now();
+            time.rest(tickAfter(milliseconds));
+            saved.save(from);
+        }
     }
 
     /** The moment of a tick of the brick's clock, so many milliseconds from now. */

@@ -1,5 +1,7 @@
 package arcomat.sim.inside;
 
+import arcomat.sim.device.Hardware;
+
 import org.jspecify.annotations.Nullable;
 
 import java.util.HashMap;
@@ -41,6 +43,11 @@ public final class BrickClasses {
                 .formatted(
                         error.getClass().getName(),
                         message == null ? "" : ": " + message,
-                        Thread.currentThread().getName());
+                        thread());
+    }
+
+    /** Classes ask before anything of this one has begun, so its brick is looked up. */
+    private static String thread() {
+        return Hardware.of(BrickClasses.class).time().running().name();
     }
 }

@@ -22,12 +22,17 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
     private static final MethodType PLAIN = MethodType.methodType(void.class);
     private static final MethodType MAIN = MethodType.methodType(void.class, String[].class);
 
+    private static final MethodType RUN = MethodType.methodType(void.class, int.class);
+    private static final MethodType GO_ON =
+            MethodType.methodType(void.class, Object.class, int.class);
+
     private final Stock stock;
 
     /** What classes do to be as if they had just been loaded. */
     private final List<MethodHandle> forgetting = new ArrayList<>();
 
     private @Nullable Hardware hardware;
+    private @Nullable MethodHandle goOn;
 
     BrickLoader(Stock stock) {
         super("brick", BrickLoader.class.getClassLoader());
@@ -73,6 +78,21 @@ public final class BrickLoader extends ClassLoader implements Hardware.Inside {
             hidden(type, Repetition.READY).ifPresent(BrickLoader::call);
         }
         return handle;
+    }
+
+    /** Has a robot go on whose thread has rested. */
+    public void goOn(Object robot) {
+        try {
+            if (goOn == null) {
+                Class<?> type = loadClass(SliceLoop.ROBOT);
+                goOn = lookup(type).findVirtual(type, SliceLoop.RUN.name(), RUN).asType(GO_ON);
+            }
+            goOn.invokeExact(robot, 0); // its cycle is what it was
+        } catch (RuntimeException | Error e) {
+            throw e;
+        } catch (Throwable e) {
+            throw new AssertionError("it declares none", e);
+        }
     }
 
     /** Its class need not be public. */

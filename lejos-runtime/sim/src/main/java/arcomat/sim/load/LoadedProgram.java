@@ -1,10 +1,12 @@
 package arcomat.sim.load;
 
 import arcomat.sim.device.Hardware;
+import arcomat.sim.time.Carriers;
 
 import org.jspecify.annotations.Nullable;
 
 import java.util.List;
+import java.util.concurrent.Executor;
 
 /**
  * A program for bricks. One for many of them makes its class files ready once, and where all its
@@ -16,18 +18,21 @@ public final class LoadedProgram {
     private final Program program;
     private final boolean once;
     private final List<Probe> probes;
+    private final boolean rests;
+    private final Carriers carriers = new Carriers();
     private @Nullable Stock counted;
     private @Nullable Stock free;
 
-    private LoadedProgram(Program program, boolean once, List<Probe> probes) {
+    private LoadedProgram(Program program, boolean once, List<Probe> probes, boolean rests) {
         this.program = program;
         this.once = once;
         this.probes = List.copyOf(probes);
+        this.rests = rests;
     }
 
     /** For one brick. */
     public static LoadedProgram forOnce(Program program) {
-        return new LoadedProgram(program, true, List.of());
+        return new LoadedProgram(program, true, List.of(), false);
     }
 
     /** For many bricks, one after the other or at the same time. */
@@ -37,7 +42,20 @@ public final class LoadedProgram {
 
     /** The same, with probes in it: observers of its bricks are told when it comes to them. */
     public static LoadedProgram forMany(Program program, List<Probe> probes) {
-        return new LoadedProgram(program, false, probes);
+        return new LoadedProgram(program, false, probes, true);
+    }
+
+    /**
+     * The same program, each of whose threads has one of the PC from its beginning to its end. It
+     * does the same, and takes longer.
+     */
+    public LoadedProgram onThreads() {
+        return new LoadedProgram(program, once, probes, false);
+    }
+
+    /** Threads of the PC for those of its bricks. */
+    public Executor carriers() {
+        return carriers;
     }
 
     public Program program() {
@@ -62,13 +80,21 @@ public final class LoadedProgram {
         return stock(isCounted).repeats();
     }
 
+    /**
+     * Whether on bricks with limits, or without, its main thread needs none of the PC's between its
+     * slices: the tool has made the program, or it has the same form.
+     */
+    public boolean rests(boolean isCounted) {
+        return stock(isCounted).rests();
+    }
+
     private synchronized Stock stock(boolean isCounted) {
         Stock stock = isCounted ? counted : free;
         if (stock == null) {
             stock =
                     once
                             ? Stock.forOnce(program, isCounted)
-                            : Stock.forMany(program, isCounted, probes);
+                            : Stock.forMany(program, isCounted, probes, rests);
             if (isCounted) {
                 counted = stock;
             } else {
@@ -85,6 +111,6 @@ public final class LoadedProgram {
 
     /** What a method of a class that begins again is called in its class file. */
     public static String written(String method) {
-        return method.equals(Repetition.BEGIN) ? "<clinit>" : method;
+        return method.equals(Repetition.BEGIN) ? "<clinit>" : SliceLoop.written(method);
     }
 }

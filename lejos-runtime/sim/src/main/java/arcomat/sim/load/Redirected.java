@@ -11,13 +11,16 @@ final class Redirected implements ClassFiles {
     private final Program program;
     private final Rewriter rewriter;
     private final List<Probe> probes;
+    private final boolean rests;
 
     /**
      * @param counted whether the program has the brick's memory, its calls and its speed
      * @param probes that are put into the program
+     * @param rests whether its main thread rests between slices; then it has the {@link
+     *     GeneratedForm}
      * @throws IllegalArgumentException if the program brings classes of leJOS or of the simulation
      */
-    Redirected(Program program, boolean counted, List<Probe> probes) {
+    Redirected(Program program, boolean counted, List<Probe> probes, boolean rests) {
         for (String name : program.classes().keySet()) {
             if (BrickLoader.isShared(name) || BrickLoader.isInside(name)) {
                 throw new IllegalArgumentException(name + " lies in a package of the simulation");
@@ -25,6 +28,7 @@ final class Redirected implements ClassFiles {
         }
         this.program = program;
         this.probes = probes;
+        this.rests = rests;
         this.rewriter = Rewriter.of(program.classes(), counted);
     }
 
@@ -34,7 +38,8 @@ final class Redirected implements ClassFiles {
                 ? simulated(name)
                 : Optional.ofNullable(program.classes().get(name))
                         .map(rewriter::rewrite)
-                        .map(file -> Probing.of(name, file, probes));
+                        .map(file -> Probing.of(name, file, probes))
+                        .map(file -> rests ? SliceLoop.resting(name, file) : file);
     }
 
     private static Optional<byte[]> simulated(String name) {

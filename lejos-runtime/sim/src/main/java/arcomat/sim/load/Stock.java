@@ -10,26 +10,40 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 final class Stock {
     private final ClassFiles files;
     private final boolean repeats;
+    private final boolean rests;
     private final Queue<BrickLoader> left = new ConcurrentLinkedQueue<>();
 
-    private Stock(ClassFiles files, boolean repeats) {
+    private Stock(ClassFiles files, boolean repeats, boolean rests) {
         this.files = files;
         this.repeats = repeats;
+        this.rests = rests;
     }
 
     /** For one brick: what it does not need is not looked at. */
     static Stock forOnce(Program program, boolean counted) {
-        return new Stock(new Redirected(program, counted, List.of()), false);
+        return new Stock(new Redirected(program, counted, List.of(), false), false, false);
     }
 
-    /** For many bricks, one after the other or at the same time. */
-    static Stock forMany(Program program, boolean counted, List<Probe> probes) {
-        ClassFiles files = new Kept(new Redirected(program, counted, probes));
+    /**
+     * For many bricks, one after the other or at the same time.
+     *
+     * @param rests whether their main threads may rest between slices
+     */
+    static Stock forMany(Program program, boolean counted, List<Probe> probes, boolean rests) {
+        if (rests && GeneratedForm.isOf(program)) {
+            try {
+                ClassFiles files = new Kept(new Redirected(program, counted, probes, true));
+                return new Stock(repeatable(program, files), true, true);
+            } catch (RuntimeException e) {
+                // What keeps it from this may not keep it from beginning again.
+            }
+        }
+        ClassFiles files = new Kept(new Redirected(program, counted, probes, false));
         try {
-            return new Stock(repeatable(program, files), true);
+            return new Stock(repeatable(program, files), true, false);
         } catch (RuntimeException e) {
             // One cannot begin again, or is not even a class: who needs it will be told so.
-            return new Stock(files, false);
+            return new Stock(files, false, false);
         }
     }
 
@@ -49,6 +63,11 @@ final class Stock {
     /** Whether all classes can begin again. */
     boolean repeats() {
         return repeats;
+    }
+
+    /** Whether main threads rest between slices. */
+    boolean rests() {
+        return rests;
     }
 
     BrickLoader take(Hardware hardware) {

@@ -3,7 +3,11 @@ package arcomat.sim.time;
 /** Changes of the surroundings at moments known in advance. */
 public abstract class Timetable extends Actor {
     protected Timetable() {
-        super(Rank.WORLD);
+        this(Rank.WORLD);
+    }
+
+    protected Timetable(Rank rank) {
+        super(rank);
     }
 
     /**

@@ -3,6 +3,7 @@ package arcomat.sim.time;
 import org.jspecify.annotations.Nullable;
 
 import java.time.Duration;
+import java.util.concurrent.Executor;
 
 /**
  * The clock. It stands still while code runs and moves when every thread waits. Waiting allocates
@@ -16,13 +17,17 @@ public final class VirtualTime {
     public static final long MILLISECOND = 1000;
 
     private Actor[] actors = new Actor[0];
-    private final Strand controller = new Strand(Actor.Rank.CONTROLLER);
+    private final Strand controller =
+            new Strand(Actor.Rank.CONTROLLER, "controller", () -> {}, Runnable::run);
     private @Nullable Strand running = controller;
     private long now;
     private long turns;
     private @Nullable Duration patience;
     private long started;
     private boolean abandoned;
+
+    /** What went wrong in the world while no strand was carried; the controller is told. */
+    private @Nullable Throwable failure;
 
     public VirtualTime() {
         add(controller);
@@ -41,8 +46,13 @@ public final class VirtualTime {
 
     /** Lets everything happen up to a moment. Called by the controller only. */
     public void runUntil(long moment) {
-        controller.runsOn(Thread.currentThread());
+        controller.isCaller();
         waitUntil(moment);
+        Throwable told = failure;
+        if (told != null) {
+            failure = null;
+            throw new IllegalStateException(told);
+        }
     }
 
     /** Returns to the controller as soon as what is due now is done. */
@@ -61,10 +71,45 @@ public final class VirtualTime {
         schedule(strand, Math.max(moment, now));
         Strand next = advance();
         if (next != strand) {
-            next.giveBaton();
+            handOver(next);
             await(strand);
         }
         leaveIfEnded(strand);
+    }
+
+    private void handOver(Strand next) {
+        if (next.isCarried()) {
+            next.giveBaton();
+        } else {
+            next.beCarried(() -> carry(next));
+        }
+    }
+
+    /** As long as strands follow each other that nobody carries, one thread carries them all. */
+    private void carry(Strand first) {
+        Strand next = first;
+        try {
+            while (!next.isCarried()) {
+                goOn(next);
+                next = advance();
+            }
+        } catch (RuntimeException | Error e) {
+            failure = e;
+            running = controller;
+            next = controller;
+        }
+        next.giveBaton();
+    }
+
+    private void goOn(Strand strand) {
+        boolean rests = false;
+        try {
+            rests = strand.goOn();
+        } finally {
+            if (!rests) {
+                remove(strand);
+            }
+        }
     }
 
     /** Programs that never wait would keep whoever steers the run for ever. */
@@ -115,10 +160,44 @@ public final class VirtualTime {
         if (!strand.isInterrupted()) {
             waitUntil(moment);
         }
+        endWait(strand);
+    }
+
+    private void endWait(Strand strand) throws InterruptedException {
         strand.setInterruptible(false);
         if (clearInterrupt()) {
             throw new InterruptedException();
         }
+    }
+
+    /**
+     * Like {@link #waitInterruptibly}, but the calling strand needs no thread meanwhile: all its
+     * calls save their variables and return, and when the time has come its body is called again,
+     * which enters them again, up to {@link #rested}.
+     *
+     * @throws InterruptedException if it was interrupted before; then it does not rest
+     */
+    public void rest(long moment) throws InterruptedException {
+        Strand strand = running();
+        strand.setInterruptible(true);
+        if (strand.isInterrupted()) {
+            endWait(strand);
+        }
+        leaveIfEnded(strand);
+        schedule(strand, Math.max(moment, now));
+        strand.rest();
+    }
+
+    /**
+     * The calling strand has rested.
+     *
+     * @throws InterruptedException if that was cut short
+     */
+    public void rested() throws InterruptedException {
+        Strand strand = running();
+        strand.resumed();
+        leaveIfEnded(strand);
+        endWait(strand);
     }
 
     public void interrupt(Strand strand) {
@@ -139,28 +218,17 @@ public final class VirtualTime {
         return strand.isInterrupted();
     }
 
-    /** A new thread for a program, due now. It runs as soon as the calling strand waits. */
-    public Strand start(String name, Runnable body) {
-        Strand strand = new Strand(Actor.Rank.PROGRAM);
-        Thread carrier = new Thread(null, () -> run(strand, body), name);
-        carrier.setDaemon(true); // a program that cannot be ended must not keep the PC's process
-        strand.runsOn(carrier);
+    /**
+     * A new thread for a program, due now. It runs as soon as the calling strand waits.
+     *
+     * @param body called again after each rest
+     * @param carriers threads of the PC that may carry it
+     */
+    public Strand start(String name, Runnable body, Executor carriers) {
+        Strand strand = new Strand(Actor.Rank.PROGRAM, name, body, carriers);
         add(strand);
         schedule(strand, now);
-        carrier.start();
         return strand;
-    }
-
-    private void run(Strand strand, Runnable body) {
-        strand.awaitBaton();
-        try {
-            if (!strand.isEnded()) {
-                body.run();
-            }
-        } finally {
-            remove(strand);
-            advance().giveBaton();
-        }
     }
 
     /** Unwinds a strand at its next chance. */
@@ -176,6 +244,10 @@ public final class VirtualTime {
         schedule(timetable, first);
     }
 
+    public void stop(Timetable timetable) {
+        remove(timetable);
+    }
+
     /** Calls a timetable at another moment than it asked for. */
     public void restart(Timetable timetable, long moment) {
         schedule(timetable, moment);
@@ -187,7 +259,7 @@ public final class VirtualTime {
         }
         if (strand.refusesToEnd()) {
             remove(strand);
-            advance().giveBaton();
+            handOver(advance());
             strand.awaitBaton(); // for ever
         }
         throw new ProgramEnded();

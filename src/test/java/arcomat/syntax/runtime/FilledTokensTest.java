@@ -1,8 +1,9 @@
-package arcomat.syntax;
+package arcomat.syntax.runtime;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import arcomat.source.SourceFile;
 import arcomat.syntax.antlr.ArcomatLexer;
 
 import org.antlr.v4.runtime.CharStreams;
@@ -25,7 +26,7 @@ class FilledTokensTest {
             })
     void showsWhatAntlrShows(String text) {
         CommonTokenStream expected = new CommonTokenStream(lexer(text));
-        FilledTokens tokens = new FilledTokens(lexer(text));
+        FilledTokens tokens = FilledTokens.of(new SourceFile("a.arc", text), ArcomatLexer::new);
         expected.fill();
         while (true) {
             for (int offset = -2; offset <= 3; offset++) {

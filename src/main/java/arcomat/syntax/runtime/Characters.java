@@ -1,4 +1,4 @@
-package arcomat.syntax;
+package arcomat.syntax.runtime;
 
 import org.antlr.v4.runtime.CharStream;
 import org.antlr.v4.runtime.misc.Interval;

@@ -1,0 +1,93 @@
+package arcomat.editor.server;
+
+import arcomat.editor.answer.GoTo;
+import arcomat.editor.answer.NamedPlaces;
+import arcomat.editor.desk.View;
+import arcomat.editor.text.Positions;
+
+import org.eclipse.lsp4j.DefinitionParams;
+import org.eclipse.lsp4j.DocumentHighlight;
+import org.eclipse.lsp4j.DocumentHighlightParams;
+import org.eclipse.lsp4j.ImplementationParams;
+import org.eclipse.lsp4j.Location;
+import org.eclipse.lsp4j.LocationLink;
+import org.eclipse.lsp4j.ReferenceParams;
+import org.eclipse.lsp4j.ServerCapabilities;
+import org.eclipse.lsp4j.TextDocumentIdentifier;
+import org.eclipse.lsp4j.TypeDefinitionParams;
+import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.services.TextDocumentService;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Function;
+
+/** What editors ask about names in one file. */
+abstract class NameRequests implements TextDocumentService {
+    private final Worker worker;
+
+    NameRequests(Worker worker) {
+        this.worker = worker;
+    }
+
+    static void announce(ServerCapabilities can) {
+        can.setDefinitionProvider(true);
+        can.setTypeDefinitionProvider(true);
+        can.setImplementationProvider(true);
+        can.setReferencesProvider(true);
+        can.setDocumentHighlightProvider(true);
+    }
+
+    /** Asks about a model as it is on the screen; the answer is empty where it is none. */
+    final <T> CompletableFuture<List<T>> ask(
+            TextDocumentIdentifier document, Function<View, List<T>> question) {
+        return worker.ask(
+                (desk, canceled) ->
+                        Positions.path(document.getUri())
+                                .flatMap(desk::view)
+                                .map(question)
+                                .orElse(List.of()));
+    }
+
+    private CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+            locations(TextDocumentIdentifier document, Function<View, List<Location>> question) {
+        return ask(document, question).thenApply(Either::forLeft);
+    }
+
+    @Override
+    public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+            definition(DefinitionParams params) {
+        return locations(
+                params.getTextDocument(), view -> GoTo.definition(view, params.getPosition()));
+    }
+
+    @Override
+    public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+            typeDefinition(TypeDefinitionParams params) {
+        return locations(
+                params.getTextDocument(), view -> GoTo.typeDefinition(view, params.getPosition()));
+    }
+
+    @Override
+    public CompletableFuture<Either<List<? extends Location>, List<? extends LocationLink>>>
+            implementation(ImplementationParams params) {
+        return locations(
+                params.getTextDocument(), view -> GoTo.implementation(view, params.getPosition()));
+    }
+
+    @Override
+    public CompletableFuture<List<? extends Location>> references(ReferenceParams params) {
+        boolean declaration = params.getContext().isIncludeDeclaration();
+        return ask(
+                        params.getTextDocument(),
+                        view -> NamedPlaces.references(view, params.getPosition(), declaration))
+                .thenApply(places -> places);
+    }
+
+    @Override
+    public CompletableFuture<List<? extends DocumentHighlight>> documentHighlight(
+            DocumentHighlightParams params) {
+        return ask(params.getTextDocument(), view -> NamedPlaces.inFile(view, params.getPosition()))
+                .thenApply(places -> places);
+    }
+}

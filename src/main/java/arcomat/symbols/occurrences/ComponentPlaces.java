@@ -1,0 +1,254 @@
+package arcomat.symbols.occurrences;
+
+import arcomat.source.Span;
+import arcomat.symbols.bodies.ComponentSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol;
+import arcomat.symbols.bodies.ConnectorSymbol.End;
+import arcomat.symbols.bodies.ConnectorSymbol.Status;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.bodies.InvariantSymbol;
+import arcomat.symbols.expressions.DeclaredValue;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.TypeVariable;
+import arcomat.symbols.occurrences.Occurrence.Role;
+import arcomat.symbols.signatures.ComponentReference;
+import arcomat.symbols.signatures.Signature;
+import arcomat.tree.Behaviour;
+import arcomat.tree.Component;
+import arcomat.tree.Element;
+import arcomat.tree.Name;
+import arcomat.tree.Node;
+import arcomat.tree.QualifiedName;
+import arcomat.tree.Stereotype;
+
+import java.util.ArrayList;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Names in a component and in those inside it. */
+final class ComponentPlaces implements Element.Visitor {
+    private final Places places;
+    private final ComponentSymbol component;
+    private final Signature signature;
+    private final ExpressionPlaces expressions;
+    private final Map<Node, List<ConnectorSymbol>> connectors = new IdentityHashMap<>();
+
+    private ComponentPlaces(Places places, ComponentSymbol component) {
+        this.places = places;
+        this.component = component;
+        this.signature = component.signature();
+        this.expressions =
+                new ExpressionPlaces(places, component::resolveType, Optional.of(component));
+        component
+                .connectors()
+                .forEach(
+                        each ->
+                                connectors
+                                        .computeIfAbsent(each.node(), any -> new ArrayList<>())
+                                        .add(each));
+    }
+
+    static void in(ComponentSymbol component, Places places) {
+        ComponentPlaces walk = new ComponentPlaces(places, component);
+        walk.head();
+        walk.members();
+        walk.parts();
+        component.node().elements().forEach(element -> element.accept(walk));
+        walk.bodies();
+        component.innerComponents().forEach(inner -> in(inner, places));
+    }
+
+    private void head() {
+        Component node = component.node();
+        places.declared(component.nameSpan(), new Referent.Component(signature));
+        for (TypeVariable variable : signature.typeParameters()) {
+            places.declared(variable.node().name().span(), new Referent.TypeParameter(variable));
+            variable.node().bounds().forEach(type -> places.type(type, component::resolveType));
+        }
+        node.superComponent()
+                .ifPresent(
+                        type -> {
+                            Optional<Signature> above =
+                                    signature
+                                            .superComponent()
+                                            .flatMap(ComponentReference::component);
+                            component(type.name(), above);
+                            places.arguments(type.arguments(), component::resolveType);
+                        });
+        for (Signature.Refinement refinement : signature.refines()) {
+            component(refinement.node(), refinement.resolution().found());
+        }
+    }
+
+    private void component(QualifiedName name, Optional<Signature> meant) {
+        meant.ifPresent(found -> places.path(name.parts(), new Referent.Component(found)));
+    }
+
+    private void members() {
+        for (ParameterSymbol parameter : signature.ownParameters()) {
+            places.type(parameter.node().type(), component::resolveType);
+            value(parameter, new Referent.Parameter(parameter));
+        }
+        for (PortSymbol port : signature.ownPorts()) {
+            if (!port.implicit()) {
+                places.declared(port.nameSpan(), new Referent.Port(port));
+            }
+        }
+        for (VariableSymbol variable : signature.ownVariables()) {
+            value(variable, new Referent.Variable(variable));
+        }
+    }
+
+    private void value(DeclaredValue value, Referent referent) {
+        places.declared(value.nameSpan(), referent);
+        value.initial().ifPresent(expressions::in);
+    }
+
+    /** A declaration may make several parts of one type. */
+    private void parts() {
+        Node last = null;
+        for (InstanceSymbol part : component.ownInstances()) {
+            if (part.origin() == InstanceSymbol.Origin.NAMED) {
+                places.declared(part.nameSpan(), new Referent.Part(part));
+            }
+            if (part.node() != last) {
+                expressions.in(part.arguments());
+                part(part);
+            }
+            last = part.node();
+        }
+    }
+
+    private void part(InstanceSymbol part) {
+        if (part.node() instanceof Element.Subcomponent node) {
+            component(node.type().name(), part.type().component());
+            places.arguments(node.type().arguments(), component::resolveType);
+        } else {
+            ((Component) part.node())
+                    .instance()
+                    .ifPresent(
+                            named -> places.arguments(named.arguments(), component::resolveType));
+        }
+    }
+
+    private void bodies() {
+        for (InvariantSymbol invariant : component.ownInvariants()) {
+            places.declared(invariant.nameSpan(), new Referent.Invariant(invariant));
+            invariant.typed().ifPresent(expressions::in);
+        }
+        BehaviourPlaces behaviours = new BehaviourPlaces(places, expressions);
+        component.ownAutomata().forEach(behaviours::automaton);
+        component.ownTables().forEach(behaviours::table);
+    }
+
+    @Override
+    public void ports(Element.Ports ports) {
+        for (Element.Port port : ports.ports()) {
+            places.type(port.type(), component::resolveType);
+            first(port.stereotypes(), port);
+        }
+        ports.ports().stream().limit(1).forEach(port -> first(ports.stereotypes(), port));
+    }
+
+    /** What a port holds first may be a constant of an enumeration. */
+    private void first(List<Stereotype> stereotypes, Element.Port port) {
+        Optional<Name> written = Stereotype.find(stereotypes, "state").flatMap(Stereotype::value);
+        if (written.isPresent()
+                && component.resolveType(port.type()).found().orElse(null)
+                        instanceof EnumSymbol type) {
+            Name name = written.get();
+            type.ordinal(name.text())
+                    .ifPresent(
+                            ordinal ->
+                                    places.add(
+                                            word(name),
+                                            new Referent.Constant(type, ordinal),
+                                            Role.REFERS));
+        }
+    }
+
+    /** Without the quotes that may be around it. */
+    private static Span word(Name written) {
+        Span span = written.span();
+        int start = span.start() + Math.max(0, span.text().indexOf(written.text()));
+        return span.file().span(start, start + written.text().length());
+    }
+
+    @Override
+    public void connector(Element.Connector connector) {
+        connections(connector, connector.source(), connector.targets());
+    }
+
+    @Override
+    public void subcomponent(Element.Subcomponent subcomponent) {
+        for (Element.Instance instance : subcomponent.instances()) {
+            for (Element.SimpleConnector each : instance.connectors()) {
+                connections(each, each.source(), each.targets());
+            }
+        }
+    }
+
+    private void connections(Node node, QualifiedName source, List<QualifiedName> targets) {
+        List<ConnectorSymbol> made = connectors.getOrDefault(node, List.of());
+        made.stream().limit(1).forEach(each -> end(source, each.source(), Role.READS));
+        for (int i = 0; i < made.size() && i < targets.size(); i++) {
+            end(targets.get(i), made.get(i).target(), Role.WRITES);
+        }
+    }
+
+    private void end(QualifiedName written, End end, Role role) {
+        end.port()
+                .ifPresent(
+                        port -> places.add(written.last().span(), new Referent.Port(port), role));
+        boolean namesPart = !written.isSimple() || end.status() == Status.NO_SUCH_PORT;
+        if (namesPart) {
+            end.instance()
+                    .ifPresent(
+                            part ->
+                                    places.add(
+                                            written.parts().get(0).span(),
+                                            new Referent.Part(part),
+                                            Role.REFERS));
+        }
+    }
+
+    @Override
+    public void variables(Element.Variables variables) {
+        places.type(variables.type(), component::resolveType);
+    }
+
+    @Override
+    public void behaviour(Behaviour behaviour) {
+        if (behaviour instanceof Behaviour.Implementation implementation) {
+            implementation
+                    .name()
+                    .ifPresent(name -> places.declared(name.span(), new Referent.Behaviour(name)));
+        }
+    }
+
+    /** Walked as a component of its own. */
+    @Override
+    public void component(Component inner) {}
+
+    @Override
+    public void timing(Element.Timing timing) {}
+
+    @Override
+    public void autoconnect(Element.Autoconnect clause) {}
+
+    @Override
+    public void autoinstantiate(Element.Autoinstantiate clause) {}
+
+    /** Walked with its symbol. */
+    @Override
+    public void invariant(Element.Invariant invariant) {}
+
+    /** Java's names are nobody's here. */
+    @Override
+    public void javaPart(Element.JavaPart part) {}
+}

@@ -1,0 +1,95 @@
+package arcomat.symbols.occurrences;
+
+import arcomat.source.Span;
+import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.DefinedType;
+import arcomat.symbols.names.Resolution;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.symbols.names.TypeVariable;
+import arcomat.symbols.occurrences.Occurrence.Role;
+import arcomat.tree.Name;
+import arcomat.tree.TypeReference;
+import arcomat.tree.TypeReference.TypeArgument;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** Takes down places, in any order. */
+final class Places {
+    private final List<Occurrence> found = new ArrayList<>();
+
+    List<Occurrence> inTextOrder() {
+        found.sort(Comparator.comparingInt(each -> each.span().start()));
+        return List.copyOf(found);
+    }
+
+    void declared(Span span, Referent referent) {
+        add(span, referent, Role.DECLARES);
+    }
+
+    void add(Span span, Referent referent, Role role) {
+        found.add(new Occurrence(span, referent, role));
+    }
+
+    /** A path whose last name stands for something; those in front stand for what it lies in. */
+    void path(List<Name> names, Referent last) {
+        Optional<Referent> current = Optional.of(last);
+        for (int i = names.size() - 1; i >= 0 && current.isPresent(); i--) {
+            add(names.get(i).span(), current.get(), Role.REFERS);
+            current = current.get().around();
+        }
+    }
+
+    /** A type as written, with its arguments. */
+    void type(TypeReference reference, Function<TypeReference, Resolution<TypeSymbol>> resolution) {
+        resolution
+                .apply(nameOnly(reference))
+                .found()
+                .flatMap(Places::referent)
+                .ifPresent(type -> path(reference.name().parts(), type));
+        arguments(reference.arguments(), resolution);
+    }
+
+    void arguments(
+            List<TypeArgument> arguments,
+            Function<TypeReference, Resolution<TypeSymbol>> resolution) {
+        for (TypeArgument argument : arguments) {
+            given(argument).ifPresent(type -> type(type, resolution));
+        }
+    }
+
+    private static Optional<TypeReference> given(TypeArgument argument) {
+        return argument instanceof TypeArgument.Given given
+                ? Optional.of(given.type())
+                : ((TypeArgument.Wildcard) argument).bound();
+    }
+
+    /** What is wrong with the rest, such as brackets of an array, changes no name. */
+    private static TypeReference nameOnly(TypeReference reference) {
+        return new TypeReference(
+                reference.span(), reference.name(), List.of(), Optional.empty(), 0);
+    }
+
+    /** Empty for what is no type of models. */
+    static Optional<Referent> referent(TypeSymbol type) {
+        return builtin(type.base()).or(() -> ofModels(type));
+    }
+
+    private static Optional<Referent> builtin(TypeSymbol type) {
+        return type instanceof BuiltinType builtin
+                ? Optional.of(new Referent.Builtin(builtin))
+                : Optional.empty();
+    }
+
+    private static Optional<Referent> ofModels(TypeSymbol type) {
+        if (type instanceof DefinedType defined) {
+            return Optional.of(new Referent.Type(defined));
+        }
+        return type instanceof TypeVariable variable
+                ? Optional.of(new Referent.TypeParameter(variable))
+                : Optional.empty();
+    }
+}

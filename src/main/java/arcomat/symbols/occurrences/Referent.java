@@ -1,0 +1,470 @@
+package arcomat.symbols.occurrences;
+
+import arcomat.source.Span;
+import arcomat.symbols.bodies.AutomatonSymbol;
+import arcomat.symbols.bodies.AutomatonSymbol.StateSymbol;
+import arcomat.symbols.bodies.InstanceSymbol;
+import arcomat.symbols.bodies.InvariantSymbol;
+import arcomat.symbols.bodies.StreamTestSymbol;
+import arcomat.symbols.bodies.TestSuiteSymbol;
+import arcomat.symbols.expressions.ParameterSymbol;
+import arcomat.symbols.expressions.PortSymbol;
+import arcomat.symbols.expressions.VariableSymbol;
+import arcomat.symbols.names.BuiltinType;
+import arcomat.symbols.names.ClassSymbol.AttributeSymbol;
+import arcomat.symbols.names.DefinedType;
+import arcomat.symbols.names.EnumSymbol;
+import arcomat.symbols.names.Names;
+import arcomat.symbols.names.TypeSymbol;
+import arcomat.symbols.names.TypeVariable;
+import arcomat.symbols.signatures.Signature;
+import arcomat.tree.ClassDiagram;
+import arcomat.tree.Name;
+import arcomat.tree.Unit;
+
+import java.util.Optional;
+
+/**
+ * What a name stands for. Of one workspace, two are equal where they are declared by the same text,
+ * through whichever part or heir they are seen.
+ */
+public sealed interface Referent {
+    /** The forms: whoever has an answer for each is asked for all by the compiler. */
+    enum Kind {
+        PACKAGE,
+        COMPONENT,
+        DIAGRAM,
+        TYPE,
+        BUILTIN,
+        TYPE_PARAMETER,
+        CONSTANT,
+        ATTRIBUTE,
+        PORT,
+        PART,
+        VARIABLE,
+        PARAMETER,
+        STATE,
+        BEHAVIOUR,
+        INVARIANT,
+        SUITE,
+        TEST
+    }
+
+    Kind kind();
+
+    /** The simple name. */
+    String name();
+
+    /**
+     * Where the name is declared; where the type is, if the name is implicit. Empty for packages,
+     * which are there by being named, and for types that are built in.
+     */
+    Optional<Span> declaration();
+
+    /** Whether it has its name from its type, which alone is written. */
+    default boolean isImplicit() {
+        return false;
+    }
+
+    /** What is named in front of the dot, where it is named by a path. */
+    default Optional<Referent> around() {
+        return Optional.empty();
+    }
+
+    /** What it is one of: a port's type, a part's component. */
+    default Optional<Referent> typeReferent() {
+        return Optional.empty();
+    }
+
+    /** What a type is in the text; empty where it is none of a model. */
+    static Optional<Referent> ofType(TypeSymbol type) {
+        return Places.referent(type);
+    }
+
+    /** Of a path through packages, the package; empty where there is none. */
+    static Optional<Referent> qualifier(String qualifiedName) {
+        return ofPackage(Names.qualifier(qualifiedName));
+    }
+
+    /** Empty for the default package. */
+    static Optional<Referent> ofPackage(String qualifiedName) {
+        return qualifiedName.isEmpty() ? Optional.empty() : Optional.of(new Package(qualifiedName));
+    }
+
+    static Referent diagramOf(Unit unit, ClassDiagram diagram) {
+        return new Diagram(diagram.name(), Names.join(unit.packageText(), diagram.name().text()));
+    }
+
+    /** One of the names in a path of packages, with all in front of it. */
+    record Package(String qualifiedName) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.PACKAGE;
+        }
+
+        @Override
+        public String name() {
+            return qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1);
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.empty();
+        }
+
+        @Override
+        public Optional<Referent> around() {
+            return Referent.qualifier(qualifiedName);
+        }
+    }
+
+    record Component(Signature signature) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.COMPONENT;
+        }
+
+        @Override
+        public String name() {
+            return signature.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(signature.nameSpan());
+        }
+
+        @Override
+        public Optional<Referent> around() {
+            return signature
+                    .enclosing()
+                    .<Referent>map(Component::new)
+                    .or(() -> Referent.qualifier(signature.qualifiedName()));
+        }
+    }
+
+    record Diagram(Name written, String qualifiedName) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.DIAGRAM;
+        }
+
+        @Override
+        public String name() {
+            return written.text();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(written.span());
+        }
+
+        @Override
+        public Optional<Referent> around() {
+            return Referent.qualifier(qualifiedName);
+        }
+    }
+
+    record Type(DefinedType symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.TYPE;
+        }
+
+        @Override
+        public String name() {
+            return symbol.text();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+
+        @Override
+        public Optional<Referent> around() {
+            return Optional.of(
+                    Referent.diagramOf(symbol.unit(), (ClassDiagram) symbol.unit().definition()));
+        }
+    }
+
+    record Builtin(BuiltinType type) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.BUILTIN;
+        }
+
+        @Override
+        public String name() {
+            return type.text();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.empty();
+        }
+
+        @Override
+        public Optional<Referent> around() {
+            return Optional.of(new Package("java.lang"));
+        }
+    }
+
+    record TypeParameter(TypeVariable variable) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.TYPE_PARAMETER;
+        }
+
+        @Override
+        public String name() {
+            return variable.text();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(variable.node().name().span());
+        }
+    }
+
+    record Constant(EnumSymbol type, int ordinal) implements Referent {
+        private Name written() {
+            return type.node().constants().get(ordinal);
+        }
+
+        @Override
+        public Kind kind() {
+            return Kind.CONSTANT;
+        }
+
+        @Override
+        public String name() {
+            return written().text();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(written().span());
+        }
+
+        @Override
+        public Optional<Referent> around() {
+            return Optional.of(new Type(type));
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return Optional.of(new Type(type));
+        }
+    }
+
+    record Attribute(AttributeSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.ATTRIBUTE;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.node().name().span());
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return ofType(symbol.type());
+        }
+    }
+
+    /**
+     * @param symbol under the name that the component itself has for it
+     */
+    record Port(PortSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.PORT;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return ofType(symbol.type());
+        }
+
+        @Override
+        public boolean isImplicit() {
+            return symbol.implicit();
+        }
+    }
+
+    record Part(InstanceSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.PART;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return symbol.type().component().map(Component::new);
+        }
+
+        @Override
+        public boolean isImplicit() {
+            return symbol.origin() != InstanceSymbol.Origin.NAMED;
+        }
+    }
+
+    /** Of an automaton, or a constant of a component. */
+    record Variable(VariableSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.VARIABLE;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return ofType(symbol.type());
+        }
+    }
+
+    record Parameter(ParameterSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.PARAMETER;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+
+        @Override
+        public Optional<Referent> typeReferent() {
+            return ofType(symbol.type());
+        }
+    }
+
+    record State(AutomatonSymbol automaton, StateSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.STATE;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+    }
+
+    /** An automaton or an {@code implementation} with a name, to which nothing can refer. */
+    record Behaviour(Name written) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.BEHAVIOUR;
+        }
+
+        @Override
+        public String name() {
+            return written.text();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(written.span());
+        }
+    }
+
+    record Invariant(InvariantSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.INVARIANT;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.nameSpan());
+        }
+    }
+
+    record Suite(TestSuiteSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.SUITE;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.node().name().span());
+        }
+    }
+
+    record Test(StreamTestSymbol symbol) implements Referent {
+        @Override
+        public Kind kind() {
+            return Kind.TEST;
+        }
+
+        @Override
+        public String name() {
+            return symbol.name();
+        }
+
+        @Override
+        public Optional<Span> declaration() {
+            return Optional.of(symbol.node().name().span());
+        }
+    }
+}
