@@ -7,6 +7,7 @@ import arcomat.diagram.Graph.Line;
 import arcomat.diagram.Graph.Node;
 import arcomat.model.Component;
 import arcomat.model.Component.Part;
+import arcomat.model.ExpressionText;
 import arcomat.model.Port;
 
 import java.util.ArrayList;

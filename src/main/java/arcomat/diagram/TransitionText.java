@@ -2,6 +2,7 @@ package arcomat.diagram;
 
 import arcomat.model.Automaton;
 import arcomat.model.Expression;
+import arcomat.model.ExpressionText;
 
 import java.util.ArrayList;
 import java.util.List;

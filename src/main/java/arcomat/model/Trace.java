@@ -81,6 +81,8 @@ public record Trace(
      * @param after name of the state after the step
      * @param cause what made the step
      * @param variables values after the step, in the order of declaration
+     * @param nearest where no transition was enabled, the one that needed least; empty where nobody
+     *     has asked, or none leaves the state
      */
     public record Activity(
             String instance,
@@ -88,7 +90,8 @@ public record Trace(
             String before,
             String after,
             Cause cause,
-            Map<String, Value> variables) {}
+            Map<String, Value> variables,
+            Optional<Refusal> nearest) {}
 
     /** A transition, or a completion. */
     public sealed interface Cause {}

@@ -42,7 +42,8 @@ class ErrorIndexTest {
     private static final Set<String> WARNINGS =
             Set.of(
                     "ARC0405", "ARC0712", "ARC0713", "ARC0912", "ARC0914", "ARC0915", "ARC1001",
-                    "ARC1003", "ARC1004", "ARC1005", "ARC1006", "ARC1009", "ARC1103", "ARC1104");
+                    "ARC1003", "ARC1004", "ARC1005", "ARC1006", "ARC1009", "ARC1010", "ARC1103",
+                    "ARC1104");
 
     private static final Map<String, String> SPECIAL =
             Map.of(

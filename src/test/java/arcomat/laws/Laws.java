@@ -20,7 +20,8 @@ final class Laws {
                     new DeadIsNeverTaken(),
                     new EnginesAgree(),
                     new MonaAgrees(),
-                    new InvariantsAsTheReference());
+                    new InvariantsAsTheReference(),
+                    new WhyNothingFired());
 
     private Laws() {}
 }

@@ -178,6 +178,30 @@ class ResultPagesTest {
     }
 
     @Test
+    void aTestTellsWhatDidNotFire() throws Exception {
+        write("Door.arc", DOOR);
+        write(
+                "DoorTest.mt",
+                """
+                testsuite DoorTest for Door {
+                  test waits { input { button: <Tk, true, Tk, 3*Tk, false, Tk>; } expect { open: <2*Tk, true>; } }
+                }
+                """);
+        Story tested = StreamTestPage.of("all", tests()).stories().get(0);
+        assertThat(texts(track(tested, "state why not")))
+                .containsExactly(
+                        "closed -> opened (line 8) did not fire: button == true: button is silent",
+                        "-",
+                        "-",
+                        "-",
+                        "-",
+                        "closed -> opened (line 8) did not fire: button == true: button is false");
+        Trace trace = StreamTests.firstRun(tests().get(0).test());
+        assertThat(TracePage.of(trace, List.of()).stories().get(0).timeline().tracks())
+                .noneMatch(track -> track.name().endsWith("why not"));
+    }
+
+    @Test
     void theSliceInWhichARunErrsIsThere() throws Exception {
         write(
                 "Up.arc",

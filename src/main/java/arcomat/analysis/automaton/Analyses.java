@@ -24,6 +24,7 @@ public final class Analyses {
                     Completeness::new,
                     DeadTransition::new,
                     DivisionByZero::new,
+                    ForgottenSilence::new,
                     IntegerOverflow::new,
                     Overlap::new,
                     RangeOverflow::new,

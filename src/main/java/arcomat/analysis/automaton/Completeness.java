@@ -60,7 +60,13 @@ final class Completeness extends Analysis {
                 Value[] letter = silent.letter().clone();
                 letter[port] = inputs.get(port).type().first();
                 return Optional.of(
-                        new Situation(silent.visit(), letter, List.of(), List.of(), List.of()));
+                        new Situation(
+                                silent.visit(),
+                                letter,
+                                List.of(),
+                                List.of(),
+                                List.of(),
+                                List.of()));
             }
         }
         return Optional.empty();

@@ -13,6 +13,8 @@ import java.util.List;
  * out of the present state: weakest preconditions, as expressions.
  *
  * @param enabled it may be taken
+ * @param negations in its guard, of messages that may not be there, without a thought of that
+ * @param enabledButForSilence it may be taken, but that the negations may have nothing to negate
  * @param wrapsInGuard an integer of its guard wraps around
  * @param wrapsInEffect an integer of what it sends and assigns does
  * @param dividesInGuard an integer is divided by zero in its guard
@@ -20,22 +22,33 @@ import java.util.List;
  */
 public record Preconditions(
         Expression enabled,
+        List<Expression> negations,
+        Expression enabledButForSilence,
         Expression wrapsInGuard,
         Expression wrapsInEffect,
         Expression dividesInGuard,
         Expression dividesInEffect) {
+    public Preconditions {
+        negations = List.copyOf(negations);
+    }
 
     /** One per transition. */
     static List<Preconditions> of(Component.Profile profile, Automaton automaton) {
         Guards guards = new Guards(profile);
-        return automaton.transitions().stream().map(each -> of(guards, each)).toList();
+        Negations negations = new Negations(profile, automaton, guards);
+        return automaton.transitions().stream()
+                .map(each -> of(guards, each, negations.of(each)))
+                .toList();
     }
 
-    private static Preconditions of(Guards guards, Automaton.Transition transition) {
+    private static Preconditions of(
+            Guards guards, Automaton.Transition transition, List<Expression> negations) {
         Expression enabled = guards.enabledWhen(transition);
         List<Expression> effects = effects(transition);
         return new Preconditions(
                 enabled,
+                negations,
+                guards.enabledButForSilence(transition, negations),
                 Wraparound.HAZARD.in(enabled),
                 Wraparound.HAZARD.inAny(effects),
                 Hazard.DIVISION_BY_ZERO.in(enabled),

@@ -24,6 +24,8 @@ public sealed interface RunProperty {
         R wrong(Wrong wrong);
 
         R overflow(Overflow overflow);
+
+        R silenced(Silenced silenced);
     }
 
     /** A state is reached. */
@@ -82,6 +84,14 @@ public sealed interface RunProperty {
         @Override
         public <R> R match(Cases<R> cases) {
             return cases.overflow(this);
+        }
+    }
+
+    /** A transition lacks nothing but messages that its guard negates, and no other one answers. */
+    record Silenced(int transition) implements RunProperty {
+        @Override
+        public <R> R match(Cases<R> cases) {
+            return cases.silenced(this);
         }
     }
 }

@@ -11,6 +11,7 @@ import arcomat.semantics.value.SmallType;
 
 import java.util.BitSet;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * The automaton that is examined.
@@ -38,6 +39,14 @@ public record Subject(
                 arguments,
                 behaviour.relations().get(0),
                 Preconditions.of(component.profile(), automaton));
+    }
+
+    /** The transitions whose guards negate a message without a thought of its silence. */
+    public List<Integer> silenceable() {
+        return IntStream.range(0, preconditions.size())
+                .filter(each -> !preconditions.get(each).negations().isEmpty())
+                .boxed()
+                .toList();
     }
 
     /** Whether a variable has so many values that trying them may not end. */

@@ -71,18 +71,28 @@ final class SymbolicTransitions implements RunProperty.Cases<Term> {
     /** No transition of a state may be taken, and no guard goes wrong. */
     @Override
     public Term unhandled(RunProperty.Unhandled unhandled) {
+        Term silent = at.silent();
+        return solver.and(
+                isUnhandled(unhandled.state()), unhandled.silent() ? silent : solver.not(silent));
+    }
+
+    private Term isUnhandled(int state) {
         List<Term> answers = new ArrayList<>();
         for (int i = 0; i < transitions().size(); i++) {
-            if (transitions().get(i).source() == unhandled.state()) {
+            if (transitions().get(i).source() == state) {
                 answers.add(translation.term(preconditions(i).dividesInGuard()));
                 answers.add(translation.term(preconditions(i).enabled()));
             }
         }
-        Term silent = at.silent();
+        return solver.and(at.isIn(state), solver.not(solver.or(answers)));
+    }
+
+    @Override
+    public Term silenced(RunProperty.Silenced silenced) {
+        int transition = silenced.transition();
         return solver.and(
-                at.isIn(unhandled.state()),
-                solver.not(solver.or(answers)),
-                unhandled.silent() ? silent : solver.not(silent));
+                isUnhandled(transitions().get(transition).source()),
+                translation.term(preconditions(transition).enabledButForSilence()));
     }
 
     /** In the guard, or in the effect where the guard is true; ranges are those of effects. */

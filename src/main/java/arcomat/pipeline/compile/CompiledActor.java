@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 
 /** One instance of compiled code, as a trace shows it. */
 final class CompiledActor {
@@ -98,6 +99,7 @@ final class CompiledActor {
                 automaton.states().get(before),
                 automaton.states().get(state.getInt()),
                 cause,
-                values);
+                values,
+                Optional.empty());
     }
 }

@@ -54,6 +54,7 @@ import java.util.stream.Stream;
  * @param record a file that keeps the run as a stream test
  * @param monitors what watches the run: components, or {@code component#automaton}
  * @param whole whether the result holds all steps; else they would only fill the memory
+ * @param explaining whether the run tells why no transition fired; only the interpreter can
  * @param audience looks on
  */
 public record SimulateComponent(
@@ -66,6 +67,7 @@ public record SimulateComponent(
         Optional<String> record,
         List<String> monitors,
         boolean whole,
+        boolean explaining,
         Audience audience,
         List<String> paths)
         implements Task<CheckedAnswer<SimulateComponent.Run>> {
@@ -196,9 +198,11 @@ public record SimulateComponent(
 
     private Interpreter interpreter(MainComponent main) {
         Choice choice = decider.choice(seed);
-        return record.isPresent()
-                ? new Interpreter(main.component(), main.arguments(), choice)
-                : Interpreter.forgetful(main.component(), main.arguments(), choice);
+        Interpreter interpreter =
+                record.isPresent()
+                        ? new Interpreter(main.component(), main.arguments(), choice)
+                        : Interpreter.forgetful(main.component(), main.arguments(), choice);
+        return explaining ? interpreter.explaining() : interpreter;
     }
 
     private Trace record(

@@ -26,6 +26,7 @@ final class AutomatonTracks {
     private final Optional<Automaton> automaton;
     private final Track.Builder state;
     private final Track.Builder reason;
+    private final Track.Builder nearest;
     private final Map<String, Track.Builder> variables = new LinkedHashMap<>();
     private final Map<String, String> values = new LinkedHashMap<>();
     private String where = "";
@@ -45,6 +46,7 @@ final class AutomatonTracks {
                         .findFirst();
         state = new Track.Builder(TraceTracks.STATES, name, Kind.STATE);
         reason = new Track.Builder(TraceTracks.STATES, name + " because", Kind.REASON);
+        nearest = new Track.Builder(TraceTracks.STATES, name + " why not", Kind.REASON);
     }
 
     /**
@@ -60,6 +62,7 @@ final class AutomatonTracks {
             }
             where = activity.after();
             reason.add(CauseText.of(activity.cause()), elements(activity.cause()));
+            activity.nearest().ifPresent(each -> nearest.silentUntil(step).add(each.words()));
             activity.variables().forEach((key, value) -> values.put(key, value.toString()));
         }
         if (where.isEmpty()) {
@@ -90,6 +93,9 @@ final class AutomatonTracks {
 
     List<Track> tracks() {
         List<Track> tracks = new ArrayList<>(List.of(state.build(), reason.build()));
+        if (nearest.steps() > 0) {
+            tracks.add(nearest.silentUntil(state.steps()).build());
+        }
         variables.values().forEach(each -> tracks.add(each.build()));
         return tracks;
     }

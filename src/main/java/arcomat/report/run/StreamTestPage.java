@@ -37,7 +37,7 @@ public final class StreamTestPage {
         this.result = result;
         this.pictures = pictures;
         test = result.test();
-        run = StreamTests.firstRun(test);
+        run = StreamTests.firstRun(test, true);
         tracks = new TraceTracks(run);
     }
 

@@ -26,6 +26,7 @@ public final class TraceTable implements RunText {
 
     private final Consumer<String> out;
     private final Style style;
+    private final boolean whyNot;
 
     @SuppressWarnings("NullAway.Init") // a run begins with its columns
     private TraceColumns columns;
@@ -37,10 +38,12 @@ public final class TraceTable implements RunText {
 
     /**
      * @param out takes the text, piece by piece
+     * @param whyNot whether it says, below what no transition answered, which one came nearest
      */
-    public TraceTable(Consumer<String> out, Style style) {
+    public TraceTable(Consumer<String> out, Style style, boolean whyNot) {
         this.out = out;
         this.style = style;
+        this.whyNot = whyNot;
     }
 
     @Override
@@ -51,14 +54,20 @@ public final class TraceTable implements RunText {
 
     @Override
     public void step(Trace.Step step) {
-        List<Trace.Activity> done = step.activities();
-        addLines(
-                step.number(),
-                step.inputs(),
-                step.outputs(),
-                done.stream().map(TraceColumns::nameOf).toList(),
-                done.stream().map(TraceTable::state).toList(),
-                done.stream().map(each -> CauseText.of(each.cause())).toList());
+        List<String> automata = new ArrayList<>();
+        List<String> states = new ArrayList<>();
+        List<String> causes = new ArrayList<>();
+        for (Trace.Activity each : step.activities()) {
+            automata.add(TraceColumns.nameOf(each));
+            states.add(state(each));
+            causes.add(CauseText.of(each.cause()));
+            if (whyNot && each.nearest().isPresent()) {
+                automata.add("");
+                states.add("");
+                causes.add(each.nearest().get().words());
+            }
+        }
+        addLines(step.number(), step.inputs(), step.outputs(), automata, states, causes);
         if (step.number() == SLICES_AHEAD) {
             out.accept(table.begin(style, NUMBERS));
             begun = true;

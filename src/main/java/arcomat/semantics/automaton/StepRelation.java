@@ -86,7 +86,8 @@ public final class StepRelation {
                                 .toArray(Value[]::new));
     }
 
-    private Value[] read(Input input) {
+    /** What an input carries, with what latched ports hold. */
+    Value[] read(Input input) {
         if (held.isEmpty()) {
             return input.slots();
         }
@@ -162,6 +163,11 @@ public final class StepRelation {
 
     public Component component() {
         return component;
+    }
+
+    /** What names mean in its expressions. */
+    Scope scope() {
+        return scope;
     }
 
     public Automaton automaton() {

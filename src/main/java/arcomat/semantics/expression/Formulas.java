@@ -117,8 +117,8 @@ public final class Formulas {
                 || !expression.contains(this::mayBeUndefined);
     }
 
-    /** Whether an expression reads a port that may carry no message. */
-    private boolean mayBeUndefined(Expression e) {
+    /** Whether an expression is the message of a port that may carry none. */
+    boolean mayBeUndefined(Expression e) {
         return e instanceof Expression.PortRead read && mayBeAbsent(read.port());
     }
 

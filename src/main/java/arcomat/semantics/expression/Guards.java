@@ -10,8 +10,10 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
+import arcomat.model.ExpressionText;
 import arcomat.model.Type;
 
+import java.util.ArrayList;
 import java.util.List;
 
 /**
@@ -35,9 +37,7 @@ public final class Guards {
     public Expression enabledWhen(Automaton.Transition transition) {
         Expression condition = TRUE;
         for (Automaton.Match match : transition.matches()) {
-            Expression matches =
-                    new Expression.PortMatches(match.port(), match.pattern(), transition.span());
-            condition = and(condition, and(formulas.present(matches), matches));
+            condition = and(condition, fits(matches(match, transition)));
         }
         if (transition.guard().isPresent()) {
             condition = and(condition, certainlyTrue(transition.guard().get()));
@@ -51,6 +51,115 @@ public final class Guards {
             condition = and(condition, formulas.present(assignment.value()));
         }
         return formulas.simplify(condition);
+    }
+
+    private static Expression matches(Automaton.Match match, Automaton.Transition transition) {
+        return new Expression.PortMatches(match.port(), match.pattern(), transition.span());
+    }
+
+    private Expression fits(Expression matches) {
+        return and(formulas.present(matches), matches);
+    }
+
+    /**
+     * What a transition asks, taken apart: the items of its input block, the parts of its guard
+     * that have to be true together, and that there is what its outputs and assignments read. It is
+     * enabled where all of them hold, looked at from left to right.
+     */
+    public List<Clause> clauses(Automaton.Transition transition) {
+        List<Clause> clauses = new ArrayList<>();
+        for (Automaton.Match match : transition.matches()) {
+            Expression asked = matches(match, transition);
+            clauses.add(clause(asked, fits(asked)));
+        }
+        transition.guard().ifPresent(guard -> addConjuncts(guard, clauses));
+        for (Automaton.Send send : transition.sends()) {
+            for (Expression value : send.emission().values()) {
+                addReading(send.port().name(), value, clauses);
+            }
+        }
+        for (Automaton.Assignment assignment : transition.assignments()) {
+            addReading(assignment.variable().name(), assignment.value(), clauses);
+        }
+        return clauses;
+    }
+
+    private Clause clause(Expression asked, Expression condition) {
+        return new Clause(asked, formulas.simplify(condition), ExpressionText.of(asked), false);
+    }
+
+    private void addConjuncts(Expression guard, List<Clause> clauses) {
+        if (guard instanceof Expression.Binary both && both.operator() == BinaryOperator.AND) {
+            addConjuncts(both.left(), clauses);
+            addConjuncts(both.right(), clauses);
+        } else {
+            clauses.add(clause(guard, certainlyTrue(guard)));
+        }
+    }
+
+    /**
+     * The parts of a guard that negate one of few messages, which may not be there: {@code
+     * !blocked}, {@code command != stop}. Who writes that often means "else", and silence is not in
+     * it. Of numbers, "another one" is what is meant.
+     */
+    public List<Expression> negations(Automaton.Transition transition) {
+        return clauses(transition).stream()
+                .map(Clause::asked)
+                .filter(this::negatesMessage)
+                .toList();
+    }
+
+    private boolean negatesMessage(Expression asked) {
+        return Formulas.isNegation(asked)
+                ? isMessage(asked.operands().get(0), BinaryOperator.EQUAL)
+                : isComparison(asked, BinaryOperator.NOT_EQUAL);
+    }
+
+    private boolean isMessage(Expression e, BinaryOperator operator) {
+        return formulas.mayBeUndefined(e) || isComparison(e, operator);
+    }
+
+    /** Of a message with what is no message. */
+    private boolean isComparison(Expression e, BinaryOperator operator) {
+        if (!(e instanceof Expression.Binary binary) || binary.operator() != operator) {
+            return false;
+        }
+        boolean few =
+                binary.left().type() instanceof Type.BooleanType
+                        || binary.left().type() instanceof Type.EnumType;
+        return few
+                && (formulas.mayBeUndefined(binary.left()) && binary.right().ports().isEmpty()
+                        || formulas.mayBeUndefined(binary.right())
+                                && binary.left().ports().isEmpty());
+    }
+
+    /**
+     * That all which a transition asks is so, but that some negations may have nothing to negate.
+     *
+     * @param negations of its {@link #negations}
+     */
+    public Expression enabledButForSilence(
+            Automaton.Transition transition, List<Expression> negations) {
+        Expression condition = TRUE;
+        for (Clause clause : clauses(transition)) {
+            Expression silent = not(formulas.present(clause.asked()));
+            condition =
+                    and(
+                            condition,
+                            negations.contains(clause.asked())
+                                    ? or(silent, clause.condition())
+                                    : clause.condition());
+        }
+        return condition;
+    }
+
+    /** Where a value reads nothing that may be missing, nothing is asked. */
+    private void addReading(String name, Expression value, List<Clause> clauses) {
+        Expression present = formulas.simplify(formulas.present(value));
+        if (!present.equals(TRUE)) {
+            String text = "/ {" + name + " = " + ExpressionText.of(value) + "}";
+            clauses.add(new Clause(value, present, text, true));
+        }
     }
 
     private Expression certainlyTrue(Expression e) {

@@ -2,6 +2,7 @@ package arcomat.simulate.run;
 
 import arcomat.model.Automaton;
 import arcomat.model.Port;
+import arcomat.model.Refusal;
 import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.rt.ModelError;
@@ -13,6 +14,7 @@ import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.WhyNot;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
 import arcomat.semantics.network.Network;
@@ -21,6 +23,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Function;
 
 /** One instance as it runs: where its automata are, and how they go on. */
@@ -30,14 +33,23 @@ final class Actor {
     private final List<StepRelation> relations;
     private final List<Port> outputs;
     private final Choice choice;
+    private final Optional<List<WhyNot>> whyNot;
     private List<Configuration> configurations = List.of();
 
-    Actor(Network.Instance instance, ComponentSemantics behaviour, Choice choice) {
+    /**
+     * @param whyNot one per automaton, where a run tells why no transition was enabled
+     */
+    Actor(
+            Network.Instance instance,
+            ComponentSemantics behaviour,
+            Choice choice,
+            Optional<List<WhyNot>> whyNot) {
         this.instance = instance;
         this.behaviour = behaviour;
         this.relations = behaviour.relations();
         this.outputs = instance.component().outputs();
         this.choice = choice;
+        this.whyNot = whyNot;
     }
 
     Network.Instance instance() {
@@ -92,8 +104,10 @@ final class Actor {
         List<Configuration> next = new ArrayList<>(relations.size());
         for (int i = 0; i < relations.size(); i++) {
             Configuration before = configurations.get(i);
-            Configuration after = after(relations.get(i), before, reaction.reactions().get(i));
-            activities.add(activity(relations.get(i), before, after, reaction.reactions().get(i)));
+            Reaction own = reaction.reactions().get(i);
+            Optional<Refusal> nearest = nearest(i, input, own.cause());
+            Configuration after = after(relations.get(i), before, own, nearest);
+            activities.add(activity(relations.get(i), before, after, own.cause(), nearest));
             next.add(after);
         }
         configurations = next;
@@ -146,24 +160,42 @@ final class Actor {
                         + when);
     }
 
+    /** What comes nearest to a reaction where an automaton had none, if anybody asks. */
+    private Optional<Refusal> nearest(int automaton, Input input, Trace.Cause cause) {
+        return cause instanceof Trace.Completed
+                ? whyNot.flatMap(
+                        all -> all.get(automaton).nearest(configurations.get(automaton), input))
+                : Optional.empty();
+    }
+
     /** A run keeps the state where a completion allows to leave it. */
-    private Configuration after(StepRelation relation, Configuration before, Reaction reaction) {
+    private static Configuration after(
+            StepRelation relation,
+            Configuration before,
+            Reaction reaction,
+            Optional<Refusal> nearest) {
         if (reaction.next() == Configuration.ERROR) {
-            throw new ModelError(relation.forbids(before));
+            String why = nearest.map(each -> "; " + each.words()).orElse("");
+            throw new ModelError(relation.forbids(before) + why);
         }
         return reaction.next().isState() ? reaction.next() : before;
     }
 
     private Trace.Activity activity(
-            StepRelation relation, Configuration before, Configuration after, Reaction reaction) {
+            StepRelation relation,
+            Configuration before,
+            Configuration after,
+            Trace.Cause cause,
+            Optional<Refusal> nearest) {
         Automaton automaton = relation.automaton();
         return new Trace.Activity(
                 instance.path(),
                 automaton.name(),
                 automaton.states().get(before.state()),
                 automaton.states().get(after.state()),
-                reaction.cause(),
-                variables(automaton, after));
+                cause,
+                variables(automaton, after),
+                nearest);
     }
 
     private static Map<String, Value> variables(Automaton automaton, Configuration after) {

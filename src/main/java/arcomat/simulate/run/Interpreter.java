@@ -7,6 +7,7 @@ import arcomat.model.Value;
 import arcomat.rt.ModelError;
 import arcomat.semantics.Execution;
 import arcomat.semantics.automaton.ComponentSemantics;
+import arcomat.semantics.automaton.WhyNot;
 import arcomat.semantics.network.Network;
 import arcomat.simulate.run.Actor.Impasse;
 
@@ -37,9 +38,10 @@ public final class Interpreter implements Execution {
 
     private final Network network;
     private final Choice choice;
+    private final boolean explaining;
     private @Nullable Engine engine;
     private Optional<Trace.End> end = Optional.empty();
-    private final List<String> decisions = new ArrayList<>();
+    private final List<String> decisions;
 
     /** Time-synchronous or event-driven. */
     interface Engine {
@@ -59,41 +61,66 @@ public final class Interpreter implements Execution {
      */
     public Interpreter(Component component, List<Value> arguments, Choice choice) {
         network = Network.of(component, arguments);
+        decisions = new ArrayList<>();
         this.choice = new RememberedChoice(choice, decisions);
+        explaining = false;
     }
 
-    private Interpreter(Network network, Choice choice) {
+    private Interpreter(
+            Network network, Choice choice, List<String> decisions, boolean explaining) {
         this.network = network;
         this.choice = choice;
+        this.decisions = decisions;
+        this.explaining = explaining;
     }
 
     /** One for runs without an end: it does not remember its choices. */
     public static Interpreter forgetful(Component component, List<Value> arguments, Choice choice) {
-        return new Interpreter(Network.of(component, arguments), choice);
+        Network network = Network.of(component, arguments);
+        return new Interpreter(network, choice, new ArrayList<>(), false);
+    }
+
+    /**
+     * The same run, told with why no transition was enabled where none was ({@link
+     * Trace.Activity#nearest}), and in a message that says so. To be called before the first step.
+     */
+    public Interpreter explaining() {
+        return new Interpreter(network, choice, decisions, true);
     }
 
     /** Made in the first step, which so reports what goes wrong in the beginning. */
     private Engine engine() {
         if (engine == null) {
-            List<Actor> actors = actors(network, choice);
+            List<Actor> actors = actors();
             engine = isTimed() ? new Slices(network, actors) : new Events(network, actors);
         }
         return engine;
     }
 
-    private static List<Actor> actors(Network network, Choice choice) {
-        Map<Component, Map<List<Value>, ComponentSemantics>> behaviours = new IdentityHashMap<>();
+    private List<Actor> actors() {
+        Map<Component, Map<List<Value>, Acting>> behaviours = new IdentityHashMap<>();
         List<Actor> actors = new ArrayList<>(network.instances().size());
         for (Network.Instance instance : network.instances()) {
-            ComponentSemantics behaviour =
+            Acting acting =
                     behaviours
                             .computeIfAbsent(instance.component(), c -> new HashMap<>())
-                            .computeIfAbsent(
-                                    instance.arguments(),
-                                    a -> ComponentSemantics.of(instance.component(), a));
-            actors.add(new Actor(instance, behaviour, choice));
+                            .computeIfAbsent(instance.arguments(), a -> acting(instance));
+            actors.add(new Actor(instance, acting.behaviour, choice, acting.whyNot));
         }
         return actors;
+    }
+
+    /** What instances of one component with the same arguments share. */
+    private record Acting(ComponentSemantics behaviour, Optional<List<WhyNot>> whyNot) {}
+
+    private Acting acting(Network.Instance instance) {
+        ComponentSemantics behaviour =
+                ComponentSemantics.of(instance.component(), instance.arguments());
+        return new Acting(
+                behaviour,
+                explaining
+                        ? Optional.of(behaviour.relations().stream().map(WhyNot::of).toList())
+                        : Optional.empty());
     }
 
     @Override

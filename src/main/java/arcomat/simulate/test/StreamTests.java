@@ -50,10 +50,21 @@ public final class StreamTests {
 
     /** A run over the inputs of a test, with the first choice wherever the model leaves one. */
     public static Trace firstRun(StreamTest test) {
+        return firstRun(test, false);
+    }
+
+    /**
+     * As above.
+     *
+     * @param explaining whether it tells why no transition fired where none did
+     */
+    public static Trace firstRun(StreamTest test, boolean explaining) {
         try {
             Interpreter interpreter =
                     new Interpreter(test.component(), test.arguments(), Choice.first());
-            return Simulation.run(interpreter, letters(test, test.component()));
+            return Simulation.run(
+                    explaining ? interpreter.explaining() : interpreter,
+                    letters(test, test.component()));
         } catch (ModelError error) {
             return new Trace(
                     test.component(), List.of(), Optional.of(String.valueOf(error.getMessage())));

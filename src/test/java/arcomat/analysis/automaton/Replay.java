@@ -7,12 +7,15 @@ import arcomat.model.Automaton;
 import arcomat.model.Component;
 import arcomat.model.Letter;
 import arcomat.model.Port;
+import arcomat.model.Refusal;
+import arcomat.model.Refusal.Truth;
 import arcomat.model.Trace;
 import arcomat.semantics.automaton.ComponentSemantics;
 import arcomat.semantics.automaton.Configuration;
 import arcomat.semantics.automaton.Input;
 import arcomat.semantics.automaton.StepRelation;
 import arcomat.semantics.automaton.StepRelation.Reaction;
+import arcomat.semantics.automaton.WhyNot;
 import arcomat.semantics.expression.Fault;
 import arcomat.semantics.expression.Output;
 import arcomat.semantics.expression.Sent;
@@ -146,7 +149,23 @@ final class Replay {
                 || finding.code().equals(VacuousOnSilence.CODE)) {
             return relation.enabled(configuration, input).isEmpty();
         }
+        if (finding.code().equals(ForgottenSilence.CODE)) {
+            return relation.enabled(configuration, input).isEmpty()
+                    && WhyNot.of(relation).refusals(configuration, input).stream()
+                            .anyMatch(refusal -> lacksOnlyMessages(refusal, finding));
+        }
         return fails(configuration, input);
+    }
+
+    /** Undefined, and not false: among them the part of the guard that is pointed at. */
+    private static boolean lacksOnlyMessages(Refusal refusal, Finding finding) {
+        return refusal.failed().stream().allMatch(each -> each.truth() == Truth.UNDEFINED)
+                && refusal.failed().stream()
+                        .anyMatch(
+                                each ->
+                                        finding.diagnostic()
+                                                .message()
+                                                .startsWith("'" + each.text() + "' never holds"));
     }
 
     private boolean fails(Configuration configuration, Input input) {

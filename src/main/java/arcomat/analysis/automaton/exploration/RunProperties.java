@@ -40,6 +40,7 @@ public record RunProperties(Subject subject) implements RunProperty.Cases<String
                 all.add(new RunProperty.Unhandled(state, true));
             }
         }
+        subject.silenceable().forEach(each -> all.add(new RunProperty.Silenced(each)));
         return all;
     }
 
@@ -107,6 +108,12 @@ public record RunProperties(Subject subject) implements RunProperty.Cases<String
     @Override
     public String overflow(RunProperty.Overflow overflow) {
         return "an integer of transition " + subject.place(overflow.transition()) + " can overflow";
+    }
+
+    @Override
+    public String silenced(RunProperty.Silenced silenced) {
+        return "silence keeps transition %s from answering"
+                .formatted(subject.place(silenced.transition()));
     }
 
     private static String difference(Difference difference) {

@@ -21,13 +21,16 @@ import java.util.Set;
  * @param alternatives one per enabled transition, in text order
  * @param faults of the guards that go wrong
  * @param wrapping indices of the transitions of which an integer wraps around
+ * @param silenced where nothing answers, indices of the transitions that lack nothing but messages
+ *     that their guards negate
  */
 public record Situation(
         Visit visit,
         Value[] letter,
         List<Alternative> alternatives,
         List<Fault> faults,
-        List<Integer> wrapping) {
+        List<Integer> wrapping,
+        List<Integer> silenced) {
 
     private static final Comparator<Situation> SIMPLE_FIRST =
             Comparator.<Situation>comparingInt(each -> each.visit.length())
@@ -70,6 +73,7 @@ public record Situation(
         shown.add(new RunProperty.Reached(state()));
         faults.forEach(fault -> shown.add(wrong(fault)));
         wrapping.forEach(each -> shown.add(new RunProperty.Overflow(each)));
+        silenced.forEach(each -> shown.add(new RunProperty.Silenced(each)));
         if (isUnhandled()) {
             shown.add(new RunProperty.Unhandled(state(), isSilent()));
         }

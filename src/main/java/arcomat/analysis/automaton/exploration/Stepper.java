@@ -4,6 +4,7 @@ import arcomat.analysis.automaton.exploration.Situation.Alternative;
 import arcomat.analysis.smt.Preconditions;
 import arcomat.analysis.smt.Subject;
 import arcomat.model.Component;
+import arcomat.model.Expression;
 import arcomat.model.Port;
 import arcomat.model.Trace;
 import arcomat.model.Value;
@@ -25,8 +26,13 @@ import java.util.function.ToIntFunction;
  * Looks at what a letter does in a configuration.
  *
  * @param wrapping of each state the transitions of which an integer may wrap around
+ * @param silencing of each state the transitions whose guards may negate what is silent
  */
-public record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
+public record Stepper(
+        Subject subject, List<List<Wrapping>> wrapping, List<List<Silencing>> silencing) {
+
+    /** When a transition lacks nothing but messages that its guard negates. */
+    public record Silencing(int transition, BiPredicate<Configuration, Input> condition) {}
 
     /** When an integer of a transition wraps around. */
     public record Wrapping(
@@ -36,19 +42,31 @@ public record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
 
     public static Stepper of(Subject subject) {
         List<List<Wrapping>> wrapping = new ArrayList<>();
-        subject.automaton().states().forEach(state -> wrapping.add(new ArrayList<>(0)));
+        List<List<Silencing>> silencing = new ArrayList<>();
+        for (int state = 0; state < subject.automaton().states().size(); state++) {
+            wrapping.add(new ArrayList<>(0));
+            silencing.add(new ArrayList<>(0));
+        }
         for (int i = 0; i < subject.preconditions().size(); i++) {
             Preconditions condition = subject.preconditions().get(i);
             if (condition.mayWrap()) {
-                wrapping.get(subject.transition(i).source())
-                        .add(
-                                new Wrapping(
-                                        i,
-                                        subject.relation().condition(condition.wrapsInGuard()),
-                                        subject.relation().condition(condition.wrapsInEffect())));
+                wrapping.get(subject.transition(i).source()).add(wrapping(subject, i, condition));
             }
         }
-        return new Stepper(subject, wrapping);
+        for (int i : subject.silenceable()) {
+            Expression silenced = subject.preconditions().get(i).enabledButForSilence();
+            silencing
+                    .get(subject.transition(i).source())
+                    .add(new Silencing(i, subject.relation().condition(silenced)));
+        }
+        return new Stepper(subject, wrapping, silencing);
+    }
+
+    private static Wrapping wrapping(Subject subject, int transition, Preconditions condition) {
+        return new Wrapping(
+                transition,
+                subject.relation().condition(condition.wrapsInGuard()),
+                subject.relation().condition(condition.wrapsInEffect()));
     }
 
     /**
@@ -61,12 +79,21 @@ public record Stepper(Subject subject, List<List<Wrapping>> wrapping) {
         for (Trace.Taken taken : choices.enabled()) {
             alternatives.add(alternative(taken, visit, input, next));
         }
+        boolean answered = !alternatives.isEmpty() || !choices.faults().isEmpty();
         return new Situation(
                 visit,
                 letter,
                 alternatives,
                 choices.faults(),
-                wrapping(visit.configuration(), input, choices.enabled()));
+                wrapping(visit.configuration(), input, choices.enabled()),
+                answered ? List.of() : silenced(visit.configuration(), input));
+    }
+
+    private List<Integer> silenced(Configuration configuration, Input input) {
+        return silencing.get(configuration.state()).stream()
+                .filter(each -> each.condition.test(configuration, input))
+                .map(Silencing::transition)
+                .toList();
     }
 
     private List<Integer> wrapping(

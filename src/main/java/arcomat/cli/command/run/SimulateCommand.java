@@ -43,6 +43,7 @@ import java.util.OptionalInt;
                     + " models/coffee",
             "  arcomat simulate --input RobotTest.mt#waits --engine compiled",
             "  arcomat simulate --input RobotTest.mt#waits --report build/run models/coffee",
+            "  arcomat simulate --input RobotTest.mt#waits --why-not models/coffee",
             "",
             "Without --input, letters are drawn with the seed: the same seed, the same run.",
             "",
@@ -137,6 +138,13 @@ public final class SimulateCommand extends Command {
                             + " may be given several times.")
     private List<String> monitors = List.of();
 
+    @Option(
+            names = "--why-not",
+            description =
+                    "Where no transition fired, name the one that came nearest, and what it would"
+                            + " have needed. A page (--report) always has it.")
+    private boolean whyNot;
+
     @Mixin private PageOption report = new PageOption();
 
     @Parameters(
@@ -153,6 +161,7 @@ public final class SimulateCommand extends Command {
         if (slices != null && slices < 0) {
             throw new WrongUse("--slices " + slices + " is negative");
         }
+        requireExplainable();
         report.prepare(session);
         CheckedAnswer<Run> reply = session.run(task());
         tellAside(reply.check());
@@ -164,11 +173,21 @@ public final class SimulateCommand extends Command {
         return report(run);
     }
 
+    private void requireExplainable() throws WrongUse {
+        if (whyNot && engine == Engine.compiled) {
+            throw new WrongUse(
+                    "compiled code does not say why no transition fired; use --engine interpreter");
+        }
+        if (whyNot && trace == TraceFormat.csv) {
+            throw new WrongUse("--why-not is told with --trace table and json, not with csv");
+        }
+    }
+
     private RunText text() {
         return switch (trace) {
-            case table -> new TraceTable(this::print, console().style());
+            case table -> new TraceTable(this::print, console().style(), whyNot);
             case csv -> new TraceCsv(this::print);
-            case json -> new TraceJson(this::print);
+            case json -> new TraceJson(this::print, whyNot);
         };
     }
 
@@ -224,6 +243,7 @@ public final class SimulateCommand extends Command {
                 Optional.ofNullable(record),
                 monitors,
                 report.isWanted(),
+                whyNot || report.isWanted(),
                 new Audience(text(), () -> !console().out().checkError()),
                 paths);
     }

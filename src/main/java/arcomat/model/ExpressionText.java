@@ -1,15 +1,12 @@
-package arcomat.diagram;
+package arcomat.model;
 
-import arcomat.model.Automaton;
-import arcomat.model.Expression;
 import arcomat.model.Expression.BinaryOperator;
-import arcomat.model.Type;
 
 import java.util.List;
 import java.util.stream.Collectors;
 
 /** Expressions as models write them, with no more parentheses than needed. */
-final class ExpressionText implements Expression.Cases<ExpressionText.Written> {
+public final class ExpressionText implements Expression.Cases<ExpressionText.Written> {
     private static final int CONDITIONAL = 0;
     private static final int UNARY = 9;
     private static final int ATOM = 10;
@@ -24,12 +21,13 @@ final class ExpressionText implements Expression.Cases<ExpressionText.Written> {
      * @param level how strongly it binds: what binds more weakly than its place asks is in
      *     parentheses
      */
-    record Written(String text, int level) {
+    public record Written(String text, int level) {
         private String within(int least) {
             return level < least ? "(" + text + ")" : text;
         }
     }
 
+    /** An expression in one line. */
     public static String of(Expression expression) {
         return expression.match(FORMS).text;
     }
@@ -117,7 +115,7 @@ final class ExpressionText implements Expression.Cases<ExpressionText.Written> {
     }
 
     /** What is asked of a port. */
-    static String item(String port, Automaton.Pattern pattern) {
+    public static String item(String port, Automaton.Pattern pattern) {
         if (pattern instanceof Automaton.Absent) {
             return port + " == --";
         }

@@ -1,0 +1,88 @@
+package arcomat.analysis.automaton;
+
+import arcomat.analysis.automaton.exploration.Situation;
+import arcomat.analysis.smt.Subject;
+import arcomat.model.Automaton.Completion;
+import arcomat.model.Component;
+import arcomat.model.Expression;
+import arcomat.model.ExpressionText;
+import arcomat.model.Port;
+import arcomat.source.Diagnostic;
+
+import java.util.List;
+import java.util.stream.Collectors;
+
+/**
+ * A guard that negates a message, such as {@code !blocked}, and can never hold while there is none:
+ * what reads a silent port is undefined, and so is its negation. Nothing else is missing then, and
+ * no other transition answers.
+ */
+final class ForgottenSilence extends WitnessedAnalysis<Integer> {
+    static final String CODE = "ARC1010";
+
+    ForgottenSilence(Subject subject) {
+        super(subject);
+    }
+
+    @Override
+    void see(Situation situation) {
+        situation.silenced().forEach(transition -> witness(transition, situation));
+    }
+
+    @Override
+    Finding finding(Integer transition, Situation situation) {
+        Expression negation =
+                subject.preconditions().get(transition).negations().stream()
+                        .filter(each -> !silent(each, situation).isEmpty())
+                        .findFirst()
+                        .orElseThrow();
+        List<String> ports = silent(negation, situation);
+        String text = ExpressionText.of(negation);
+        String handled =
+                ports.stream().map(port -> port + " == -- || ").collect(Collectors.joining());
+        String message =
+                "'%s' never holds while %s, and in %s no other transition fits then: %s;"
+                        + " write '(%s%s)' if silence counts as well, else handle '%s == --'";
+        return finding(
+                Diagnostic.warning(
+                        CODE,
+                        negation.span(),
+                        message.formatted(
+                                text,
+                                silence(ports),
+                                subject.state(situation.state()),
+                                consequence(),
+                                handled,
+                                text,
+                                ports.get(0))),
+                situation);
+    }
+
+    private List<String> silent(Expression negation, Situation situation) {
+        List<Port> inputs = subject.component().inputs();
+        return negation.ports().stream()
+                .filter(port -> situation.letter()[inputs.indexOf(port)] == null)
+                .filter(port -> port.first().isEmpty())
+                .map(Port::name)
+                .distinct()
+                .toList();
+    }
+
+    private String silence(List<String> ports) {
+        boolean one = ports.size() == 1;
+        String names = String.join(" and ", ports);
+        return subject.component().profile() == Component.Profile.TIME_SYNCHRONOUS
+                ? names + (one ? " is silent" : " are silent")
+                : names + (one ? " has" : " have") + " had no message yet";
+    }
+
+    private String consequence() {
+        Completion completion = subject.automaton().completion();
+        return switch (completion) {
+            case CHAOS -> "anything may happen from then on (completion chaos)";
+            case OUTPUT -> "anything may be sent, and the state stays (completion output)";
+            case IGNORE -> "nothing happens (completion ignore)";
+            case ERROR -> "that is forbidden (completion error)";
+        };
+    }
+}
