@@ -17,7 +17,7 @@ fi
 # often as its defaults assume.
 case ${1-} in
     analyze | campaign | campaign-worker | contradictions | diff | evolution | generate | refines | simulate | test | \
-        verify) compiler= ;;
+        verify | watch) compiler= ;;
     *) compiler='-XX:TieredStopAtLevel=1 -XX:CompileThresholdScaling=2' ;;
 esac
 

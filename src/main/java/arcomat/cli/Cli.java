@@ -65,7 +65,7 @@ public final class Cli {
         Set<String> wanted = commands.names();
         if (arguments.length > 0 && wanted.contains(arguments[0])) {
             // Reading the annotations of the other commands would double the time of a short run.
-            wanted = Set.of(arguments[0]);
+            wanted = commands.seenBy(arguments[0]);
         }
         wanted.forEach(name -> line.addSubcommand(commands.of(name)));
         int width = helpWidth(console);

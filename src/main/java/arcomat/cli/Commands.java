@@ -26,6 +26,9 @@ import arcomat.cli.command.run.SimulateCommand;
 import arcomat.cli.command.run.TestCommand;
 import arcomat.cli.command.run.WorldCommand;
 import arcomat.cli.command.serve.LanguageServerCommand;
+import arcomat.cli.command.shell.CompletionCommand;
+import arcomat.cli.command.shell.ManualCommand;
+import arcomat.cli.command.watch.WatchCommand;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -35,6 +38,8 @@ import java.util.function.Supplier;
 
 /** All commands there are, in the order of their use. */
 final class Commands {
+    private static final Set<String> ABOUT_ALL = Set.of("completion", "manual");
+
     private final Map<String, Supplier<Command>> commands = new LinkedHashMap<>();
 
     /**
@@ -44,6 +49,7 @@ final class Commands {
     Commands() {
         add("new", () -> new NewCommand());
         add("check", () -> new CheckCommand());
+        add("watch", () -> new WatchCommand());
         add("format", () -> new FormatCommand());
         add("generate", () -> new GenerateCommand());
         add("simulate", () -> new SimulateCommand());
@@ -67,6 +73,8 @@ final class Commands {
         add("link", () -> new LinkCommand());
         add("explain", () -> new ExplainCommand());
         add("language-server", () -> new LanguageServerCommand());
+        add("completion", () -> new CompletionCommand());
+        add("manual", () -> new ManualCommand());
     }
 
     private void add(String name, Supplier<Command> command) {
@@ -75,6 +83,11 @@ final class Commands {
 
     Set<String> names() {
         return commands.keySet();
+    }
+
+    /** The commands that one of them has to see: itself, or all where it tells of all. */
+    Set<String> seenBy(String name) {
+        return ABOUT_ALL.contains(name) ? names() : Set.of(name);
     }
 
     /**

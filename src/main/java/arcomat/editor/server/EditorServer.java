@@ -19,6 +19,7 @@ import org.eclipse.lsp4j.InitializedParams;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
+import org.eclipse.lsp4j.ResourceOperationKind;
 import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.ServerInfo;
 import org.eclipse.lsp4j.TextDocumentSyncKind;
@@ -52,6 +53,7 @@ public final class EditorServer implements LanguageServer {
     private LanguageClient client;
 
     private boolean watches;
+    private volatile boolean movesFiles;
     private boolean shutDown;
 
     /**
@@ -74,6 +76,7 @@ public final class EditorServer implements LanguageServer {
     @Override
     public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
         watches = canWatch(params.getCapabilities());
+        movesFiles = canMoveFiles(params.getCapabilities());
         folders(params).stream()
                 .flatMap(address -> Positions.path(address).stream())
                 .forEach(path -> worker.edit(desk -> desk.add(path)));
@@ -94,6 +97,15 @@ public final class EditorServer implements LanguageServer {
         var workspace = capabilities == null ? null : capabilities.getWorkspace();
         var watching = workspace == null ? null : workspace.getDidChangeWatchedFiles();
         return watching != null && Boolean.TRUE.equals(watching.getDynamicRegistration());
+    }
+
+    private static boolean canMoveFiles(ClientCapabilities capabilities) {
+        var workspace = capabilities == null ? null : capabilities.getWorkspace();
+        var edits = workspace == null ? null : workspace.getWorkspaceEdit();
+        return edits != null
+                && Boolean.TRUE.equals(edits.getDocumentChanges())
+                && edits.getResourceOperations() != null
+                && edits.getResourceOperations().contains(ResourceOperationKind.Rename);
     }
 
     private static ServerCapabilities capabilities() {
@@ -130,16 +142,20 @@ public final class EditorServer implements LanguageServer {
         Set<String> gone = new HashSet<>(published.keySet());
         for (OpenModels models : desk.models()) {
             for (String path : models.checkedPaths()) {
-                String address = address(models, path);
-                gone.remove(address);
-                publish(address, Diagnostics.of(models, path, other -> address(models, other)));
+                if (desk.isShown(models, path)) {
+                    String address = address(desk, models, path);
+                    gone.remove(address);
+                    publish(
+                            address,
+                            Diagnostics.of(models, path, each -> address(desk, models, each)));
+                }
             }
         }
         gone.forEach(address -> publish(address, List.of()));
     }
 
-    private static String address(OpenModels models, String path) {
-        return models.root().resolve(path).toUri().toString();
+    private static String address(Desk desk, OpenModels models, String path) {
+        return desk.place(models, path).toUri().toString();
     }
 
     private void publish(String address, List<Diagnostic> findings) {
@@ -165,7 +181,7 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public TextDocumentService getTextDocumentService() {
-        return new DocumentRequests(worker);
+        return new DocumentRequests(worker, () -> movesFiles);
     }
 
     @Override

@@ -8,6 +8,7 @@ import arcomat.analysis.refinement.Refinement;
 import arcomat.analysis.refinement.Verdict;
 import arcomat.analysis.search.Budget;
 import arcomat.model.Component;
+import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
@@ -26,13 +27,17 @@ public record VerifyPromises(List<String> paths, AnalysisLimits limits)
 
     @Override
     public List<Answered> answer(LoweredModels models, Session session) {
+        return answers(models, limits.budget(), session.progress());
+    }
+
+    /** The same of models that somebody else has read, with limits of his own. */
+    public static List<Answered> answers(LoweredModels models, Budget budget, Progress progress) {
         Obligations.All all = Obligations.of(models.model(), models.named());
-        Budget budget = limits.budget();
         List<Answered> answers = new ArrayList<>();
         for (Obligation obligation : all.obligations()) {
             String left = obligation.left().title();
             String right = obligation.right().title();
-            session.progress().step("comparing " + left + " with " + right);
+            progress.step("comparing " + left + " with " + right);
             Verdict verdict = Refinement.check(obligation.left(), obligation.right(), budget);
             List<Promise> sides = List.of(obligation.left(), obligation.right());
             answers.add(new Answered(left, right, obligation.place(), verdict, sides));
@@ -43,7 +48,7 @@ public record VerifyPromises(List<String> paths, AnalysisLimits limits)
                                 answers.add(
                                         takesArguments(
                                                 models.model().component(name).orElseThrow())));
-        answers.addAll(new InvariantAnswers(models, budget, session.progress()).all());
+        answers.addAll(new InvariantAnswers(models, budget, progress).all());
         return answers;
     }
 

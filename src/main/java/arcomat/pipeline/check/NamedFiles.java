@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 
 /**
  * The files that the user named, by file or by folder, read but not parsed.
@@ -22,18 +23,23 @@ import java.util.Map;
 public record NamedFiles(
         List<String> paths, Map<String, SourceFile> readable, List<Diagnostic> findings) {
 
-    /** Finds and reads, several files at a time. */
-    public static NamedFiles read(List<String> written, PathNames names, Progress progress) {
+    /**
+     * Finds and reads, several files at a time.
+     *
+     * @param reader of a file, called by several threads
+     */
+    public static NamedFiles read(
+            List<String> written,
+            PathNames names,
+            Progress progress,
+            Function<FileFinder.Found, FileReader.Read> reader) {
         FileFinder finder = new FileFinder(names);
         written.forEach(finder::find);
         progress.step("reading", finder.files().size(), "file");
         List<String> paths = new ArrayList<>();
         Map<String, SourceFile> readable = new LinkedHashMap<>();
         List<Diagnostic> findings = new ArrayList<>(finder.findings());
-        List<FileReader.Read> results =
-                finder.files().parallelStream()
-                        .map(found -> FileReader.read(found.path(), found.shown()))
-                        .toList();
+        List<FileReader.Read> results = finder.files().parallelStream().map(reader).toList();
         for (int i = 0; i < results.size(); i++) {
             String shown = finder.files().get(i).shown();
             paths.add(shown);

@@ -27,6 +27,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.BiFunction;
 
 /**
  * Checks what changed since the last check and what that touches; of all other files the findings
@@ -49,12 +50,24 @@ public record IncrementalCheck(
      * @param file what the last check left, if any
      */
     public Outcome run(StateFile file) {
+        return run(new CheckMemory(), (key, named) -> file.read(key, path -> source(path, named)));
+    }
+
+    /** Checks with what is remembered, and remembers what is found. */
+    public Outcome run(CheckMemory memory) {
+        Outcome outcome = run(memory, (key, named) -> memory.state(key));
+        memory.keep(outcome.state());
+        return outcome;
+    }
+
+    private Outcome run(
+            CheckMemory memory, BiFunction<String, NamedFiles, Optional<CheckState>> last) {
         Set<Path> searched = ModelLoader.searchedFolders(paths, names);
-        NamedFiles named = NamedFiles.read(paths, names, progress);
+        NamedFiles named = NamedFiles.read(paths, names, progress, memory::read);
         String key = key(searched, named);
-        Optional<CheckState> before = file.read(key, path -> source(path, named));
+        Optional<CheckState> before = last.apply(key, named);
         FilesAround around = new FilesAround(names, searched, named.paths());
-        return before.flatMap(state -> update(state, named, around))
+        return before.flatMap(state -> update(state, named, around, memory))
                 .orElseGet(() -> full(key, searched));
     }
 
@@ -89,11 +102,12 @@ public record IncrementalCheck(
         return new Outcome(models.result(), state, models.loaded().named());
     }
 
-    private Optional<Outcome> update(CheckState before, NamedFiles named, FilesAround around) {
+    private Optional<Outcome> update(
+            CheckState before, NamedFiles named, FilesAround around, CheckMemory memory) {
         if (!around.areAsBefore(before.folders())) {
             return Optional.empty();
         }
-        Update update = Update.of(before, named, new StateOfFiles(around), names, progress);
+        Update update = Update.of(before, named, new StateOfFiles(around), names, memory, progress);
         if (update.surroundingsChange()) {
             return Optional.empty();
         }

@@ -6,16 +6,13 @@ import arcomat.check.law.Profile;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.Library;
-import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.check.NamedFiles;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.CheckState.File;
-import arcomat.report.text.Sha256;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
 import arcomat.symbols.names.Outline;
 import arcomat.syntax.Parsed;
-import arcomat.syntax.Parser;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
 
@@ -37,6 +34,7 @@ import java.util.TreeSet;
 final class Update {
     private final PathNames names;
     private final Progress progress;
+    private final CheckMemory memory;
     private final NamedFiles named;
     private final StateOfFiles states;
     private final Map<String, File> before = new LinkedHashMap<>();
@@ -54,11 +52,13 @@ final class Update {
             NamedFiles named,
             StateOfFiles states,
             PathNames names,
+            CheckMemory memory,
             Progress progress) {
         before.files().forEach(file -> this.before.put(file.path(), file));
         this.named = named;
         this.states = states;
         this.names = names;
+        this.memory = memory;
         this.progress = progress;
     }
 
@@ -67,8 +67,9 @@ final class Update {
             NamedFiles named,
             StateOfFiles states,
             PathNames names,
+            CheckMemory memory,
             Progress progress) {
-        Update update = new Update(before, named, states, names, progress);
+        Update update = new Update(before, named, states, names, memory, progress);
         update.compare();
         return update;
     }
@@ -103,12 +104,10 @@ final class Update {
         }
         SourceFile source = readable.get();
         File known = before.get(path);
-        if (known != null
-                && known.named() == isNamed
-                && known.hash().equals(Sha256.hex(source.text()))) {
+        if (known != null && known.named() == isNamed && known.hash().equals(memory.hash(source))) {
             return known;
         }
-        Parsed result = Parser.parse(source);
+        Parsed result = memory.parsed(source);
         parsed.put(path, result);
         return states.of(source, result, isNamed);
     }
@@ -190,7 +189,7 @@ final class Update {
                 missing.add(source(file));
             }
         }
-        List<Parsed> results = ModelLoader.parse(missing, progress);
+        List<Parsed> results = memory.parsed(missing, progress);
         for (int i = 0; i < missing.size(); i++) {
             parsed.put(missing.get(i).path(), results.get(i));
         }
