@@ -12,7 +12,7 @@ public final class ${head.name} {
     public ${head.name}(<@parts.parameters head/>) {
 <@automaton.construct self/>
 <@automaton.begin self/>
-    }
+    }${automaton.begun(self)}
 
     /**
      * Performs one slice: reads the inputs, then replaces the outputs. What an output with delay

@@ -27,15 +27,15 @@ ${indent}// ${transition.comment}
 <#if transition.condition == "" && transition.locals?has_content>
 ${indent}{
 <@effect a transition indent + "    "/>
-${indent}    ${done}
+${indent}    ${done}${transition.mark}
 ${indent}}
 <#elseif transition.condition == "">
 <@effect a transition indent/>
-${indent}${done}
+${indent}${done}${transition.mark}
 <#else>
 ${indent}if (${transition.condition}) {
 <@effect a transition indent + "    "/>
-${indent}    ${done}
+${indent}    ${done}${transition.mark}
 ${indent}}
 </#if>
 </#list>
@@ -56,7 +56,7 @@ ${indent}    case ${transition?index}:<#if transition.locals?has_content> {</#if
 ${indent}        // ${transition.comment}
 </#if>
 <@effect a transition indent + "        "/>
-${indent}        ${done}
+${indent}        ${done}${transition.mark}
 <#if transition.locals?has_content>
 ${indent}    }
 </#if>
@@ -129,6 +129,10 @@ ${indent}${assignment.target} = ${assignment.value};
 ${indent}${a.state} = ${initial.target};
 </#if>
 </#macro>
+<#-- Where nothing is drawn, it has begun at the end of what calls this. -->
+<#function begun a>
+<#return (a.initials?size == 1 || a.initials?has_content && !a.head.draws)?then(a.initials?first.mark, "")>
+</#function>
 <#macro states a>
 <#if remembers(a) && a.states?has_content>
 <#list a.states as name>
@@ -186,7 +190,7 @@ ${indent}${a.state} = ${initial.target};
 <#list a.initials as initial>
             case ${initial?index}:<#if initial.locals?has_content> {</#if>
 <@start a initial "                "/>
-                break;
+                break;${initial.mark}
 <#if initial.locals?has_content>
             }
 </#if>

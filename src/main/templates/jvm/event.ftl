@@ -33,7 +33,7 @@ public class ${head.name} {
     /** Takes an initial state and sends the initial output. */
     public void start() {
 <@machine.begin automaton/>
-    }
+    }${machine.begun(automaton)}
 <#list inputs as input>
 
     /** ${input.port.comment} */

@@ -25,7 +25,9 @@ public enum Quantity {
     /** The least distance of a robot to a wall, the edge or a person, in mm. */
     CLEARANCE(false, "least distance of a robot to anything else, mm"),
     /** Slices that took too long, of all robots. */
-    LATE(false, "slices that were late");
+    LATE(false, "slices that were late"),
+    /** Transitions of the models that its programs have taken, each counted once. */
+    TRANSITIONS(false, "transitions of the models that were taken");
 
     private final boolean event;
     private final String meaning;

@@ -1,5 +1,7 @@
 package arcomat.campaign;
 
+import arcomat.campaign.coverage.ReachedItems;
+
 import java.util.Arrays;
 import java.util.List;
 
@@ -9,8 +11,10 @@ import java.util.List;
  * @param remark why there are no answers; empty where the run was made
  * @param answers in the order of {@link Campaign#columns}, none where the run was not made; an
  *     event is 1 or 0, and what a run has no number for is not a number
+ * @param reached what it has covered of the automata of its programs
  */
-public record Row(Trial trial, Ending ending, String remark, List<Double> answers) {
+public record Row(
+        Trial trial, Ending ending, String remark, List<Double> answers, ReachedItems reached) {
     public Row {
         answers = List.copyOf(answers);
     }
@@ -43,8 +47,13 @@ public record Row(Trial trial, Ending ending, String remark, List<Double> answer
         }
     }
 
+    /** A run of whose programs nobody knows what they cover. */
     public static Row made(Trial trial, List<Double> answers) {
-        return new Row(trial, Ending.MADE, "", answers);
+        return made(trial, answers, ReachedItems.UNKNOWN);
+    }
+
+    public static Row made(Trial trial, List<Double> answers, ReachedItems reached) {
+        return new Row(trial, Ending.MADE, "", answers, reached);
     }
 
     /**
@@ -52,7 +61,7 @@ public record Row(Trial trial, Ending ending, String remark, List<Double> answer
      */
     public static Row withoutAnswers(Trial trial, Ending ending, String why) {
         // One line of the table is one line of its file.
-        return new Row(trial, ending, why.replaceAll("\\s+", " "), List.of());
+        return new Row(trial, ending, why.replaceAll("\\s+", " "), List.of(), ReachedItems.UNKNOWN);
     }
 
     public boolean wasMade() {

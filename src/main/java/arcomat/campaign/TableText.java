@@ -1,5 +1,6 @@
 package arcomat.campaign;
 
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.world.Seeds;
 
 import java.util.ArrayList;
@@ -11,14 +12,18 @@ import java.util.stream.Stream;
 
 /**
  * Rows as comma-separated values (RFC 4180): number, seed, values of the parameters, how the run
- * ended, answers. Nothing in it depends on who made the run, or when.
+ * ended, answers, what it has covered. Nothing in it depends on who made the run, or when.
  */
 public final class TableText {
     private static final List<String> FIRST = List.of("run", "seed");
     private static final String ENDING = "ending";
 
+    /** The column of {@link ReachedItems}. */
+    public static final String TAKEN = "taken";
+
     /** Columns that are neither a parameter nor an answer. */
-    static final List<String> NAMES = Stream.concat(FIRST.stream(), Stream.of(ENDING)).toList();
+    static final List<String> NAMES =
+            Stream.concat(FIRST.stream(), Stream.of(ENDING, TAKEN)).toList();
 
     private final Campaign campaign;
     private final List<Column> columns;
@@ -34,7 +39,8 @@ public final class TableText {
                         FIRST.stream(),
                         campaign.variations().stream().map(this::column),
                         Stream.of(ENDING),
-                        columns.stream().map(Column::name))
+                        columns.stream().map(Column::name),
+                        Stream.of(TAKEN))
                 .flatMap(names -> names)
                 .map(TableText::quoted)
                 .collect(Collectors.joining(","));
@@ -58,6 +64,7 @@ public final class TableText {
         for (int i = 0; i < columns.size(); i++) {
             cells.add(row.wasMade() ? number(row.answer(i)) : "");
         }
+        cells.add(row.reached().text());
         return cells.stream().map(TableText::quoted).collect(Collectors.joining(","));
     }
 
@@ -90,7 +97,7 @@ public final class TableText {
     public Row row(String line) {
         List<String> cells = cells(line);
         int ending = FIRST.size() + campaign.variations().size();
-        if (cells.size() != ending + 1 + columns.size()) {
+        if (cells.size() != ending + 1 + columns.size() + 1) {
             throw new IllegalArgumentException(cells.size() + " cells");
         }
         Map<String, String> values = new LinkedHashMap<>();
@@ -100,13 +107,13 @@ public final class TableText {
         Trial trial = new Trial(Long.parseLong(cells.get(0)), Seeds.parse(cells.get(1)), values);
         Row.Ending how = Row.Ending.of(cells.get(ending));
         if (how != Row.Ending.MADE) {
-            return new Row(
-                    trial, how, cells.get(ending).substring(how.word().length() + 2), List.of());
+            return Row.withoutAnswers(
+                    trial, how, cells.get(ending).substring(how.word().length() + 2));
         }
         List<Double> answers = new ArrayList<>();
-        cells.subList(ending + 1, cells.size())
+        cells.subList(ending + 1, cells.size() - 1)
                 .forEach(cell -> answers.add(cell.isEmpty() ? Double.NaN : Double.valueOf(cell)));
-        return new Row(trial, how, "", answers);
+        return Row.made(trial, answers, new ReachedItems(cells.get(cells.size() - 1)));
     }
 
     private static List<String> cells(String line) {

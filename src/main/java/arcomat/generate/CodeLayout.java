@@ -1,5 +1,6 @@
 package arcomat.generate;
 
+import arcomat.generate.plan.AutomatonPlan;
 import arcomat.generate.plan.Program;
 import arcomat.generate.text.FileContext;
 import arcomat.generate.text.MemberNames;
@@ -8,6 +9,7 @@ import arcomat.generate.views.MessageTypes;
 import arcomat.model.Component;
 import arcomat.source.Span;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -18,18 +20,21 @@ import java.util.Map;
  * @param components by qualified name of the model component
  * @param classes by qualified name of the class of a class diagram
  * @param programs qualified name of the main class, by qualified name of the component that it runs
+ * @param automata those of all components that have one, in the order of the files
  */
 public record CodeLayout(
         Map<String, Place> components,
         Map<String, MessageClass> classes,
-        Map<String, String> programs) {
+        Map<String, String> programs,
+        List<AutomatonLines> automata) {
     /** Of nothing. */
-    static final CodeLayout NONE = new CodeLayout(Map.of(), Map.of(), Map.of());
+    static final CodeLayout NONE = new CodeLayout(Map.of(), Map.of(), Map.of(), List.of());
 
     public CodeLayout {
         components = Map.copyOf(components);
         classes = Map.copyOf(classes);
         programs = Map.copyOf(programs);
+        automata = List.copyOf(automata);
     }
 
     /**
@@ -74,7 +79,11 @@ public record CodeLayout(
             Map<String, String> parts,
             Span span) {}
 
-    static CodeLayout of(Program program, MessageTypes types, List<Component> mains) {
+    static CodeLayout of(
+            Program program,
+            MessageTypes types,
+            List<Component> mains,
+            List<AutomatonLines> automata) {
         Map<String, Place> places = new LinkedHashMap<>();
         for (FileContext context : program.contexts()) {
             places.put(context.component().qualifiedName(), place(context, program));
@@ -89,7 +98,25 @@ public record CodeLayout(
         for (Component main : mains) {
             programs.put(main.qualifiedName(), program.nameOfProgram(main).qualified());
         }
-        return new CodeLayout(places, classes, programs);
+        return new CodeLayout(places, classes, programs, automata);
+    }
+
+    /** Of all components that have one, once their files are written. */
+    static List<AutomatonLines> automata(Program program, OutputFiles output) {
+        List<AutomatonLines> automata = new ArrayList<>();
+        for (FileContext context : program.contexts()) {
+            program.automaton(context.component())
+                    .map(AutomatonPlan::automaton)
+                    .map(
+                            automaton ->
+                                    new AutomatonLines(
+                                            context.self().qualified(),
+                                            context.component(),
+                                            automaton,
+                                            output.marks(context.self())))
+                    .ifPresent(automata::add);
+        }
+        return automata;
     }
 
     private static Place place(FileContext context, Program program) {

@@ -42,7 +42,11 @@ public final class Generator {
                     output.write(types);
                     new Views(program, watches, request, output, findings).write();
                     findings.addAll(Sockets.check(request, target));
-                    return CodeLayout.of(program, types, request.programs());
+                    return CodeLayout.of(
+                            program,
+                            types,
+                            request.programs(),
+                            CodeLayout.automata(program, output));
                 });
     }
 

@@ -74,7 +74,7 @@ public final class Monitors {
             MonitorsView view = view(program.context(whole), program);
             output.write(Kind.MONITORS, view.head(), view);
         }
-        return CodeLayout.of(program, types, List.of());
+        return CodeLayout.of(program, types, List.of(), List.of());
     }
 
     private MonitorsView view(FileContext context, Program program) {

@@ -2,6 +2,7 @@ package arcomat.generate;
 
 import arcomat.generate.language.TypeName;
 import arcomat.generate.template.TemplateEngine;
+import arcomat.generate.text.LineMarks;
 import arcomat.generate.view.ClassView;
 import arcomat.generate.view.EnumView;
 import arcomat.generate.view.HeadView;
@@ -9,9 +10,11 @@ import arcomat.generate.views.MessageTypes;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 
@@ -47,6 +50,7 @@ final class OutputFiles {
     private final TargetFindings findings;
     private final List<GeneratedFile> files = new ArrayList<>();
     private final Set<String> paths = new HashSet<>();
+    private final Map<TypeName, LineMarks> marks = new HashMap<>();
 
     OutputFiles(Target target, TargetFindings findings) {
         this.rules = target.rules();
@@ -83,7 +87,9 @@ final class OutputFiles {
         for (Target.Rule rule : rules(kind)) {
             String path = path(rule, name);
             if (isFine(rule, path)) {
-                files.add(new GeneratedFile(path, engine.render(rule.template(), view)));
+                LineMarks.Read read = LineMarks.read(engine.render(rule.template(), view));
+                files.add(new GeneratedFile(path, read.text()));
+                marks.putIfAbsent(name, read.marks());
             }
         }
     }
@@ -102,6 +108,11 @@ final class OutputFiles {
             return false;
         }
         return true;
+    }
+
+    /** The lines of the first file that was written for something. */
+    LineMarks marks(TypeName name) {
+        return marks.getOrDefault(name, LineMarks.NONE);
     }
 
     /** Text that is no template's; once, however many ask for it. */

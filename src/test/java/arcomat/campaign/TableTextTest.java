@@ -3,6 +3,7 @@ package arcomat.campaign;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.campaign.Row.Ending;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.source.SourceFile;
 
 import net.jqwik.api.Example;
@@ -30,7 +31,8 @@ class TableTextTest {
     void whatIsWrittenIsRead(@ForAll double number, @ForAll String value, @ForAll String why) {
         List<Double> answers = new ArrayList<>();
         CAMPAIGN.columns().forEach(column -> answers.add(number));
-        Row made = Row.made(trial(oneLine(value)), answers);
+        Row made = Row.made(trial(oneLine(value)), answers, new ReachedItems("x0c"));
+        assertThat(TEXT.line(made)).endsWith(",x0c");
         assertThat(TEXT.row(TEXT.line(made))).isEqualTo(made);
         Row none = Row.withoutAnswers(trial("x"), Ending.IMPOSSIBLE, why);
         assertThat(TEXT.row(TEXT.line(none))).isEqualTo(none);

@@ -1,6 +1,7 @@
 package arcomat.editor;
 
 import arcomat.editor.server.EditorServer;
+import arcomat.pipeline.check.LibraryFolder;
 import arcomat.source.SourceFile;
 
 import org.eclipse.lsp4j.ClientCapabilities;
@@ -19,13 +20,19 @@ import org.eclipse.lsp4j.MessageParams;
 import org.eclipse.lsp4j.Position;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.Range;
+import org.eclipse.lsp4j.RenameFile;
+import org.eclipse.lsp4j.ResourceOperation;
+import org.eclipse.lsp4j.ResourceOperationKind;
 import org.eclipse.lsp4j.ShowMessageRequestParams;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
+import org.eclipse.lsp4j.TextDocumentEdit;
 import org.eclipse.lsp4j.TextDocumentIdentifier;
 import org.eclipse.lsp4j.TextDocumentItem;
 import org.eclipse.lsp4j.TextEdit;
 import org.eclipse.lsp4j.VersionedTextDocumentIdentifier;
+import org.eclipse.lsp4j.WorkspaceClientCapabilities;
 import org.eclipse.lsp4j.WorkspaceEdit;
+import org.eclipse.lsp4j.WorkspaceEditCapabilities;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import org.eclipse.lsp4j.launch.LSPLauncher;
@@ -35,6 +42,7 @@ import org.eclipse.lsp4j.services.LanguageServer;
 import java.io.IOException;
 import java.io.PipedInputStream;
 import java.io.PipedOutputStream;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Comparator;
@@ -78,10 +86,21 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         this.server = asking.getRemoteProxy();
         asking.startListening();
         InitializeParams params = new InitializeParams();
-        params.setCapabilities(new ClientCapabilities());
+        params.setCapabilities(capabilities());
         params.setWorkspaceFolders(List.of(new WorkspaceFolder(address("."), "test")));
         get(server.initialize(params));
         server.initialized(new InitializedParams());
+    }
+
+    private static ClientCapabilities capabilities() {
+        var edits = new WorkspaceEditCapabilities();
+        edits.setDocumentChanges(true);
+        edits.setResourceOperations(List.of(ResourceOperationKind.Rename));
+        var workspace = new WorkspaceClientCapabilities();
+        workspace.setWorkspaceEdit(edits);
+        ClientCapabilities capabilities = new ClientCapabilities();
+        capabilities.setWorkspace(workspace);
+        return capabilities;
     }
 
     LanguageServer server() {
@@ -93,9 +112,14 @@ final class EditorClient implements LanguageClient, AutoCloseable {
     }
 
     /**
-     * The path below the workspace, with forward slashes; addresses outside are left as they are.
+     * The path below the workspace, with forward slashes; of a model of the library, its name
+     * behind {@code library:}. Other addresses outside are left as they are.
      */
     String path(String address) {
+        Path file = Path.of(URI.create(address));
+        if (LibraryFolder.holds(file)) {
+            return "library:" + file.getFileName();
+        }
         String start = folder.toUri().toString();
         return address.startsWith(start) ? address.substring(start.length()) : address;
     }
@@ -165,12 +189,40 @@ final class EditorClient implements LanguageClient, AutoCloseable {
 
     /** Files that are not open are opened for it. */
     void apply(WorkspaceEdit edit) throws IOException {
-        for (Map.Entry<String, List<TextEdit>> each : edit.getChanges().entrySet()) {
-            String path = path(each.getKey());
-            if (!open.containsKey(path)) {
-                open(path);
+        if (edit.getDocumentChanges() == null) {
+            for (Map.Entry<String, List<TextEdit>> each : edit.getChanges().entrySet()) {
+                applyOpened(path(each.getKey()), each.getValue());
             }
-            apply(path, each.getValue());
+            return;
+        }
+        for (Either<TextDocumentEdit, ResourceOperation> each : edit.getDocumentChanges()) {
+            if (each.isLeft()) {
+                TextDocumentEdit texts = each.getLeft();
+                applyOpened(
+                        path(texts.getTextDocument().getUri()),
+                        texts.getEdits().stream().map(Either::getLeft).toList());
+            } else {
+                move((RenameFile) each.getRight());
+            }
+        }
+    }
+
+    private void applyOpened(String path, List<TextEdit> edits) throws IOException {
+        if (!open.containsKey(path)) {
+            open(path);
+        }
+        apply(path, edits);
+    }
+
+    /** As editors do: the text on the screen goes to the new place. */
+    private void move(RenameFile operation) throws IOException {
+        String from = path(operation.getOldUri());
+        String to = path(operation.getNewUri());
+        Files.move(folder.resolve(from), folder.resolve(to));
+        if (open.containsKey(from)) {
+            Files.writeString(folder.resolve(to), text(from).text());
+            close(from);
+            open(to);
         }
     }
 

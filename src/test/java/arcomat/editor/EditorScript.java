@@ -42,7 +42,7 @@ final class EditorScript {
             case "format-range" -> silently(() -> format(path, range(place)));
             default ->
                     new NameSteps(client)
-                            .run(words[0], path, place)
+                            .run(words[0], path, place, rest)
                             .orElseThrow(() -> new AssertionError("no step: " + step));
         };
     }

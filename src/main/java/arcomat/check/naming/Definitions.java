@@ -13,7 +13,7 @@ public final class Definitions {
     private Definitions() {}
 
     /** The name of a definition; a bare automaton may have none. */
-    static Optional<Name> name(Definition definition) {
+    public static Optional<Name> name(Definition definition) {
         return definition.match(
                 new Definition.Cases<>(
                         component -> Optional.of(component.name()),

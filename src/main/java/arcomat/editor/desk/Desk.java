@@ -2,13 +2,17 @@ package arcomat.editor.desk;
 
 import arcomat.editor.text.Positions;
 import arcomat.pipeline.PathNames;
+import arcomat.pipeline.check.Library;
+import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.SourceFile;
+import arcomat.symbols.names.Lazy;
 
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
 
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
@@ -32,6 +36,7 @@ public final class Desk {
     private final Set<Path> folders = new HashSet<>();
     private final Map<Path, SourceFile> screen = new HashMap<>();
     private final Roots roots = new Roots();
+    private final Lazy<Optional<Path>> library = new Lazy<>(Desk::writtenLibrary);
 
     /** Takes in all models of a folder. */
     public void add(Path folder) {
@@ -146,7 +151,7 @@ public final class Desk {
         return roots.of(file).flatMap(models -> view(models, Roots.path(models, file)));
     }
 
-    private static Optional<View> view(OpenModels models, String path) {
+    private Optional<View> view(OpenModels models, String path) {
         return models.source(path)
                 .map(
                         source ->
@@ -154,7 +159,28 @@ public final class Desk {
                                         models,
                                         source,
                                         models.parsed(path).orElseThrow(),
-                                        each -> models.root().resolve(each)));
+                                        each -> place(models, each)));
+    }
+
+    /** Where editors find a file of some models; the library's are written for them. */
+    public Path place(OpenModels models, String path) {
+        return models.isLibrary(path) && library.get().isPresent()
+                ? library.get().get().resolve(Library.below(path))
+                : models.root().resolve(path);
+    }
+
+    private static Optional<Path> writtenLibrary() {
+        try {
+            return Optional.of(LibraryFolder.written());
+        } catch (IOException cannotWrite) {
+            return Optional.empty();
+        }
+    }
+
+    /** Whether findings are for whoever works here: the library's are, where it is looked at. */
+    public boolean isShown(OpenModels models, String path) {
+        Path file = models.root().resolve(path);
+        return !models.isLibrary(path) && (!LibraryFolder.holds(file) || screen.containsKey(file));
     }
 
     /** The text on the screen, of whatever kind. */

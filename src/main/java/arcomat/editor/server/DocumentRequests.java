@@ -19,13 +19,14 @@ import org.eclipse.lsp4j.jsonrpc.messages.Either;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
 
 /** What editors say and ask about one file. */
 final class DocumentRequests extends NameRequests {
     private final Worker worker;
 
-    DocumentRequests(Worker worker) {
-        super(worker);
+    DocumentRequests(Worker worker, BooleanSupplier movesFiles) {
+        super(worker, movesFiles);
         this.worker = worker;
     }
 

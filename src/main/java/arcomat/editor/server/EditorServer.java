@@ -18,6 +18,7 @@ import org.eclipse.lsp4j.InitializedParams;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
+import org.eclipse.lsp4j.ResourceOperationKind;
 import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.ServerInfo;
 import org.eclipse.lsp4j.TextDocumentSyncKind;
@@ -51,6 +52,7 @@ public final class EditorServer implements LanguageServer {
     private LanguageClient client;
 
     private boolean watches;
+    private volatile boolean movesFiles;
     private boolean shutDown;
 
     /**
@@ -73,6 +75,7 @@ public final class EditorServer implements LanguageServer {
     @Override
     public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
         watches = canWatch(params.getCapabilities());
+        movesFiles = canMoveFiles(params.getCapabilities());
         if (params.getWorkspaceFolders() != null) {
             for (WorkspaceFolder folder : params.getWorkspaceFolders()) {
                 Positions.path(folder.getUri())
@@ -87,6 +90,15 @@ public final class EditorServer implements LanguageServer {
         var workspace = capabilities == null ? null : capabilities.getWorkspace();
         var watching = workspace == null ? null : workspace.getDidChangeWatchedFiles();
         return watching != null && Boolean.TRUE.equals(watching.getDynamicRegistration());
+    }
+
+    private static boolean canMoveFiles(ClientCapabilities capabilities) {
+        var workspace = capabilities == null ? null : capabilities.getWorkspace();
+        var edits = workspace == null ? null : workspace.getWorkspaceEdit();
+        return edits != null
+                && Boolean.TRUE.equals(edits.getDocumentChanges())
+                && edits.getResourceOperations() != null
+                && edits.getResourceOperations().contains(ResourceOperationKind.Rename);
     }
 
     private static ServerCapabilities capabilities() {
@@ -122,16 +134,20 @@ public final class EditorServer implements LanguageServer {
         Set<String> gone = new HashSet<>(published.keySet());
         for (OpenModels models : desk.models()) {
             for (String path : models.checkedPaths()) {
-                String address = address(models, path);
-                gone.remove(address);
-                publish(address, Diagnostics.of(models, path, other -> address(models, other)));
+                if (desk.isShown(models, path)) {
+                    String address = address(desk, models, path);
+                    gone.remove(address);
+                    publish(
+                            address,
+                            Diagnostics.of(models, path, each -> address(desk, models, each)));
+                }
             }
         }
         gone.forEach(address -> publish(address, List.of()));
     }
 
-    private static String address(OpenModels models, String path) {
-        return models.root().resolve(path).toUri().toString();
+    private static String address(Desk desk, OpenModels models, String path) {
+        return desk.place(models, path).toUri().toString();
     }
 
     private void publish(String address, List<Diagnostic> findings) {
@@ -157,7 +173,7 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public TextDocumentService getTextDocumentService() {
-        return new DocumentRequests(worker);
+        return new DocumentRequests(worker, () -> movesFiles);
     }
 
     @Override

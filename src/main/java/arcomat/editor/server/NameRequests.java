@@ -2,7 +2,10 @@ package arcomat.editor.server;
 
 import arcomat.editor.answer.GoTo;
 import arcomat.editor.answer.NamedPlaces;
+import arcomat.editor.answer.Renames;
+import arcomat.editor.desk.Desk;
 import arcomat.editor.desk.View;
+import arcomat.editor.name.RenameRefused;
 import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.DefinitionParams;
@@ -11,23 +14,41 @@ import org.eclipse.lsp4j.DocumentHighlightParams;
 import org.eclipse.lsp4j.ImplementationParams;
 import org.eclipse.lsp4j.Location;
 import org.eclipse.lsp4j.LocationLink;
+import org.eclipse.lsp4j.PrepareRenameDefaultBehavior;
+import org.eclipse.lsp4j.PrepareRenameParams;
+import org.eclipse.lsp4j.PrepareRenameResult;
+import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.ReferenceParams;
+import org.eclipse.lsp4j.RenameOptions;
+import org.eclipse.lsp4j.RenameParams;
 import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.TextDocumentIdentifier;
 import org.eclipse.lsp4j.TypeDefinitionParams;
+import org.eclipse.lsp4j.WorkspaceEdit;
+import org.eclipse.lsp4j.jsonrpc.ResponseErrorException;
 import org.eclipse.lsp4j.jsonrpc.messages.Either;
+import org.eclipse.lsp4j.jsonrpc.messages.Either3;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseError;
+import org.eclipse.lsp4j.jsonrpc.messages.ResponseErrorCode;
 import org.eclipse.lsp4j.services.TextDocumentService;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 
 /** What editors ask about names in one file. */
 abstract class NameRequests implements TextDocumentService {
     private final Worker worker;
+    private final BooleanSupplier movesFiles;
 
-    NameRequests(Worker worker) {
+    /**
+     * @param movesFiles whether the editor can rename files, once it has said so
+     */
+    NameRequests(Worker worker, BooleanSupplier movesFiles) {
         this.worker = worker;
+        this.movesFiles = movesFiles;
     }
 
     static void announce(ServerCapabilities can) {
@@ -36,6 +57,7 @@ abstract class NameRequests implements TextDocumentService {
         can.setImplementationProvider(true);
         can.setReferencesProvider(true);
         can.setDocumentHighlightProvider(true);
+        can.setRenameProvider(new RenameOptions(true));
     }
 
     /** Asks about a model as it is on the screen; the answer is empty where it is none. */
@@ -89,5 +111,55 @@ abstract class NameRequests implements TextDocumentService {
             DocumentHighlightParams params) {
         return ask(params.getTextDocument(), view -> NamedPlaces.inFile(view, params.getPosition()))
                 .thenApply(places -> places);
+    }
+
+    /** An answer that may be refused with a reason. */
+    private interface Refusable<T> {
+        T of(View view) throws RenameRefused;
+    }
+
+    private static <T> T answer(Desk desk, TextDocumentIdentifier document, Refusable<T> question) {
+        Optional<View> view = Positions.path(document.getUri()).flatMap(desk::view);
+        if (view.isEmpty()) {
+            throw failure("this is no model that can be read");
+        }
+        try {
+            return question.of(view.get());
+        } catch (RenameRefused refused) {
+            throw failure(refused.reason());
+        }
+    }
+
+    private static ResponseErrorException failure(String reason) {
+        return new ResponseErrorException(
+                new ResponseError(ResponseErrorCode.RequestFailed, reason, null));
+    }
+
+    @Override
+    public CompletableFuture<Either3<Range, PrepareRenameResult, PrepareRenameDefaultBehavior>>
+            prepareRename(PrepareRenameParams params) {
+        return worker.ask(
+                (desk, canceled) ->
+                        Either3.forSecond(
+                                answer(
+                                        desk,
+                                        params.getTextDocument(),
+                                        view -> Renames.prepare(view, params.getPosition()))));
+    }
+
+    @Override
+    public CompletableFuture<WorkspaceEdit> rename(RenameParams params) {
+        return worker.askChecked(
+                (desk, canceled) ->
+                        answer(
+                                desk,
+                                params.getTextDocument(),
+                                view ->
+                                        Renames.edit(
+                                                view,
+                                                params.getPosition(),
+                                                params.getNewName(),
+                                                movesFiles.getAsBoolean(),
+                                                canceled::checkCanceled)));
     }
 }

@@ -82,6 +82,8 @@ public record AtomicView(
      * @param assignments in an order that needs no further locals
      * @param messages event-driven: methods that send, with what they send, before any assignment
      * @param target constant or code of the next state, empty where the state stays
+     * @param mark for the line that is reached exactly where the transition has been taken; the
+     *     file does not have it
      */
     public record TransitionView(
             int index,
@@ -90,7 +92,8 @@ public record AtomicView(
             List<FieldView> locals,
             List<AssignmentView> messages,
             List<AssignmentView> assignments,
-            String target) {}
+            String target,
+            String mark) {}
 
     /**
      * Some transitions of a state that has too many for one method.

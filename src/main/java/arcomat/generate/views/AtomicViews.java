@@ -4,6 +4,7 @@ import arcomat.generate.language.Places;
 import arcomat.generate.plan.AutomatonPlan;
 import arcomat.generate.text.ExpressionWriter;
 import arcomat.generate.text.FileContext;
+import arcomat.generate.text.LineMarks;
 import arcomat.generate.view.AtomicView;
 import arcomat.generate.view.AtomicView.ChunkView;
 import arcomat.generate.view.AtomicView.CompletionView;
@@ -47,7 +48,8 @@ public final class AtomicViews {
         Declarations declarations = new Declarations(component, context);
         List<Variable> computed = new ArrayList<>(component.constants());
         computed.addAll(automaton.variables());
-        List<TransitionView> initials = automaton.initials().stream().map(this::initial).toList();
+        List<TransitionView> initials = new ArrayList<>();
+        automaton.initials().forEach(each -> initials.add(initial(initials.size(), each)));
         List<StateView> states = new ArrayList<>();
         plan.states().forEach(state -> states.add(state(states.size(), state)));
         int size = MethodSize.statesPerMethod(states);
@@ -85,7 +87,7 @@ public final class AtomicViews {
         return label(context, automaton, state);
     }
 
-    private TransitionView initial(Automaton.Initial initial) {
+    private TransitionView initial(int index, Automaton.Initial initial) {
         String place = component.name() + ", initial" + Fault.line(initial.span());
         Effects.Effect effect =
                 effects.of(context.expressions().at(place), initial.sends(), initial.assignments());
@@ -96,7 +98,8 @@ public final class AtomicViews {
                 effect.locals(),
                 effect.messages(),
                 effect.assignments(),
-                label(initial.state()));
+                label(initial.state()),
+                LineMarks.initial(index));
     }
 
     /**
@@ -180,7 +183,8 @@ public final class AtomicViews {
                 effect.locals(),
                 effect.messages(),
                 effect.assignments(),
-                stays ? "" : label(transition.target()));
+                stays ? "" : label(transition.target()),
+                LineMarks.transition(way.index()));
     }
 
     private CompletionView completion(List<SectionView> sections) {

@@ -4,6 +4,7 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.Variation;
 import arcomat.campaign.Variation.Choice;
 import arcomat.campaign.Variation.Range;
+import arcomat.generate.AutomatonLines;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.check.Aside;
@@ -51,6 +52,7 @@ final class CampaignPrograms {
     private final String file;
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
     private final Map<String, Program> programs = new TreeMap<>();
+    private final Map<String, List<AutomatonLines>> automata = new TreeMap<>();
     private final ProgramCache made = new ProgramCache();
     private final Map<String, Kind.Program> named = new TreeMap<>();
     private Aside aside = Aside.NOTHING;
@@ -66,6 +68,7 @@ final class CampaignPrograms {
      * What came of it.
      *
      * @param programs by what worlds say of them
+     * @param automata of those that were made of models, likewise
      * @param named what worlds say of them
      * @param findings about the campaign, the world and models
      * @param files how many files were read
@@ -73,6 +76,7 @@ final class CampaignPrograms {
      */
     record Result(
             Map<String, Program> programs,
+            Map<String, List<AutomatonLines>> automata,
             Collection<Kind.Program> named,
             List<Diagnostic> findings,
             int files,
@@ -89,7 +93,12 @@ final class CampaignPrograms {
             all.make(session);
         }
         return new Result(
-                all.programs, all.named.values(), List.copyOf(all.findings), all.files, all.aside);
+                all.programs,
+                all.automata,
+                all.named.values(),
+                List.copyOf(all.findings),
+                all.files,
+                all.aside);
     }
 
     private void requireParameters() {
@@ -153,6 +162,7 @@ final class CampaignPrograms {
         files = Math.max(files, world.files());
         findings.addAll(world.findings());
         programs.putAll(world.programs());
+        automata.putAll(world.automata());
     }
 
     /** What a world with these values names; nothing, where it is no world. */

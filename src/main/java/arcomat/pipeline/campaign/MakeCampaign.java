@@ -2,11 +2,11 @@ package arcomat.pipeline.campaign;
 
 import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judge;
-import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
-import arcomat.campaign.WorstSearch;
+import arcomat.campaign.coverage.Coverage;
+import arcomat.campaign.coverage.CoverageCount;
 import arcomat.campaign.overview.Overview;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
@@ -22,8 +22,8 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.Optional;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -45,31 +45,36 @@ public record MakeCampaign(
      * What was made.
      *
      * @param overview of all rows
+     * @param coverage of the automata of its robots, by all rows
      * @param runs how many rows the table has
      * @param planned how many it could have: less where the answer was clear before
      * @param table what tells this table from any other
      */
     public record Made(
-            CampaignResult result, Overview overview, long runs, long planned, String table) {
+            CampaignResult result,
+            Overview overview,
+            Coverage coverage,
+            long runs,
+            long planned,
+            String table) {
         /**
          * For who shows it.
          *
          * @param file the campaign, as the user wrote it
          * @param made what was run
+         * @param further what came of the runs that the table does not have
          */
         public CampaignReport report(
-                String file,
-                PrepareCampaign.Ready made,
-                Optional<WorstSearch> worst,
-                Optional<RareEvent> rare) {
+                String file, PrepareCampaign.Ready made, FurtherRuns.Found further) {
             return new CampaignReport(
                     file,
                     made.campaign(),
                     made.replay(),
                     result,
                     overview,
-                    worst,
-                    rare,
+                    coverage.and(further.coverage()),
+                    further.worst(),
+                    further.rare(),
                     planned,
                     table);
         }
@@ -81,16 +86,23 @@ public record MakeCampaign(
     @Override
     public Made run(Session session) throws WrongUse {
         Judge judge = new Judge(ready.campaign());
+        CoverageCount count = new CoverageCount(ready.items());
+        Consumer<Row> seen =
+                row -> {
+                    judge.see(row);
+                    count.see(row.reached());
+                };
         String hash = ready.freight().hash();
         try (ResultFolder folder = ResultFolder.of(results, session.names());
-                RowFile rows = folder.rows(ready.campaign(), hash, resumes, judge::see);
+                RowFile rows = folder.rows(ready.campaign(), hash, resumes, seen);
                 Engine engine = engines.apply(ready.freight())) {
             Trials trials = Trials.of(ready.campaign());
-            new Course(judge, rows, engine, trials).run(session);
+            new Course(judge, seen, rows, engine, trials).run(session);
             CampaignResult result = judged(judge, rows);
             Overview overview = Overview.of(ready.campaign(), rows::rows);
             folder.keep(rows);
-            return new Made(result, overview, rows.count(), trials.count(), rows.hash());
+            return new Made(
+                    result, overview, count.coverage(), rows.count(), trials.count(), rows.hash());
         } catch (EngineFailure e) {
             throw new WrongUse("%s", String.valueOf(e.getMessage()));
         } catch (IOException e) {
@@ -109,6 +121,7 @@ public record MakeCampaign(
     /** From the first row that is missing to the last. */
     private static final class Course {
         private final Judge judge;
+        private final Consumer<Row> seen;
         private final RowFile rows;
         private final Engine engine;
         private final Trials trials;
@@ -116,8 +129,9 @@ public record MakeCampaign(
         private final TreeMap<Long, Row> early = new TreeMap<>();
         private long given;
 
-        Course(Judge judge, RowFile rows, Engine engine, Trials trials) {
+        Course(Judge judge, Consumer<Row> seen, RowFile rows, Engine engine, Trials trials) {
             this.judge = judge;
+            this.seen = seen;
             this.rows = rows;
             this.engine = engine;
             this.trials = trials;
@@ -156,7 +170,7 @@ public record MakeCampaign(
             long number = rows.count();
             while (!early.isEmpty() && early.firstKey() == number && !judge.isDecided()) {
                 Row row = early.pollFirstEntry().getValue();
-                judge.see(row);
+                seen.accept(row);
                 next.add(row);
                 number++;
             }

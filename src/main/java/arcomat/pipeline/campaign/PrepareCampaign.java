@@ -2,6 +2,7 @@ package arcomat.pipeline.campaign;
 
 import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignParser;
+import arcomat.campaign.coverage.CoverageItems;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
@@ -53,8 +54,9 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
      * A campaign that can be run.
      *
      * @param world path of its world, as the user would write it
+     * @param items what its runs may cover
      */
-    public record Ready(Campaign campaign, String world, Freight freight) {
+    public record Ready(Campaign campaign, String world, Freight freight, CoverageItems items) {
         /** How its runs are made again. */
         public RunAgain replay() {
             return new RunAgain(world, freight.limited());
@@ -82,11 +84,17 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         }
         WatchFreight watching =
                 WatchFreight.of(
-                        campaign, programs.named(), programs.programs(), worldFile, session);
+                        campaign,
+                        programs.named(),
+                        programs.programs(),
+                        programs.automata(),
+                        worldFile,
+                        session);
         findings.addAll(watching.findings());
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
+        CoveragePlan coverage = CoveragePlan.of(watching.automata(), programs.named());
         Freight freight =
                 new Freight(
                         version,
@@ -95,12 +103,13 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
                         limits.equals(Limits.OF_THE_BRICK),
                         patience.toSeconds(),
                         watching.programs(),
-                        watching.monitors());
+                        watching.monitors(),
+                        coverage.probes());
         return new Prepared(
                 findings,
                 1 + programs.files(),
                 programs.aside(),
-                Optional.of(new Ready(campaign, worldFile, freight)));
+                Optional.of(new Ready(campaign, worldFile, freight, coverage.items())));
     }
 
     private String beside(String written) {

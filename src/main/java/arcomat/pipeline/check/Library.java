@@ -71,7 +71,19 @@ public final class Library {
 
     /** A file by the path that findings show. */
     public static SourceFile file(String shown) {
-        return new SourceFile(shown, text(shown.substring(ROOT.length() + 1)));
+        return new SourceFile(shown, text(below(shown)));
+    }
+
+    /** All models, by their paths below the model root. */
+    static Map<String, String> texts() {
+        Map<String, String> texts = new TreeMap<>();
+        index().values().forEach(path -> texts.put(path, text(path)));
+        return texts;
+    }
+
+    /** The path below the model root, of one that findings show. */
+    public static String below(String shown) {
+        return shown.substring(ROOT.length() + 1);
     }
 
     /** Whether a path, as findings show it, leads into the library. */

@@ -5,6 +5,7 @@ import arcomat.campaign.statistics.Decision;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.Task;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.FurtherRuns;
 import arcomat.pipeline.campaign.MakeCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.engine.Freight;
@@ -15,7 +16,6 @@ import arcomat.source.Diagnostic;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 
 /**
  * Makes the runs of campaigns that a gate names, on all processors. What is searched for, or split
@@ -61,7 +61,7 @@ public record RunGateCampaigns(List<PrepareGateCampaigns.Named> campaigns)
         PrepareCampaign.Ready ready = named.ready();
         MakeCampaign.Made made =
                 session.run(new MakeCampaign(ready, "", false, RunGateCampaigns::engine));
-        return made.report(named.file(), ready, Optional.empty(), Optional.empty());
+        return made.report(named.file(), ready, FurtherRuns.Found.nothing(ready.items()));
     }
 
     private static ThreadEngine engine(Freight freight) {

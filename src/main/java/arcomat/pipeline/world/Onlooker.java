@@ -2,6 +2,8 @@ package arcomat.pipeline.world;
 
 import arcomat.world.Scene;
 
+import java.util.BitSet;
+
 /** Who looks at a world while it runs, and changes nothing. */
 @FunctionalInterface
 public interface Onlooker {
@@ -22,4 +24,11 @@ public interface Onlooker {
      * @param type full name of the class of the method's object
      */
     default void entered(String robot, String type, String method) {}
+
+    /**
+     * Told at the end, if it comes to one.
+     *
+     * @param numbers of the lines that the robot's program has come to, of those that have a probe
+     */
+    default void reached(String robot, BitSet numbers) {}
 }

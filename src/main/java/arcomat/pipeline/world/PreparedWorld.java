@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.generate.AutomatonLines;
 import arcomat.pipeline.brick.PluggedDevices;
 import arcomat.pipeline.check.Aside;
 import arcomat.sim.Laboratory;
@@ -23,6 +24,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 
@@ -62,7 +64,8 @@ public final class PreparedWorld {
                 throw new IllegalArgumentException("no program was made for " + robot.name());
             }
             equipment.put(
-                    robot.name(), new WorldPrograms.Equipment(program, devices(robot.kind())));
+                    robot.name(),
+                    new WorldPrograms.Equipment(program, Optional.empty(), devices(robot.kind())));
         }
         return new PreparedWorld(List.of(), Aside.NOTHING, 1, world, equipment);
     }
@@ -93,6 +96,22 @@ public final class PreparedWorld {
             }
         }
         return programs;
+    }
+
+    /**
+     * Where programs that were made of models have the automata of these, by {@link
+     * Kind.Program#key}.
+     */
+    public Map<String, List<AutomatonLines>> automata() {
+        Map<String, List<AutomatonLines>> automata = new TreeMap<>();
+        if (world != null) {
+            for (World.Robot robot : world.robots()) {
+                Objects.requireNonNull(equipment.get(robot.name()))
+                        .automata()
+                        .ifPresent(all -> automata.put(robot.kind().program().key(), all));
+            }
+        }
+        return automata;
     }
 
     /** About the world, and about the models of its robots. */

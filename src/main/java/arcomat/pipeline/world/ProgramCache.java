@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.generate.AutomatonLines;
 import arcomat.generate.Generation;
 import arcomat.generate.Generator;
 import arcomat.generate.Request;
@@ -30,6 +31,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 
 /**
  * Programs and devices of robots, each read or made, and loaded, once for any number of worlds:
@@ -54,10 +56,18 @@ public final class ProgramCache {
      * What came of it.
      *
      * @param program null where a finding says why there is none
+     * @param automata where its code has those of its models; empty for a jar that was given
      * @param findings about the program, not about its models
      */
-    record Made(@Nullable LoadedProgram program, List<Diagnostic> findings) {
-        static final Made NOTHING = new Made(null, List.of());
+    record Made(
+            @Nullable LoadedProgram program,
+            Optional<List<AutomatonLines>> automata,
+            List<Diagnostic> findings) {
+        static final Made NOTHING = none(List.of());
+
+        static Made none(List<Diagnostic> findings) {
+            return new Made(null, Optional.empty(), findings);
+        }
     }
 
     /** A model root with its meaning, which is null where there are errors. */
@@ -97,7 +107,7 @@ public final class ProgramCache {
         Wanted wanted = new Wanted(Form.JAR, "", path);
         Made known = programs.get(wanted);
         if (known == null) {
-            known = checked(JarReader.read(path, session.names()), List.of());
+            known = checked(JarReader.read(path, session.names()), Optional.empty(), List.of());
             programs.put(wanted, known);
         }
         return known;
@@ -146,25 +156,28 @@ public final class ProgramCache {
         Request request = Request.program(main.closed(), Choosing.FIRST).with(own.texts());
         Generation generation = Generator.generate(request, target);
         if (generation.findings().stream().anyMatch(Diagnostic::isError)) {
-            return new Made(null, generation.findings());
+            return Made.none(generation.findings());
         }
         RobotBuilder.Result built = RobotBuilder.build(generation, own);
         List<Diagnostic> findings = new ArrayList<>(generation.findings());
         findings.addAll(built.findings());
         if (built.jars().isEmpty()) {
-            return new Made(null, findings);
+            return Made.none(findings);
         }
         String path = built.robots().get(0).jar();
         byte[] jar = Objects.requireNonNull(built.jars().get(path));
-        return checked(JarReader.made(path, jar), findings);
+        List<AutomatonLines> automata = generation.layout().automata();
+        return checked(JarReader.made(path, jar), Optional.of(automata), findings);
     }
 
-    private static Made checked(JarReader jar, List<Diagnostic> before) throws WrongUse {
+    private static Made checked(
+            JarReader jar, Optional<List<AutomatonLines>> automata, List<Diagnostic> before)
+            throws WrongUse {
         List<Diagnostic> obstacles = jar.report().obstacles();
         List<Diagnostic> findings = new ArrayList<>(before);
         findings.addAll(obstacles);
         if (!obstacles.isEmpty()) {
-            return new Made(null, findings);
+            return Made.none(findings);
         }
         Program program = jar.program();
         if (!program.classes().containsKey(program.mainClass())) {
@@ -172,6 +185,6 @@ public final class ProgramCache {
                     "'%s' is no robot's jar: it names the main class %s and does not contain it",
                     jar.shown(), program.mainClass());
         }
-        return new Made(LoadedProgram.forMany(program), findings);
+        return new Made(LoadedProgram.forMany(program), automata, findings);
     }
 }

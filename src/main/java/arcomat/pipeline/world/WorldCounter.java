@@ -9,6 +9,8 @@ import arcomat.world.Tally;
 import arcomat.world.World;
 import arcomat.world.World.Robot;
 
+import java.util.BitSet;
+
 /** Keeps of a run what a campaign asks, and no frames. */
 final class WorldCounter implements Witness {
     private final Tally tally;
@@ -50,6 +52,11 @@ final class WorldCounter implements Witness {
     public void see(Scene scene, Instruments instruments) {
         tally.see(scene);
         beside.see(scene, instruments);
+    }
+
+    @Override
+    public void reached(String robot, BitSet numbers) {
+        beside.reached(robot, numbers);
     }
 
     @Override

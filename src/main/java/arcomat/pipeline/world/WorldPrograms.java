@@ -1,5 +1,6 @@
 package arcomat.pipeline.world;
 
+import arcomat.generate.AutomatonLines;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.brick.PluggedDevices;
@@ -24,6 +25,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Supplier;
 
@@ -40,7 +42,7 @@ final class WorldPrograms {
     private final Session session;
     private final ProgramCache cache;
     private final Map<String, CheckedModels> checked = new LinkedHashMap<>();
-    private final Map<Kind.Program, @Nullable LoadedProgram> programs = new HashMap<>();
+    private final Map<Kind.Program, Made> programs = new HashMap<>();
     private final TreeSet<Diagnostic> findings = new TreeSet<>(Diagnostic.ORDER);
 
     private WorldPrograms(
@@ -52,8 +54,15 @@ final class WorldPrograms {
         this.cache = cache;
     }
 
-    /** What the brick of a robot is given: its program, and devices that a team has described. */
-    record Equipment(@Nullable LoadedProgram program, PluggedDevices devices) {}
+    /**
+     * What the brick of a robot is given: its program, and devices that a team has described.
+     *
+     * @param automata where its program has those of its models; empty for a jar that was given
+     */
+    record Equipment(
+            @Nullable LoadedProgram program,
+            Optional<List<AutomatonLines>> automata,
+            PluggedDevices devices) {}
 
     /**
      * What came of it.
@@ -89,10 +98,12 @@ final class WorldPrograms {
             if (!devices.containsKey(robot.kind().name())) {
                 devices.put(robot.kind().name(), devices(robot.kind()));
             }
+            Made made = Objects.requireNonNull(programs.get(wanted));
             byRobot.put(
                     robot.name(),
                     new Equipment(
-                            programs.get(wanted),
+                            made.program(),
+                            made.automata(),
                             Objects.requireNonNull(devices.get(robot.kind().name()))));
         }
         int files = 0;
@@ -104,18 +115,18 @@ final class WorldPrograms {
         return new Result(byRobot, List.copyOf(findings), files, aside);
     }
 
-    /** Null if there is a finding about it. */
-    private @Nullable LoadedProgram program(Kind.Program wanted) {
+    /** Without a program if there is a finding about it. */
+    private Made program(Kind.Program wanted) {
         try {
             Made made =
                     wanted.form() == Kind.Program.Form.JAR
                             ? cache.jar(beside(wanted.name()), session)
                             : made(wanted.name(), beside(wanted.folder()));
             findings.addAll(made.findings());
-            return made.program();
+            return made;
         } catch (WrongUse e) {
             findings.add(wanted.error(NO_PROGRAM, String.valueOf(e.getMessage())));
-            return null;
+            return Made.NOTHING;
         }
     }
 

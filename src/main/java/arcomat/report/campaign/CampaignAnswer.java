@@ -41,6 +41,7 @@ record CampaignAnswer(
         List<Event> events,
         List<Measure> measures,
         List<Run> notable,
+        CoverageAnswer coverage,
         Optional<Compared> compared,
         Optional<Worst> worst,
         Optional<Rare> rare) {
@@ -211,6 +212,7 @@ record CampaignAnswer(
                 result.notable().stream()
                         .map(each -> Run.of(each, campaign, report.replay()))
                         .toList(),
+                CoverageAnswer.of(report.coverage()),
                 Compared.of(report),
                 report.worst().map(each -> Worst.of(each, report)),
                 report.rare().map(each -> Rare.of(each, report)));

@@ -24,6 +24,7 @@ public final class CampaignPage {
                     "campaign/runs.js",
                     "campaign/rare.js",
                     "campaign/worst.js",
+                    "campaign/coverage.js",
                     "campaign/campaign.js");
 
     private CampaignPage() {}

@@ -5,6 +5,7 @@ import arcomat.campaign.CampaignResult;
 import arcomat.campaign.Judgement;
 import arcomat.campaign.RareEvent;
 import arcomat.campaign.WorstSearch;
+import arcomat.campaign.coverage.Coverage;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Decision;
 import arcomat.report.page.Page.Tone;
@@ -19,6 +20,7 @@ import java.util.function.Predicate;
  * @param campaign what was asked
  * @param replay how its runs are made again
  * @param result what came of it
+ * @param coverage of the automata of its robots
  * @param worst what a search has found; empty where there was none
  * @param rare what a splitting says; empty where there was none
  * @param planned how many runs it could have had: less where the answer was clear before
@@ -30,6 +32,7 @@ public record CampaignReport(
         RunAgain replay,
         CampaignResult result,
         Overview overview,
+        Coverage coverage,
         Optional<WorstSearch> worst,
         Optional<RareEvent> rare,
         long planned,

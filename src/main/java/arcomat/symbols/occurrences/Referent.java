@@ -88,7 +88,7 @@ public sealed interface Referent {
 
     /** Empty for the default package. */
     static Optional<Referent> ofPackage(String qualifiedName) {
-        return qualifiedName.isEmpty() ? Optional.empty() : Optional.of(new Package(qualifiedName));
+        return qualifiedName.isEmpty() ? Optional.empty() : Optional.of(new PackageName(qualifiedName));
     }
 
     static Referent diagramOf(Unit unit, ClassDiagram diagram) {
@@ -96,7 +96,7 @@ public sealed interface Referent {
     }
 
     /** One of the names in a path of packages, with all in front of it. */
-    record Package(String qualifiedName) implements Referent {
+    record PackageName(String qualifiedName) implements Referent {
         @Override
         public Kind kind() {
             return Kind.PACKAGE;
@@ -206,7 +206,7 @@ public sealed interface Referent {
 
         @Override
         public Optional<Referent> around() {
-            return Optional.of(new Package("java.lang"));
+            return Optional.of(new PackageName("java.lang"));
         }
     }
 

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
 /** All models of this repository, those with mistakes too, as an editor has them. */
 final class ShippedModels {
     private static final List<Path> FOLDERS =
-            Stream.of("models", "src/main/resources/library", "src/test/resources")
+            Stream.of("models", "lejos-runtime/nxt/src/main/arc", "src/test/resources")
                     .map(folder -> Path.of(folder).toAbsolutePath())
                     .toList();
 

@@ -35,7 +35,8 @@ class SizesTest {
                 List.of(new FieldView("int", "local", "a", "")),
                 Collections.nCopies(messages, some),
                 Collections.nCopies(assignments, some),
-                "t");
+                "t",
+                "");
     }
 
     @Test

@@ -4,11 +4,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.pipeline.campaign.engine.Freight;
+import arcomat.pipeline.campaign.engine.ItemProbes;
+import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.Program;
 
 import org.junit.jupiter.api.Test;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 
@@ -51,6 +54,28 @@ class FreightTest {
                                                 true,
                                                 30,
                                                 Map.of("k", PROGRAM)))
+                                .map(Freight::hash))
+                .doesNotHaveDuplicates();
+    }
+
+    private static Freight covering(int transitions, LineProbe... probes) {
+        ItemProbes coverage =
+                new ItemProbes(transitions, Map.of("key /\n", List.of(probes), "other", List.of()));
+        return new Freight("1", "", "", true, 30, Map.of("key /\n", PROGRAM), Map.of(), coverage);
+    }
+
+    @Test
+    void probesTravelWithTheirPrograms() throws Exception {
+        Freight freight = covering(2, new LineProbe("p.Main", 7, 0), new LineProbe("p.Main", 9, 2));
+        assertThat(Freight.unpacked(freight.packed()).coverage()).isEqualTo(freight.coverage());
+        assertThat(
+                        Stream.of(
+                                        freight,
+                                        covering(3, new LineProbe("p.Main", 7, 0)),
+                                        covering(2, new LineProbe("p.Main", 7, 0)),
+                                        covering(2, new LineProbe("p.Main", 8, 0)),
+                                        covering(2, new LineProbe("p.Main", 7, 1)),
+                                        covering(2))
                                 .map(Freight::hash))
                 .doesNotHaveDuplicates();
     }

@@ -8,6 +8,10 @@ import arcomat.campaign.CampaignParser;
 import arcomat.campaign.Quantity;
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
+import arcomat.campaign.coverage.AutomatonItems;
+import arcomat.campaign.coverage.Coverage;
+import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.campaign.statistics.Decision;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
@@ -31,6 +35,7 @@ import java.nio.file.StandardOpenOption;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -41,6 +46,22 @@ import java.util.function.Function;
 class MakeCampaignTest {
     private static final String TEXT = "world a.world\nsample random 500\n";
 
+    private static final CoverageItems ITEMS =
+            new CoverageItems(
+                    List.of(
+                            new AutomatonItems(
+                                    "p.Lamp",
+                                    "p/Lamp.arc",
+                                    List.of(
+                                            new AutomatonItems.Transition(5, "off -> on", 1, true),
+                                            new AutomatonItems.Transition(6, "on -> off", 0, true),
+                                            new AutomatonItems.Transition(7, "on -> on", 1, true)),
+                                    List.of(
+                                            new AutomatonItems.State(3, "off"),
+                                            new AutomatonItems.State(3, "on")),
+                                    List.of(0))),
+                    List.of());
+
     @TempDir private Path folder;
 
     private static Row answer(Trial trial) {
@@ -48,7 +69,11 @@ class MakeCampaignTest {
                 Arrays.stream(Quantity.values())
                         .map(each -> each == Quantity.COLLISION ? hit(trial) : trial.seed() * 0.5)
                         .toList();
-        return Row.made(trial, answers);
+        BitSet reached = new BitSet();
+        reached.set(0, trial.seed() % 50 == 3);
+        reached.set(1, trial.seed() > 490);
+        reached.set(3);
+        return Row.made(trial, answers, ReachedItems.of(reached));
     }
 
     private static double hit(Trial trial) {
@@ -96,7 +121,8 @@ class MakeCampaignTest {
         Campaign campaign =
                 CampaignParser.parse(new SourceFile("a.campaign", text)).campaign().orElseThrow();
         Freight freight = new Freight("1", text, "", true, 300, Map.of());
-        PrepareCampaign.Ready ready = new PrepareCampaign.Ready(campaign, "a.world", freight);
+        PrepareCampaign.Ready ready =
+                new PrepareCampaign.Ready(campaign, "a.world", freight, ITEMS);
         Function<Freight, Engine> engines = content -> engine;
         return Session.in(folder, Progress.NONE)
                 .run(new MakeCampaign(ready, results, resumes, engines));
@@ -111,6 +137,10 @@ class MakeCampaignTest {
         assertThat(folder.resolve("other/rows.csv"))
                 .hasSameTextualContentAs(folder.resolve("one/rows.csv"));
         assertThat(one.result().occurrences().get(0).runs()).isEqualTo(50);
+        assertThat(other.coverage()).isEqualTo(one.coverage());
+        Coverage.OfAutomaton lamp = one.coverage().automata().get(0);
+        assertThat(lamp.transitions()).containsExactly(10L, 10L, 0L);
+        assertThat(lamp.states()).containsExactly(500L, 10L);
     }
 
     @ParameterizedTest
@@ -122,6 +152,10 @@ class MakeCampaignTest {
         assertThat(one.runs()).isLessThan(500);
         assertThat(one.result().judgements().get(0).decision()).isEqualTo(Decision.HOLDS);
         assertThat(other.table()).isEqualTo(one.table());
+        // Runs behind that are nobody's: they cover nothing.
+        assertThat(other.coverage()).isEqualTo(one.coverage());
+        assertThat(one.coverage().runs()).isEqualTo(one.runs());
+        assertThat(one.coverage().taken()).isEqualTo(1);
     }
 
     /** As if it had been killed after some rows, and in the middle of a line. */
@@ -139,6 +173,7 @@ class MakeCampaignTest {
         Made resumed = make(TEXT, "part", true, new Careless(9));
         assertThat(resumed.table()).isEqualTo(whole.table());
         assertThat(resumed.result()).isEqualTo(whole.result());
+        assertThat(resumed.coverage()).isEqualTo(whole.coverage());
         assertThat(folder.resolve("part/rows.csv"))
                 .hasSameTextualContentAs(folder.resolve("whole/rows.csv"));
         assertThat(unfinished).doesNotExist();

@@ -8,6 +8,7 @@ import arcomat.campaign.RareEvent;
 import arcomat.campaign.Row;
 import arcomat.campaign.TableText;
 import arcomat.campaign.Trial;
+import arcomat.campaign.coverage.CoverageItems;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -93,7 +94,8 @@ class SplitRunsTest {
 
     private Optional<RareEvent> split(Engine engine) throws WrongUse {
         Freight freight = new Freight("1", TEXT, "", true, 300, Map.of());
-        PrepareCampaign.Ready ready = new PrepareCampaign.Ready(CAMPAIGN, "a.world", freight);
+        PrepareCampaign.Ready ready =
+                new PrepareCampaign.Ready(CAMPAIGN, "a.world", freight, CoverageItems.NONE);
         return Session.in(folder, Progress.NONE).run(new SplitRuns(ready, content -> engine));
     }
 

@@ -2,6 +2,7 @@ package arcomat.pipeline.compile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import arcomat.generate.AutomatonLines;
 import arcomat.generate.plan.Choosing;
 import arcomat.model.Component;
 import arcomat.model.Letter;
@@ -10,12 +11,14 @@ import arcomat.model.Trace;
 import arcomat.model.Value;
 import arcomat.pipeline.brick.CoffeeRobot;
 import arcomat.pipeline.brick.ForwardingObserver;
+import arcomat.semantics.network.Network;
 import arcomat.sim.Laboratory;
 import arcomat.sim.SimulatedBrick;
 import arcomat.sim.device.SensorName;
 import arcomat.sim.device.SilentObserver;
 import arcomat.sim.device.Stimulus;
-import arcomat.sim.load.Program;
+import arcomat.sim.load.LineProbe;
+import arcomat.sim.load.LoadedProgram;
 import arcomat.sim.script.Action;
 import arcomat.sim.script.Script;
 import arcomat.sim.script.ScriptParser;
@@ -30,17 +33,21 @@ import org.junit.jupiter.api.TestFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /**
  * For the same sensor values, the logic does the same in every slice: interpreted, compiled for the
  * JVM, and in the jar on a simulated brick. On the brick, every port of every component is looked
- * at between two cycles, when the program sleeps.
+ * at between two cycles, when the program sleeps. The transitions that were taken are those that
+ * probes at lines of its code have seen.
  */
 class RobotTruthTest {
     private static final int WORDS = 20;
@@ -89,16 +96,17 @@ class RobotTruthTest {
 
     private static void agree(String name, Script script) {
         CoffeeRobot robot = CoffeeRobot.open(name);
-        List<Map<String, Value>> onBrick = onBrick(robot, script);
+        Seen seen = onBrick(robot, script);
+        List<Map<String, Value>> onBrick = seen.slices();
         assertThat(onBrick).hasSizeGreaterThanOrEqualTo(40);
 
         CompiledModel compiled = CompiledModel.of(robot.component(), Choosing.FIRST);
         List<Letter> letters = onBrick.stream().map(slice -> sensed(robot, slice)).toList();
         assertThat(onBrick).isEqualTo(onJvm(compiled, letters));
 
-        Trace interpreted =
-                Simulation.run(
-                        new Interpreter(robot.component(), List.of(), Choice.first()), letters);
+        Interpreter interpreter = new Interpreter(robot.component(), List.of(), Choice.first());
+        Trace interpreted = Simulation.run(interpreter, letters);
+        assertThat(seen.taken()).isEqualTo(taken(interpreter.network(), interpreted)).isNotEmpty();
         Trace ran = Simulation.run(new CompiledExecution(compiled, List.of(), 0), letters);
         assertThat(ran).isEqualTo(interpreted);
         for (int slice = 0; slice < letters.size(); slice++) {
@@ -108,18 +116,55 @@ class RobotTruthTest {
         }
     }
 
-    /** Every port of every component with its message, slice by slice. */
-    private static List<Map<String, Value>> onBrick(CoffeeRobot robot, Script script) {
+    /**
+     * What is seen of a run on a brick.
+     *
+     * @param slices every port of every component with its message, slice by slice
+     * @param taken transitions that were taken, by components and their places there
+     */
+    private record Seen(List<Map<String, Value>> slices, Set<String> taken) {}
+
+    private static Set<String> taken(Network network, Trace trace) {
+        Map<String, Component> parts = new HashMap<>();
+        network.instances().forEach(each -> parts.put(each.path(), each.component()));
+        Set<String> taken = new TreeSet<>();
+        for (Trace.Step step : trace.steps()) {
+            for (Trace.Activity each : step.activities()) {
+                if (each.cause() instanceof Trace.Taken transition) {
+                    String component = parts.get(each.instance()).qualifiedName();
+                    taken.add(component + " " + transition.index());
+                }
+            }
+        }
+        return taken;
+    }
+
+    private static Seen onBrick(CoffeeRobot robot, Script script) {
+        List<String> transitions = new ArrayList<>();
+        List<LineProbe> probes = new ArrayList<>();
+        for (AutomatonLines each : robot.generation().layout().automata()) {
+            each.lines()
+                    .transitions()
+                    .forEach(
+                            (index, line) -> {
+                                probes.add(
+                                        new LineProbe(each.className(), line, transitions.size()));
+                                transitions.add(each.component().qualifiedName() + " " + index);
+                            });
+        }
+        Set<String> taken = new TreeSet<>();
         List<Map<String, Value>> slices = new ArrayList<>();
         try (Laboratory laboratory = new Laboratory()) {
-            Program program = robot.program();
+            LoadedProgram program =
+                    LoadedProgram.forMany(robot.program(), List.of(), probes).onThreads();
             SimulatedBrick brick = laboratory.place("robot", program);
             brick.observe(new Looker(robot, slices));
             brick.play(script);
             laboratory.runToEnd(60_000);
             assertThat(brick.outcome().failure()).isEmpty();
+            brick.reached().stream().mapToObj(transitions::get).forEach(taken::add);
         }
-        return slices;
+        return new Seen(slices, taken);
     }
 
     /** Looks at the components whenever the program sleeps. */

@@ -61,9 +61,14 @@ class CampaignPageBrowserTest extends BrowserTest {
         assertThat(browser.findAll("#verdicts li")).hasSize(4);
         assertThat(browser.text("#events")).contains("collision", "surely");
         assertThat(browser.findAll("#events .estimate")).hasSize(4);
-        assertThat(browser.findAll("#measures figure")).hasSize(6);
+        assertThat(browser.findAll("#measures figure")).hasSize(7);
         assertThat(browser.text("#measures")).contains("never in", "No run has a number");
         assertThat(browser.text("#compared")).contains("Got better: the first 20 of", "None.");
+        assertThat(browser.findAll("#coverage details")).hasSize(2);
+        assertThat(browser.findAll("#coverage details[open]")).hasSize(1);
+        assertThat(browser.findAll("#coverage .missing")).hasSize(3);
+        assertThat(browser.text("#coverage"))
+                .contains("4 of 6", "state lost", "another one is always taken first", "truck.jar");
         assertThat(browser.text("#runs code")).startsWith("arcomat world models/yard");
     }
 

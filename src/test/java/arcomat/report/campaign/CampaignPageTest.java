@@ -67,6 +67,12 @@ class CampaignPageTest {
         assertThat(json.at("/compared/worse").asLong()).isZero();
         assertThat(json.at("/compared/better").asLong()).isPositive();
         assertThat(json.at("/compared/firstBetter")).hasSize(20);
+        assertThat(json.at("/coverage/taken").asInt()).isEqualTo(4);
+        assertThat(json.at("/coverage/transitions").asInt()).isEqualTo(6);
+        assertThat(json.at("/coverage/automata/1/transitions/4/number").asInt()).isEqualTo(5);
+        assertThat(json.at("/coverage/automata/1/transitions/4/coded").asBoolean()).isFalse();
+        assertThat(json.at("/coverage/automata/1/states/3/runs").asInt()).isZero();
+        assertThat(json.at("/coverage/jars/0").asText()).isEqualTo("truck.jar");
         // Some never got there: the greatest time is none, and the histogram says how many.
         JsonNode reached = json.at("/measures/1");
         assertThat(reached.get("name").asText()).isEqualTo("reached");

@@ -9,6 +9,11 @@ import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Trials;
 import arcomat.campaign.WorstSearch;
+import arcomat.campaign.coverage.AutomatonItems;
+import arcomat.campaign.coverage.Coverage;
+import arcomat.campaign.coverage.CoverageCount;
+import arcomat.campaign.coverage.CoverageItems;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.campaign.overview.Overview;
 import arcomat.campaign.statistics.Families;
 import arcomat.campaign.statistics.Measurements;
@@ -16,6 +21,7 @@ import arcomat.campaign.statistics.Splitting;
 import arcomat.source.SourceFile;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -48,7 +54,42 @@ final class SampleCampaigns {
             split on distance levels 200 100 50 20 runs 400
             """;
 
+    private static final AutomatonItems DRIVER =
+            new AutomatonItems(
+                    "yard.Driver",
+                    "models/yard/yard/Driver.arc",
+                    List.of(
+                            new AutomatonItems.Transition(12, "standing -> driving", 1, true),
+                            new AutomatonItems.Transition(
+                                    13, "driving -> standing [near]", 0, true),
+                            new AutomatonItems.Transition(14, "driving -> hurt [<hit>]", 2, true),
+                            new AutomatonItems.Transition(15, "driving -> lost [lost]", 3, true),
+                            new AutomatonItems.Transition(16, "driving -> lost [off]", 3, false)),
+                    List.of(
+                            new AutomatonItems.State(8, "standing"),
+                            new AutomatonItems.State(8, "driving"),
+                            new AutomatonItems.State(9, "hurt"),
+                            new AutomatonItems.State(9, "lost")),
+                    List.of(0));
+
+    private static final AutomatonItems BELL =
+            new AutomatonItems(
+                    "yard.Bell",
+                    "models/yard/yard/Bell.arc",
+                    List.of(new AutomatonItems.Transition(6, "silent -> silent", 0, true)),
+                    List.of(new AutomatonItems.State(4, "silent")),
+                    List.of(0));
+
+    private static final CoverageItems ITEMS =
+            new CoverageItems(List.of(BELL, DRIVER), List.of("truck.jar"));
+
     private SampleCampaigns() {}
+
+    static Coverage coverage(Campaign campaign) {
+        CoverageCount count = new CoverageCount(ITEMS);
+        rows(campaign).map(Row::reached).forEach(count::see);
+        return count.coverage();
+    }
 
     static Campaign campaign(String text) {
         return CampaignParser.parse(new SourceFile("sample.campaign", text))
@@ -106,6 +147,7 @@ final class SampleCampaigns {
                 new RunAgain("models/yard/world/yard.world", true),
                 judge.result(column -> measured(campaign, column)),
                 Overview.of(campaign, () -> rows(campaign)),
+                coverage(campaign),
                 worst,
                 rare,
                 Trials.of(campaign).count(),
@@ -155,7 +197,8 @@ final class SampleCampaigns {
                         "delivered",
                         "distance",
                         "clearance",
-                        "late")) {
+                        "late",
+                        "transitions")) {
             answers.add(
                     switch (column) {
                         case "collision" -> collides ? 1.0 : 0.0;
@@ -166,13 +209,18 @@ final class SampleCampaigns {
                         case "delivered" -> (double) (int) (4 * chance.nextDouble());
                         case "distance" -> collides ? 0 : 300 * luck * (1 - risk);
                         case "clearance" -> Double.NaN;
+                        case "transitions" -> collides ? 4.0 : 3.0;
                         default -> 0.0;
                     });
         }
         while (answers.size() < columns) {
             answers.add(Double.POSITIVE_INFINITY); // levels that were not reached
         }
-        return Row.made(trial, answers);
+        BitSet reached = new BitSet();
+        reached.set(0, collides ? 4 : 3);
+        reached.set(ITEMS.initial(0, 0));
+        reached.set(ITEMS.initial(1, 0));
+        return Row.made(trial, answers, ReachedItems.of(reached));
     }
 
     private static double number(Trial trial, String name, double otherwise) {

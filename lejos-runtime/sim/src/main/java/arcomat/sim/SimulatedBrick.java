@@ -19,6 +19,7 @@ import arcomat.sim.time.Strand;
 import arcomat.sim.time.VirtualTime;
 
 import java.lang.invoke.MethodHandle;
+import java.util.BitSet;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -35,7 +36,7 @@ public final class SimulatedBrick implements Action.Receiver {
     SimulatedBrick(
             String name, LoadedProgram program, VirtualTime time, Ether ether, Limits limits) {
         threads = new ProgramThreads(name, time, this::programOver, program.carriers());
-        hardware = new Hardware(name, time, threads, ether.join(name), limits);
+        hardware = new Hardware(name, time, threads, ether.join(name), limits, program.numbers());
         loader = program.take(hardware);
         threads.startMain(() -> runMain(program.mainClass()));
     }
@@ -143,6 +144,16 @@ public final class SimulatedBrick implements Action.Receiver {
     /** The rows of the screen from top to bottom, without spaces at their ends. */
     public List<String> screen() {
         return hardware.screen().rows();
+    }
+
+    /** The numbers of those lines that the program has come to, of those that are noted. */
+    public BitSet reached() {
+        boolean[] noted = hardware.reached();
+        BitSet numbers = new BitSet(noted.length);
+        for (int number = 0; number < noted.length; number++) {
+            numbers.set(number, noted[number]);
+        }
+        return numbers;
     }
 
     public void setBattery(int millivolts) {

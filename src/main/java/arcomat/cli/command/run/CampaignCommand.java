@@ -1,8 +1,7 @@
 package arcomat.cli.command.run;
 
 import arcomat.campaign.CampaignResult;
-import arcomat.campaign.RareEvent;
-import arcomat.campaign.WorstSearch;
+import arcomat.campaign.coverage.Coverage;
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
 import arcomat.cli.option.ClusterOptions;
@@ -11,12 +10,11 @@ import arcomat.cli.terminal.ExitStatus;
 import arcomat.cli.terminal.Version;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.campaign.FurtherRuns;
 import arcomat.pipeline.campaign.MakeCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign;
 import arcomat.pipeline.campaign.PrepareCampaign.Prepared;
 import arcomat.pipeline.campaign.PrepareCampaign.Ready;
-import arcomat.pipeline.campaign.SearchWorst;
-import arcomat.pipeline.campaign.SplitRuns;
 import arcomat.pipeline.campaign.WriteCampaignPage;
 import arcomat.pipeline.campaign.engine.Engine;
 import arcomat.pipeline.campaign.engine.Freight;
@@ -26,6 +24,7 @@ import arcomat.pipeline.file.ReportPage;
 import arcomat.report.campaign.CampaignJson;
 import arcomat.report.campaign.CampaignReport;
 import arcomat.report.campaign.CampaignText;
+import arcomat.report.campaign.CoverageText;
 import arcomat.report.campaign.RareText;
 import arcomat.report.finding.FindingsText;
 
@@ -34,7 +33,6 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-import java.util.Optional;
 import java.util.function.Function;
 
 /** {@code arcomat campaign}: many runs of a world, and what they prove. */
@@ -123,16 +121,19 @@ public final class CampaignCommand extends Command {
         Ready ready = prepared.ready().get();
         Function<Freight, Engine> engines = engines(ready.freight(), session);
         MakeCampaign.Made made = session.run(new MakeCampaign(ready, results, resumes, engines));
-        Optional<WorstSearch> worst = session.run(new SearchWorst(ready, engines));
-        Optional<RareEvent> rare = session.run(new SplitRuns(ready, engines));
-        CampaignReport shown = made.report(campaign, ready, worst, rare);
+        FurtherRuns.Found further = session.run(new FurtherRuns(ready, engines));
+        CampaignReport shown = made.report(campaign, ready, further);
         if (format == OutputFormat.json) {
             print(CampaignJson.render(shown));
         } else {
-            tell(made, ready);
-            worst.ifPresent(each -> print(CampaignText.found(each, ready.replay())));
-            rare.ifPresent(
-                    each -> print(new RareText(each, ready.replay(), console().style()).render()));
+            tell(made, ready, shown.coverage());
+            shown.worst().ifPresent(each -> print(CampaignText.found(each, ready.replay())));
+            shown.rare()
+                    .ifPresent(
+                            each ->
+                                    print(
+                                            new RareText(each, ready.replay(), console().style())
+                                                    .render()));
         }
         if (report != null) {
             tellPage(session.run(new WriteCampaignPage(shown, report)));
@@ -166,7 +167,7 @@ public final class CampaignCommand extends Command {
         return same -> new ThreadEngine(threads, runner);
     }
 
-    private void tell(MakeCampaign.Made made, Ready ready) {
+    private void tell(MakeCampaign.Made made, Ready ready, Coverage coverage) {
         StringBuilder head =
                 new StringBuilder("%,d runs of %s".formatted(made.runs(), ready.world()));
         long seeds = ready.campaign().seeds(made.runs());
@@ -184,6 +185,7 @@ public final class CampaignCommand extends Command {
         }
         printLine(head.append("\n").toString());
         print(new CampaignText(made.result(), ready.replay(), console().style()).render());
+        print(new CoverageText(coverage).render());
         printLine("table " + made.table() + (results.isEmpty() ? "" : ", in " + results));
     }
 

@@ -12,12 +12,18 @@ final class Answers {
 
     private Answers() {}
 
-    /** In the order of {@link Quantity}. */
-    static List<Double> of(Summary run) {
-        return Arrays.stream(Quantity.values()).map(each -> answer(each, run)).toList();
+    /**
+     * In the order of {@link Quantity}.
+     *
+     * @param transitions how many were taken; not a number where nobody knows
+     */
+    static List<Double> of(Summary run, double transitions) {
+        return Arrays.stream(Quantity.values())
+                .map(each -> answer(each, run, transitions))
+                .toList();
     }
 
-    private static double answer(Quantity asked, Summary run) {
+    private static double answer(Quantity asked, Summary run, double transitions) {
         double seconds = run.duration() / MILLISECONDS;
         return switch (asked) {
             case COLLISION -> truth(run.collisions() > 0);
@@ -30,6 +36,7 @@ final class Answers {
             case DISTANCE -> finite(run.apart());
             case CLEARANCE -> finite(run.clear());
             case LATE -> run.lateSlices();
+            case TRANSITIONS -> transitions;
         };
     }
 

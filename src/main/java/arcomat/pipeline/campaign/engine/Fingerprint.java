@@ -4,6 +4,8 @@ import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.Witness.Instruments;
 import arcomat.world.Scene;
 
+import java.util.BitSet;
+
 /**
  * Tells apart runs that go apart anywhere: what moves at each step, and what displays show. Equal
  * within one process only.
@@ -38,6 +40,12 @@ final class Fingerprint implements Onlooker {
     public void entered(String robot, String type, String method) {
         beside.entered(robot, type, method);
         add(robot + type + method);
+    }
+
+    /** What was reached is in the row. */
+    @Override
+    public void reached(String robot, BitSet numbers) {
+        beside.reached(robot, numbers);
     }
 
     private void add(Object seen) {

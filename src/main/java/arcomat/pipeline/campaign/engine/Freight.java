@@ -1,6 +1,7 @@
 package arcomat.pipeline.campaign.engine;
 
 import arcomat.report.text.Sha256;
+import arcomat.sim.load.LineProbe;
 import arcomat.sim.load.Program;
 
 import java.io.ByteArrayInputStream;
@@ -10,6 +11,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.util.HexFormat;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.zip.ZipEntry;
@@ -27,6 +29,7 @@ import java.util.zip.ZipOutputStream;
  * @param patienceSeconds what a run may take by the PC's clock
  * @param programs by what the world's text says of them
  * @param monitors columns of the table by the full names of classes that watch in these programs
+ * @param coverage where these programs come to what runs may cover
  */
 public record Freight(
         String version,
@@ -35,19 +38,21 @@ public record Freight(
         boolean limited,
         long patienceSeconds,
         Map<String, Program> programs,
-        Map<String, String> monitors) {
+        Map<String, String> monitors,
+        ItemProbes coverage) {
     private static final String SETTINGS = "settings";
     private static final String CAMPAIGN = "campaign";
     private static final String WORLD = "world";
     private static final String PROGRAMS = "programs/";
     private static final String MONITORS = "monitors/";
+    private static final String COVERAGE = "coverage/";
 
     public Freight {
         programs = Map.copyOf(programs);
         monitors = Map.copyOf(monitors);
     }
 
-    /** Whose programs watch nothing. */
+    /** Whose programs watch nothing, and of which nobody knows what they cover. */
     public Freight(
             String version,
             String campaign,
@@ -55,13 +60,27 @@ public record Freight(
             boolean limited,
             long patienceSeconds,
             Map<String, Program> programs) {
-        this(version, campaign, world, limited, patienceSeconds, programs, Map.of());
+        this(
+                version,
+                campaign,
+                world,
+                limited,
+                patienceSeconds,
+                programs,
+                Map.of(),
+                ItemProbes.NONE);
     }
 
     /** Contents by name, in an order of their own. */
     private TreeMap<String, byte[]> entries() {
         TreeMap<String, byte[]> entries = new TreeMap<>();
-        String settings = version + "\n" + limited + "\n" + patienceSeconds;
+        String settings =
+                String.join(
+                        "\n",
+                        version,
+                        "" + limited,
+                        "" + patienceSeconds,
+                        "" + coverage.transitions());
         entries.put(SETTINGS, settings.getBytes(StandardCharsets.UTF_8));
         entries.put(CAMPAIGN, campaign.getBytes(StandardCharsets.UTF_8));
         entries.put(WORLD, world.getBytes(StandardCharsets.UTF_8));
@@ -69,6 +88,12 @@ public record Freight(
                 (type, column) ->
                         entries.put(MONITORS + type, column.getBytes(StandardCharsets.UTF_8)));
         programs.forEach((key, program) -> pack(key, program, entries));
+        coverage.ordered()
+                .forEach(
+                        (key, probes) ->
+                                entries.put(
+                                        COVERAGE + spelt(key),
+                                        ItemProbes.text(probes).getBytes(StandardCharsets.UTF_8)));
         return entries;
     }
 
@@ -87,9 +112,12 @@ public record Freight(
     }
 
     /** What the world says of a program may hold anything, so it is spelt in hexadecimal. */
+    private static String spelt(String key) {
+        return HexFormat.of().formatHex(key.getBytes(StandardCharsets.UTF_8));
+    }
+
     private static void pack(String key, Program program, Map<String, byte[]> entries) {
-        String folder =
-                PROGRAMS + HexFormat.of().formatHex(key.getBytes(StandardCharsets.UTF_8)) + "/";
+        String folder = PROGRAMS + spelt(key) + "/";
         entries.put(folder, program.mainClass().getBytes(StandardCharsets.UTF_8));
         program.classes().forEach((name, code) -> entries.put(folder + name, code));
     }
@@ -102,7 +130,7 @@ public record Freight(
     public static Freight unpacked(byte[] bytes) throws IOException {
         Map<String, byte[]> entries = entries(bytes);
         String[] settings = text(entries, SETTINGS).split("\n", -1);
-        if (settings.length != 3) {
+        if (settings.length != 4) {
             throw new IOException("settings of " + settings.length + " lines");
         }
         return new Freight(
@@ -112,7 +140,20 @@ public record Freight(
                 Boolean.parseBoolean(settings[1]),
                 Long.parseLong(settings[2]),
                 programs(entries),
-                monitors(entries));
+                monitors(entries),
+                new ItemProbes(ItemProbes.number(settings[3]), coverage(entries)));
+    }
+
+    private static Map<String, List<LineProbe>> coverage(Map<String, byte[]> entries)
+            throws IOException {
+        Map<String, List<LineProbe>> programs = new TreeMap<>();
+        for (String name : entries.keySet()) {
+            if (name.startsWith(COVERAGE)) {
+                String key = key(name.substring(COVERAGE.length()));
+                programs.put(key, ItemProbes.read(text(entries, name)));
+            }
+        }
+        return programs;
     }
 
     private static Map<String, String> monitors(Map<String, byte[]> entries) {

@@ -6,6 +6,7 @@ import arcomat.pipeline.world.Witness.Instruments;
 import arcomat.sim.load.Probe;
 import arcomat.world.Scene;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -43,6 +44,11 @@ final class Sightings implements Onlooker {
     @Override
     public void see(Scene scene, Instruments instruments) {
         beside.see(scene, instruments);
+    }
+
+    @Override
+    public void reached(String robot, BitSet numbers) {
+        beside.reached(robot, numbers);
     }
 
     @Override

@@ -2,6 +2,7 @@ package arcomat.pipeline.campaign.engine;
 
 import arcomat.campaign.Row;
 import arcomat.campaign.Trial;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.world.Seeds;
 
 import java.io.ByteArrayInputStream;
@@ -10,6 +11,7 @@ import java.io.DataInputStream;
 import java.io.DataOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -57,6 +59,9 @@ public final class TrialBytes {
             for (double answer : each.answers()) {
                 out.writeDouble(answer);
             }
+            byte[] reached = each.reached().text().getBytes(StandardCharsets.US_ASCII);
+            out.writeInt(reached.length);
+            out.write(reached);
         }
     }
 
@@ -68,7 +73,9 @@ public final class TrialBytes {
         List<Answer> answers = new ArrayList<>();
         for (int i = 0; i < size; i++) {
             long number = in.readLong();
-            answers.add(new Answer(number, ending(in.readByte()), in.readUTF(), numbers(in)));
+            answers.add(
+                    new Answer(
+                            number, ending(in.readByte()), in.readUTF(), numbers(in), reached(in)));
         }
         return answers;
     }
@@ -88,6 +95,20 @@ public final class TrialBytes {
             numbers.add(in.readDouble());
         }
         return numbers;
+    }
+
+    /** As long as models are large: the form of Java's texts has no room for all of them. */
+    private static ReachedItems reached(DataInputStream in) throws IOException {
+        int length = in.readInt();
+        byte[] text = in.readNBytes(Math.max(0, length));
+        try {
+            if (text.length == length) {
+                return new ReachedItems(new String(text, StandardCharsets.US_ASCII));
+            }
+        } catch (IllegalArgumentException e) {
+            throw new IOException(e);
+        }
+        throw new IOException("items of " + length + " characters");
     }
 
     public static byte[] of(List<Trial> trials) {

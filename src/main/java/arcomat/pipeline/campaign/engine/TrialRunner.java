@@ -6,6 +6,7 @@ import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
 import arcomat.campaign.Watched;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.pipeline.world.Onlooker;
 import arcomat.pipeline.world.PreparedWorld;
@@ -58,7 +59,12 @@ public final class TrialRunner implements Function<Trial, Row> {
         this.text = new SourceFile("world", freight.world());
         List<Probe> probes = Sightings.probes(freight.monitors());
         freight.programs()
-                .forEach((key, each) -> programs.put(key, LoadedProgram.forMany(each, probes)));
+                .forEach(
+                        (key, each) ->
+                                programs.put(
+                                        key,
+                                        LoadedProgram.forMany(
+                                                each, probes, freight.coverage().of(key))));
         programs.forEach((key, each) -> onThreads.put(key, each.onThreads()));
         Campaign campaign = campaign(freight);
         this.measuring = Measuring.of(campaign, text);
@@ -146,7 +152,8 @@ public final class TrialRunner implements Function<Trial, Row> {
         Row row(PreparedWorld world, Function<Onlooker, Onlooker> watched) {
             Measuring.Run measured = measuring.start();
             LevelTimes levels = new LevelTimes(split, bare, measured);
-            Sightings sightings = new Sightings(freight.monitors(), levels);
+            ItemNotes notes = new ItemNotes(freight.coverage(), bare, levels);
+            Sightings sightings = new Sightings(freight.monitors(), notes);
             try {
                 Summary summary =
                         world.summarize(
@@ -157,17 +164,24 @@ public final class TrialRunner implements Function<Trial, Row> {
                 if (sightings.doubt().isPresent()) {
                     return Row.withoutAnswers(trial, Ending.GIVEN_UP, sightings.doubt().get());
                 }
-                List<Double> answers = new ArrayList<>(Answers.of(summary));
+                ReachedItems reached = notes.reached();
+                List<Double> answers = new ArrayList<>(Answers.of(summary, transitions(reached)));
                 answers.addAll(measured.answers());
                 answers.addAll(sightings.answers(watches));
                 answers.addAll(levels.answers());
-                return Row.made(trial, answers);
+                return Row.made(trial, answers, reached);
             } catch (OutOfPatience e) {
                 isOutOfPatience = true;
                 String why = "after " + freight.patienceSeconds() + " s of the PC's time";
                 return Row.withoutAnswers(trial, Ending.GIVEN_UP, why);
             }
         }
+    }
+
+    private double transitions(ReachedItems reached) {
+        return reached.isKnown()
+                ? reached.countBelow(freight.coverage().transitions())
+                : Double.NaN;
     }
 
     private Stage stage(Map<String, String> values) {

@@ -51,7 +51,19 @@ record TypedColumn(Type type, Predicate<Row> isKnown, Cell cell) {
         for (int i = 0; i < answers.size(); i++) {
             all.add(ofAnswer(answers.get(i), i));
         }
+        all.add(taken());
         return all;
+    }
+
+    private static TypedColumn taken() {
+        Type type =
+                Types.optional(BINARY)
+                        .as(LogicalTypeAnnotation.stringType())
+                        .named(TableText.TAKEN);
+        return new TypedColumn(
+                type,
+                row -> row.reached().isKnown(),
+                (row, out) -> out.addBinary(Binary.fromString(row.reached().text())));
     }
 
     private static TypedColumn ofParameter(Variation variation, String name) {

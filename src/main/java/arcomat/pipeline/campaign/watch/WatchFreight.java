@@ -2,6 +2,7 @@ package arcomat.pipeline.campaign.watch;
 
 import arcomat.campaign.Campaign;
 import arcomat.campaign.Watched;
+import arcomat.generate.AutomatonLines;
 import arcomat.model.Component;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;
@@ -30,27 +31,37 @@ import java.util.TreeMap;
  * that do not, and which of their classes tell of which event.
  *
  * @param programs all of a campaign, by what worlds say of them
+ * @param automata where those that were made of models have these, likewise
  * @param monitors columns by the full names of classes
  * @param findings about what is to be watched
  */
 public record WatchFreight(
-        Map<String, Program> programs, Map<String, String> monitors, List<Diagnostic> findings) {
+        Map<String, Program> programs,
+        Map<String, List<AutomatonLines>> automata,
+        Map<String, String> monitors,
+        List<Diagnostic> findings) {
     static final String NOT_WATCHED = "ARC1137";
 
     /**
      * @param kinds what the campaign's worlds say of programs
      * @param plain programs that do not watch
+     * @param automata where these have those of their models
      * @param file of the world, as the user would write it
      */
     public static WatchFreight of(
             Campaign campaign,
             Collection<Kind.Program> kinds,
             Map<String, Program> plain,
+            Map<String, List<AutomatonLines>> automata,
             String file,
             Session session)
             throws WrongUse {
         WatchFreight freight =
-                new WatchFreight(new TreeMap<>(plain), new TreeMap<>(), new ArrayList<>());
+                new WatchFreight(
+                        new TreeMap<>(plain),
+                        new TreeMap<>(automata),
+                        new TreeMap<>(),
+                        new ArrayList<>());
         if (campaign.watches().isEmpty()) {
             return freight;
         }
@@ -70,6 +81,7 @@ public record WatchFreight(
                             models,
                             session);
             freight.programs.putAll(made.programs());
+            freight.automata.putAll(made.automata());
             freight.monitors.putAll(made.monitors());
             freight.findings.addAll(made.findings());
             refused.putAll(made.refused());

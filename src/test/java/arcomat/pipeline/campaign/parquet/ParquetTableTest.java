@@ -8,6 +8,7 @@ import arcomat.campaign.Column;
 import arcomat.campaign.Row;
 import arcomat.campaign.Row.Ending;
 import arcomat.campaign.Trial;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.source.SourceFile;
 
 import blue.strategic.parquet.Hydrator;
@@ -65,7 +66,9 @@ class ParquetTableTest {
         answers.set(CAMPAIGN.column("reached"), Double.POSITIVE_INFINITY);
         answers.set(CAMPAIGN.column("distance"), Double.NaN);
         answers.set(CAMPAIGN.column("goal"), Double.NaN);
-        return Row.made(trial, answers);
+        return number % 2 == 0
+                ? Row.made(trial, answers)
+                : Row.made(trial, answers, new ReachedItems("x07"));
     }
 
     private Path write(String name, long rows) throws IOException {
@@ -106,7 +109,9 @@ class ParquetTableTest {
 
     @Test
     void cellsHaveTypes() throws IOException {
-        Map<String, Object> row = read(write("rows.parquet", 2)).get(1);
+        List<Map<String, Object>> rows = read(write("rows.parquet", 2));
+        assertThat(rows.get(0)).doesNotContainKey("taken");
+        Map<String, Object> row = rows.get(1);
         assertThat(row)
                 .containsEntry("run", 1L)
                 .containsEntry("seed", 8L)
@@ -118,6 +123,7 @@ class ParquetTableTest {
                 .containsEntry("parameter time", 8.0)
                 .containsEntry("time", 0.125)
                 .containsEntry("reached", Double.POSITIVE_INFINITY)
+                .containsEntry("taken", "x07")
                 .doesNotContainKeys("distance", "goal");
     }
 

@@ -92,7 +92,9 @@ class WatchFreightTest {
         PreparedWorld probed =
                 PreparedWorld.of(
                         world,
-                        Map.of(only.getKey(), LoadedProgram.forMany(only.getValue(), probes)));
+                        Map.of(
+                                only.getKey(),
+                                LoadedProgram.forMany(only.getValue(), probes, List.of())));
         for (long seed = 1; seed <= 5; seed++) {
             assertThat(probed.run(seed)).isEqualTo(plain.run(seed));
         }

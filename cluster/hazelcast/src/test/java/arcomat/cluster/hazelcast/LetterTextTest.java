@@ -3,6 +3,7 @@ package arcomat.cluster.hazelcast;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.campaign.Row;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.pipeline.campaign.engine.Answer;
 
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,8 +26,18 @@ class LetterTextTest {
                 new Letter.Answers(
                         WORKER,
                         List.of(
-                                new Answer(7, Row.Ending.MADE, "", numbers),
-                                new Answer(8, Row.Ending.IMPOSSIBLE, "Straße, \"x\"", List.of()))),
+                                new Answer(
+                                        7,
+                                        Row.Ending.MADE,
+                                        "",
+                                        numbers,
+                                        new ReachedItems("x" + "0f".repeat(50_000))),
+                                new Answer(
+                                        8,
+                                        Row.Ending.IMPOSSIBLE,
+                                        "Straße, \"x\"",
+                                        List.of(),
+                                        ReachedItems.UNKNOWN))),
                 new Letter.Refusal("0.2.0"),
                 new Letter.Breakdown(WORKER, "java.lang.OutOfMemoryError"));
     }

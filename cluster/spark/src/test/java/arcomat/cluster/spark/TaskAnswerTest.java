@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import arcomat.campaign.Row;
+import arcomat.campaign.coverage.ReachedItems;
 import arcomat.pipeline.campaign.engine.Answer;
 
 import org.junit.jupiter.api.Test;
@@ -16,8 +17,18 @@ class TaskAnswerTest {
     private static final TaskAnswer MADE =
             TaskAnswer.made(
                     List.of(
-                            new Answer(7, Row.Ending.MADE, "", List.of(0.1, Double.NaN, -0.0)),
-                            new Answer(1L << 40, Row.Ending.IMPOSSIBLE, "Straße", List.of())),
+                            new Answer(
+                                    7,
+                                    Row.Ending.MADE,
+                                    "",
+                                    List.of(0.1, Double.NaN, -0.0),
+                                    new ReachedItems("x0c")),
+                            new Answer(
+                                    1L << 40,
+                                    Row.Ending.IMPOSSIBLE,
+                                    "Straße",
+                                    List.of(),
+                                    ReachedItems.UNKNOWN)),
                     12);
 
     @Test

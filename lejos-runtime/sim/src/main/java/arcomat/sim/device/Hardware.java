@@ -30,15 +30,26 @@ public final class Hardware {
     private final Slices slices;
     private final Heap heap;
     private final Errors errors = new Errors();
+    private final boolean[] reached;
     private Observer observer = new SilentObserver();
     private int batteryMillivolts = FULL_BATTERY;
 
-    public Hardware(String name, VirtualTime time, Lifetime lifetime, Radio radio, Limits limits) {
+    /**
+     * @param numbers how many there are under which is noted what a program has come to
+     */
+    public Hardware(
+            String name,
+            VirtualTime time,
+            Lifetime lifetime,
+            Radio radio,
+            Limits limits,
+            int numbers) {
         this.name = name;
         this.time = time;
         this.lifetime = lifetime;
         this.radio = radio;
         this.limits = limits;
+        this.reached = new boolean[numbers];
         this.processor = new Processor(time, limits.counted());
         this.slices = new Slices(this);
         this.heap = new Heap(BrickCost.HEAP_BYTES - OF_LEJOS, lifetime::calls);
@@ -143,6 +154,11 @@ public final class Hardware {
 
     public void observe(Observer newObserver) {
         observer = newObserver;
+    }
+
+    /** What the program has come to, by numbers: it is noted here. */
+    public boolean[] reached() {
+        return reached;
     }
 
     public int batteryMillivolts() {

@@ -18,31 +18,46 @@ public final class LoadedProgram {
     private final Program program;
     private final boolean once;
     private final List<Probe> probes;
+    private final List<LineProbe> lines;
+    private final int numbers;
     private final boolean rests;
     private final Carriers carriers = new Carriers();
     private @Nullable Stock counted;
     private @Nullable Stock free;
 
-    private LoadedProgram(Program program, boolean once, List<Probe> probes, boolean rests) {
+    private LoadedProgram(
+            Program program,
+            boolean once,
+            List<Probe> probes,
+            List<LineProbe> lines,
+            boolean rests) {
         this.program = program;
         this.once = once;
         this.probes = List.copyOf(probes);
+        this.lines = List.copyOf(lines);
+        this.numbers = lines.stream().mapToInt(each -> each.number() + 1).max().orElse(0);
         this.rests = rests;
     }
 
     /** For one brick. */
     public static LoadedProgram forOnce(Program program) {
-        return new LoadedProgram(program, true, List.of(), false);
+        return new LoadedProgram(program, true, List.of(), List.of(), false);
     }
 
     /** For many bricks, one after the other or at the same time. */
     public static LoadedProgram forMany(Program program) {
-        return forMany(program, List.of());
+        return forMany(program, List.of(), List.of());
     }
 
-    /** The same, with probes in it: observers of its bricks are told when it comes to them. */
-    public static LoadedProgram forMany(Program program, List<Probe> probes) {
-        return new LoadedProgram(program, false, probes, true);
+    /**
+     * The same, with probes in it.
+     *
+     * @param probes observers of its bricks are told when it comes to them
+     * @param lines its bricks note which of them it has come to
+     */
+    public static LoadedProgram forMany(
+            Program program, List<Probe> probes, List<LineProbe> lines) {
+        return new LoadedProgram(program, false, probes, lines, true);
     }
 
     /**
@@ -50,7 +65,7 @@ public final class LoadedProgram {
      * does the same, and takes longer.
      */
     public LoadedProgram onThreads() {
-        return new LoadedProgram(program, once, probes, false);
+        return new LoadedProgram(program, once, probes, lines, false);
     }
 
     /** Threads of the PC for those of its bricks. */
@@ -94,7 +109,7 @@ public final class LoadedProgram {
             stock =
                     once
                             ? Stock.forOnce(program, isCounted)
-                            : Stock.forMany(program, isCounted, probes, rests);
+                            : Stock.forMany(program, isCounted, probes, lines, rests);
             if (isCounted) {
                 counted = stock;
             } else {
@@ -102,6 +117,11 @@ public final class LoadedProgram {
             }
         }
         return stock;
+    }
+
+    /** How many numbers there are under which bricks note lines. */
+    public int numbers() {
+        return numbers;
     }
 
     /** Whether a method is none of the program's: it was added to let a class begin again. */

@@ -11,16 +11,23 @@ final class Redirected implements ClassFiles {
     private final Program program;
     private final Rewriter rewriter;
     private final List<Probe> probes;
+    private final List<LineProbe> lines;
     private final boolean rests;
 
     /**
      * @param counted whether the program has the brick's memory, its calls and its speed
      * @param probes that are put into the program
+     * @param lines that are noted
      * @param rests whether its main thread rests between slices; then it has the {@link
      *     GeneratedForm}
      * @throws IllegalArgumentException if the program brings classes of leJOS or of the simulation
      */
-    Redirected(Program program, boolean counted, List<Probe> probes, boolean rests) {
+    Redirected(
+            Program program,
+            boolean counted,
+            List<Probe> probes,
+            List<LineProbe> lines,
+            boolean rests) {
         for (String name : program.classes().keySet()) {
             if (BrickLoader.isShared(name) || BrickLoader.isInside(name)) {
                 throw new IllegalArgumentException(name + " lies in a package of the simulation");
@@ -28,6 +35,7 @@ final class Redirected implements ClassFiles {
         }
         this.program = program;
         this.probes = probes;
+        this.lines = lines;
         this.rests = rests;
         this.rewriter = Rewriter.of(program.classes(), counted);
     }
@@ -39,6 +47,7 @@ final class Redirected implements ClassFiles {
                 : Optional.ofNullable(program.classes().get(name))
                         .map(rewriter::rewrite)
                         .map(file -> Probing.of(name, file, probes))
+                        .map(file -> LineProbing.of(name, file, lines))
                         .map(file -> rests ? SliceLoop.resting(name, file) : file);
     }
 

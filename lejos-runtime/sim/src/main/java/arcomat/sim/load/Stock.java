@@ -21,7 +21,8 @@ final class Stock {
 
     /** For one brick: what it does not need is not looked at. */
     static Stock forOnce(Program program, boolean counted) {
-        return new Stock(new Redirected(program, counted, List.of(), false), false, false);
+        return new Stock(
+                new Redirected(program, counted, List.of(), List.of(), false), false, false);
     }
 
     /**
@@ -29,16 +30,21 @@ final class Stock {
      *
      * @param rests whether their main threads may rest between slices
      */
-    static Stock forMany(Program program, boolean counted, List<Probe> probes, boolean rests) {
+    static Stock forMany(
+            Program program,
+            boolean counted,
+            List<Probe> probes,
+            List<LineProbe> lines,
+            boolean rests) {
         if (rests && GeneratedForm.isOf(program)) {
             try {
-                ClassFiles files = new Kept(new Redirected(program, counted, probes, true));
+                ClassFiles files = new Kept(new Redirected(program, counted, probes, lines, true));
                 return new Stock(repeatable(program, files), true, true);
             } catch (RuntimeException e) {
                 // What keeps it from this may not keep it from beginning again.
             }
         }
-        ClassFiles files = new Kept(new Redirected(program, counted, probes, false));
+        ClassFiles files = new Kept(new Redirected(program, counted, probes, lines, false));
         try {
             return new Stock(repeatable(program, files), true, false);
         } catch (RuntimeException e) {

@@ -18,7 +18,8 @@ import java.util.stream.Stream;
 class LibraryRepetitionTest {
     @Test
     void everyClassThatIsLoadedOncePerBrickCanBeginAgain() throws IOException, URISyntaxException {
-        ClassFiles files = new Redirected(new Program("none", Map.of()), true, List.of(), false);
+        ClassFiles files =
+                new Redirected(new Program("none", Map.of()), true, List.of(), List.of(), false);
         Beginnings beginnings = new Beginnings(files);
         List<String> names = names();
         assertThat(names).hasSizeGreaterThan(50);
