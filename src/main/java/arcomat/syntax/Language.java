@@ -45,6 +45,16 @@ enum Language {
         };
     }
 
+    /** The number of the entry rule. */
+    int rule() {
+        return switch (this) {
+            case COMPONENT -> ArcomatParser.RULE_arcUnit;
+            case AUTOMATON -> ArcomatParser.RULE_automatonUnit;
+            case CLASS_DIAGRAM -> ArcomatParser.RULE_classDiagramUnit;
+            case STREAM_TEST -> ArcomatParser.RULE_testSuiteUnit;
+        };
+    }
+
     /**
      * The finding that a file of this language defines nothing.
      *

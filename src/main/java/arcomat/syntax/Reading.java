@@ -64,7 +64,7 @@ record Reading(
         return new Reading(file, tokens, comments(file, tokens), root, findings);
     }
 
-    private static CommonTokenStream tokens(SourceFile file) {
+    static CommonTokenStream tokens(SourceFile file) {
         return FilledTokens.of(file, ArcomatLexer::new);
     }
 

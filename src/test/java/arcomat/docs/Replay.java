@@ -100,6 +100,9 @@ final class Replay {
             case "rooms" -> {
                 // ArchitecturePageTest draws it.
             }
+            // Settings of editors: they are told to start a command that there is.
+            case "lua", "toml", "lisp" ->
+                    assertThat(fence.text()).as(where(fence)).contains("\"language-server\"");
             default -> throw new AssertionError(where(fence) + ": nobody checks this block");
         }
     }

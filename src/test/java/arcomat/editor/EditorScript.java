@@ -1,5 +1,7 @@
 package arcomat.editor;
 
+import org.eclipse.lsp4j.CompletionItem;
+import org.eclipse.lsp4j.CompletionParams;
 import org.eclipse.lsp4j.Diagnostic;
 import org.eclipse.lsp4j.DiagnosticSeverity;
 import org.eclipse.lsp4j.DocumentFormattingParams;
@@ -35,6 +37,8 @@ final class EditorScript {
             case "show" -> client.text(path).text();
             case "type" -> silently(() -> client.replace(path, range(place), unescaped(rest)));
             case "problems" -> problems();
+            case "complete" -> completions(path, range(place).getStart());
+            case "accept" -> silently(() -> accept(path, range(place).getStart(), rest));
             case "fixes" -> fixes(path, range(place));
             case "fix" -> silently(() -> fix(path, range(place), rest));
             case "fix-all" -> silently(() -> fixAll(path));
@@ -71,6 +75,34 @@ final class EditorScript {
                         problem.getSeverity() == DiagnosticSeverity.Error ? "error" : "warning",
                         problem.getCode().getLeft(),
                         problem.getMessage().getLeft());
+    }
+
+    private List<CompletionItem> proposals(String path, Position position) {
+        var params = new CompletionParams(client.document(path), position);
+        return EditorClient.get(client.server().getTextDocumentService().completion(params))
+                .getLeft();
+    }
+
+    private String completions(String path, Position position) {
+        return proposals(path, position).stream()
+                .map(each -> "%s (%s)\n".formatted(each.getLabel(), what(each)))
+                .collect(Collectors.joining());
+    }
+
+    private static String what(CompletionItem item) {
+        return item.getDetail() == null ? "keyword" : item.getDetail();
+    }
+
+    /** The edits that a proposal needs elsewhere are further up in the text. */
+    private void accept(String path, Position position, String label) {
+        for (CompletionItem each : proposals(path, position)) {
+            if (each.getLabel().equals(label)) {
+                client.apply(path, List.of(each.getTextEdit().getLeft()));
+                client.apply(path, each.getAdditionalTextEdits());
+                return;
+            }
+        }
+        throw new AssertionError("no proposal '" + label + "'");
     }
 
     private String fixes(String path, Range range) {

@@ -2,11 +2,15 @@ package arcomat.editor.server;
 
 import arcomat.editor.answer.CanonicalLayout;
 import arcomat.editor.answer.Fixes;
+import arcomat.editor.answer.completion.Completion;
 import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionParams;
 import org.eclipse.lsp4j.Command;
+import org.eclipse.lsp4j.CompletionItem;
+import org.eclipse.lsp4j.CompletionList;
+import org.eclipse.lsp4j.CompletionParams;
 import org.eclipse.lsp4j.DidChangeTextDocumentParams;
 import org.eclipse.lsp4j.DidCloseTextDocumentParams;
 import org.eclipse.lsp4j.DidOpenTextDocumentParams;
@@ -67,6 +71,15 @@ final class DocumentRequests extends NameRequests {
                                 .stream()
                                 .map(Either::<Command, CodeAction>forRight)
                                 .toList());
+    }
+
+    @Override
+    public CompletableFuture<Either<List<CompletionItem>, CompletionList>> completion(
+            CompletionParams params) {
+        return ask(
+                        params.getTextDocument(),
+                        view -> Completion.at(view, view.offset(params.getPosition())))
+                .thenApply(Either::forLeft);
     }
 
     @Override

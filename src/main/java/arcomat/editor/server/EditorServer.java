@@ -9,6 +9,7 @@ import arcomat.pipeline.recheck.OpenModels;
 import org.eclipse.lsp4j.ClientCapabilities;
 import org.eclipse.lsp4j.CodeActionKind;
 import org.eclipse.lsp4j.CodeActionOptions;
+import org.eclipse.lsp4j.CompletionOptions;
 import org.eclipse.lsp4j.Diagnostic;
 import org.eclipse.lsp4j.DidChangeWatchedFilesRegistrationOptions;
 import org.eclipse.lsp4j.FileSystemWatcher;
@@ -76,14 +77,20 @@ public final class EditorServer implements LanguageServer {
     public CompletableFuture<InitializeResult> initialize(InitializeParams params) {
         watches = canWatch(params.getCapabilities());
         movesFiles = canMoveFiles(params.getCapabilities());
-        if (params.getWorkspaceFolders() != null) {
-            for (WorkspaceFolder folder : params.getWorkspaceFolders()) {
-                Positions.path(folder.getUri())
-                        .ifPresent(path -> worker.edit(desk -> desk.add(path)));
-            }
-        }
+        folders(params).stream()
+                .flatMap(address -> Positions.path(address).stream())
+                .forEach(path -> worker.edit(desk -> desk.add(path)));
         return CompletableFuture.completedFuture(
                 new InitializeResult(capabilities(), new ServerInfo("Arcomat", version)));
+    }
+
+    /** Older editors know one folder only. */
+    @SuppressWarnings("deprecation")
+    private static List<String> folders(InitializeParams params) {
+        if (params.getWorkspaceFolders() != null) {
+            return params.getWorkspaceFolders().stream().map(WorkspaceFolder::getUri).toList();
+        }
+        return params.getRootUri() == null ? List.of() : List.of(params.getRootUri());
     }
 
     private static boolean canWatch(ClientCapabilities capabilities) {
@@ -106,6 +113,7 @@ public final class EditorServer implements LanguageServer {
         can.setTextDocumentSync(TextDocumentSyncKind.Incremental);
         can.setCodeActionProvider(
                 new CodeActionOptions(List.of(CodeActionKind.QuickFix, Fixes.ALL)));
+        can.setCompletionProvider(new CompletionOptions(false, List.of(".", " ")));
         can.setDocumentFormattingProvider(true);
         can.setDocumentRangeFormattingProvider(true);
         NameRequests.announce(can);

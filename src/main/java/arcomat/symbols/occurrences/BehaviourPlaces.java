@@ -20,7 +20,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Names in automata and tables. */
-record BehaviourPlaces(Places places, ExpressionPlaces expressions) {
+record BehaviourPlaces(NamePlaces places, ExpressionPlaces expressions) {
 
     void automaton(AutomatonSymbol automaton) {
         automaton

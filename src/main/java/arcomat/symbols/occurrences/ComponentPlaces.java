@@ -32,13 +32,13 @@ import java.util.Optional;
 
 /** Names in a component and in those inside it. */
 final class ComponentPlaces implements Element.Visitor {
-    private final Places places;
+    private final NamePlaces places;
     private final ComponentSymbol component;
     private final Signature signature;
     private final ExpressionPlaces expressions;
     private final Map<Node, List<ConnectorSymbol>> connectors = new IdentityHashMap<>();
 
-    private ComponentPlaces(Places places, ComponentSymbol component) {
+    private ComponentPlaces(NamePlaces places, ComponentSymbol component) {
         this.places = places;
         this.component = component;
         this.signature = component.signature();
@@ -53,7 +53,7 @@ final class ComponentPlaces implements Element.Visitor {
                                         .add(each));
     }
 
-    static void in(ComponentSymbol component, Places places) {
+    static void in(ComponentSymbol component, NamePlaces places) {
         ComponentPlaces walk = new ComponentPlaces(places, component);
         walk.head();
         walk.members();

@@ -8,7 +8,7 @@ import arcomat.symbols.names.EnumSymbol;
 import arcomat.symbols.names.UnitScope;
 
 /** Names in a class diagram. */
-record DiagramPlaces(Places places, UnitScope scope) {
+record DiagramPlaces(NamePlaces places, UnitScope scope) {
 
     void in(DiagramSymbol diagram) {
         places.declared(

@@ -25,7 +25,7 @@ import java.util.function.Function;
  * @param component the component whose parts may be named, if one may
  */
 record ExpressionPlaces(
-        Places places,
+        NamePlaces places,
         Function<TypeReference, Resolution<TypeSymbol>> types,
         Optional<ComponentSymbol> component)
         implements TypedExpression.Cases<ExpressionPlaces> {

@@ -18,7 +18,7 @@ public final class Occurrences {
      *     not among them, and neither is what is no name: labels, languages of guards, Java
      */
     public static List<Occurrence> of(Workspace workspace, Unit unit) {
-        Places places = new Places();
+        NamePlaces places = new NamePlaces();
         unit.packageName()
                 .ifPresent(
                         name ->
@@ -32,7 +32,7 @@ public final class Occurrences {
         return places.inTextOrder();
     }
 
-    private static void definition(Workspace workspace, Unit unit, Places places) {
+    private static void definition(Workspace workspace, Unit unit, NamePlaces places) {
         UnitScope scope = workspace.scope(unit);
         ExpressionPlaces outside = new ExpressionPlaces(places, scope::type, Optional.empty());
         workspace.topLevelComponents().stream()

@@ -78,7 +78,7 @@ public sealed interface Referent {
 
     /** What a type is in the text; empty where it is none of a model. */
     static Optional<Referent> ofType(TypeSymbol type) {
-        return Places.referent(type);
+        return NamePlaces.referent(type);
     }
 
     /** Of a path through packages, the package; empty where there is none. */
@@ -88,7 +88,9 @@ public sealed interface Referent {
 
     /** Empty for the default package. */
     static Optional<Referent> ofPackage(String qualifiedName) {
-        return qualifiedName.isEmpty() ? Optional.empty() : Optional.of(new PackageName(qualifiedName));
+        return qualifiedName.isEmpty()
+                ? Optional.empty()
+                : Optional.of(new PackageName(qualifiedName));
     }
 
     static Referent diagramOf(Unit unit, ClassDiagram diagram) {

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** Names in a suite of stream tests. */
-record SuitePlaces(Places places, ExpressionPlaces expressions) {
+record SuitePlaces(NamePlaces places, ExpressionPlaces expressions) {
 
     void in(TestSuiteSymbol suite) {
         places.declared(suite.node().name().span(), new Referent.Suite(suite));

@@ -18,7 +18,7 @@ import java.util.Optional;
 import java.util.function.Function;
 
 /** Takes down places, in any order. */
-final class Places {
+final class NamePlaces {
     private final List<Occurrence> found = new ArrayList<>();
 
     List<Occurrence> inTextOrder() {
@@ -48,7 +48,7 @@ final class Places {
         resolution
                 .apply(nameOnly(reference))
                 .found()
-                .flatMap(Places::referent)
+                .flatMap(NamePlaces::referent)
                 .ifPresent(type -> path(reference.name().parts(), type));
         arguments(reference.arguments(), resolution);
     }
