@@ -112,7 +112,7 @@ class CompletionTest {
                 .contains("arcomat.1", "arcomat-check.1", "arcomat-watch.1");
         assumeTrue(isThere("groff"), "groff is not installed");
         for (Path page : files) {
-            Outcome shown = bash("groff -man -ww -Tascii -P-c " + page);
+            Outcome shown = bash("groff -man -ww -Tascii -P-cbou " + page);
             assertThat(shown.err()).as(page.toString()).isEmpty();
             assertThat(shown.out()).contains("NAME", "SYNOPSIS", "OPTIONS", "EXIT STATUS");
         }
