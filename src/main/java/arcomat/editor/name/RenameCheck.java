@@ -94,6 +94,8 @@ final class RenameCheck {
     private Optional<String> otherMeaning() {
         Set<String> paths = new TreeSet<>(RenamePlan.filesWith(before, plan.names().keySet()));
         plan.names().values().forEach(name -> Mentions.withWord(before, name).forEach(paths::add));
+        // What the library means is not said by others; which of its files are needed is.
+        paths.removeIf(before::isLibrary);
         return paths.stream().flatMap(path -> otherMeaning(path).stream()).findFirst();
     }
 
