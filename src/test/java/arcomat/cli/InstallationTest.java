@@ -76,7 +76,10 @@ class InstallationTest {
         }
         String bill = Files.readString(INSTALLATION.resolve("sbom.cdx.json"));
         try (Stream<Path> held = Files.walk(INSTALLATION.resolve("lib"))) {
-            for (Path file : (Iterable<Path>) held.filter(Files::isRegularFile)::iterator) {
+            // What is one jar for Spark consists of libraries that are listed, and lists nothing
+            // more.
+            Stream<Path> single = held.filter(Files::isRegularFile).filter(file -> !isMerged(file));
+            for (Path file : (Iterable<Path>) single::iterator) {
                 byte[] content = Files.readAllBytes(file);
                 byte[] digest = MessageDigest.getInstance("SHA-256").digest(content);
                 assertThat(bill.contains(HexFormat.of().formatHex(digest)))
@@ -84,6 +87,10 @@ class InstallationTest {
                         .isEqualTo(file.toString().endsWith(".jar"));
             }
         }
+    }
+
+    private static boolean isMerged(Path file) {
+        return file.endsWith("lib/spark/arcomat-campaign-spark.jar");
     }
 
     @Test
