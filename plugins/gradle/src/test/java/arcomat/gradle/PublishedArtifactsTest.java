@@ -37,7 +37,7 @@ class PublishedArtifactsTest {
                 + " jackson-databind jsvg org.eclipse.elk.alg.layered org.eclipse.emf.ecore"
                 + " parquet-floor picocli slf4j-nop smtinterpol",
         "arcomat-brick-api, asm",
-        "arcomat-brick-simulation, arcomat-brick-api asm asm-tree",
+        "arcomat-brick-simulation, arcomat-brick-api asm asm-analysis asm-tree",
         "arcomat-cluster-hazelcast, arcomat hazelcast",
         "arcomat-cluster-spark, arcomat",
         "arcomat-gradle-plugin, ''",
