@@ -23,6 +23,7 @@ import org.eclipse.lsp4j.Range;
 import org.eclipse.lsp4j.RenameFile;
 import org.eclipse.lsp4j.ResourceOperation;
 import org.eclipse.lsp4j.ResourceOperationKind;
+import org.eclipse.lsp4j.ServerCapabilities;
 import org.eclipse.lsp4j.ShowMessageRequestParams;
 import org.eclipse.lsp4j.TextDocumentContentChangeEvent;
 import org.eclipse.lsp4j.TextDocumentEdit;
@@ -51,6 +52,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
@@ -65,8 +67,10 @@ final class EditorClient implements LanguageClient, AutoCloseable {
 
     private final Path folder;
     private final LanguageServer server;
+    private final ServerCapabilities announced;
     private final Map<String, SourceFile> open = new TreeMap<>();
     private final Map<String, Integer> versions = new TreeMap<>();
+    private final List<String> messages = new CopyOnWriteArrayList<>();
     private final Map<String, List<Diagnostic>> problems = new ConcurrentHashMap<>();
 
     /**
@@ -86,13 +90,13 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         this.server = asking.getRemoteProxy();
         asking.startListening();
         InitializeParams params = new InitializeParams();
-        params.setCapabilities(capabilities());
+        params.setCapabilities(own());
         params.setWorkspaceFolders(List.of(new WorkspaceFolder(address("."), "test")));
-        get(server.initialize(params));
+        this.announced = get(server.initialize(params)).getCapabilities();
         server.initialized(new InitializedParams());
     }
 
-    private static ClientCapabilities capabilities() {
+    private static ClientCapabilities own() {
         var edits = new WorkspaceEditCapabilities();
         edits.setDocumentChanges(true);
         edits.setResourceOperations(List.of(ResourceOperationKind.Rename));
@@ -101,6 +105,11 @@ final class EditorClient implements LanguageClient, AutoCloseable {
         ClientCapabilities capabilities = new ClientCapabilities();
         capabilities.setWorkspace(workspace);
         return capabilities;
+    }
+
+    /** What the server says that it can do. */
+    ServerCapabilities capabilities() {
+        return announced;
     }
 
     LanguageServer server() {
@@ -258,8 +267,17 @@ final class EditorClient implements LanguageClient, AutoCloseable {
     @Override
     public void telemetryEvent(Object object) {}
 
+    /** What it was told since it was last asked. */
+    List<String> messages() {
+        List<String> all = List.copyOf(messages);
+        messages.removeAll(all);
+        return all;
+    }
+
     @Override
-    public void showMessage(MessageParams params) {}
+    public void showMessage(MessageParams params) {
+        messages.add(params.getMessage());
+    }
 
     @Override
     public CompletableFuture<MessageActionItem> showMessageRequest(

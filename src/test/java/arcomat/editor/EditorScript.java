@@ -47,6 +47,8 @@ final class EditorScript {
             default ->
                     new NameSteps(client)
                             .run(words[0], path, place, rest)
+                            .or(() -> new ShapeSteps(client).run(words[0], path, place))
+                            .or(() -> new FactSteps(client).run(words[0], path, place))
                             .orElseThrow(() -> new AssertionError("no step: " + step));
         };
     }

@@ -188,6 +188,21 @@ public final class Desk {
         return Optional.ofNullable(screen.get(file));
     }
 
+    /** What lies beside some models, in their folder and in those of the workspace. */
+    public OtherTexts beside(OpenModels models) {
+        Set<Path> around = new HashSet<>(folders);
+        around.add(models.root());
+        return new OtherTexts(
+                new TextsBeside(MADE::contains, screen).in(around),
+                name -> isDefinedBeside(models, name));
+    }
+
+    private boolean isDefinedBeside(OpenModels models, String component) {
+        return roots.all().stream()
+                .filter(each -> !each.root().equals(models.root()))
+                .anyMatch(each -> !each.workspace().components(component).isEmpty());
+    }
+
     /** All models, by their roots. */
     public Collection<OpenModels> models() {
         return roots.all();

@@ -24,13 +24,14 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /** What editors say and ask about one file. */
 final class DocumentRequests extends NameRequests {
     private final Worker worker;
 
-    DocumentRequests(Worker worker, BooleanSupplier movesFiles) {
-        super(worker, movesFiles);
+    DocumentRequests(Worker worker, BooleanSupplier movesFiles, Consumer<String> warnings) {
+        super(worker, movesFiles, warnings);
         this.worker = worker;
     }
 

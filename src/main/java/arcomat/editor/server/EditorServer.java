@@ -16,6 +16,8 @@ import org.eclipse.lsp4j.FileSystemWatcher;
 import org.eclipse.lsp4j.InitializeParams;
 import org.eclipse.lsp4j.InitializeResult;
 import org.eclipse.lsp4j.InitializedParams;
+import org.eclipse.lsp4j.MessageParams;
+import org.eclipse.lsp4j.MessageType;
 import org.eclipse.lsp4j.PublishDiagnosticsParams;
 import org.eclipse.lsp4j.Registration;
 import org.eclipse.lsp4j.RegistrationParams;
@@ -166,6 +168,10 @@ public final class EditorServer implements LanguageServer {
         }
     }
 
+    private void warn(String message) {
+        client.showMessage(new MessageParams(MessageType.Warning, message));
+    }
+
     @Override
     public CompletableFuture<Object> shutdown() {
         shutDown = true;
@@ -181,7 +187,7 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public TextDocumentService getTextDocumentService() {
-        return new DocumentRequests(worker, () -> movesFiles);
+        return new DocumentRequests(worker, () -> movesFiles, this::warn);
     }
 
     @Override

@@ -17,6 +17,7 @@ import arcomat.tree.Unit;
 
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.Comparator;
@@ -86,8 +87,21 @@ public final class OpenModels {
         this.executable = executable;
         this.files = files;
         this.checked = checked;
-        List<Unit> recovered = recovered(path -> true).map(Recovered::unit).toList();
-        this.workspace = Workspace.around(recovered, units(), broken(), List.of());
+        Map<String, Parsed> parsed = new LinkedHashMap<>();
+        files.forEach((path, file) -> parsed.put(path, file.parsed()));
+        this.workspace = workspace(parsed);
+    }
+
+    private static Workspace workspace(Map<String, Parsed> files) {
+        List<Unit> recovered = new ArrayList<>();
+        List<Unit> units = new ArrayList<>();
+        Set<String> broken = new HashSet<>();
+        files.forEach(
+                (path, parsed) -> {
+                    parsed.recovered().map(Recovered::unit).ifPresent(recovered::add);
+                    parsed.unit().ifPresentOrElse(units::add, () -> broken.add(path));
+                });
+        return Workspace.around(recovered, units, broken, List.of());
     }
 
     /**
@@ -172,6 +186,26 @@ public final class OpenModels {
                 open.addAll(file.remembered().needs());
             }
         }
+    }
+
+    /**
+     * One file with another text, for a question about what somebody is writing.
+     *
+     * @param unit what could be read of it
+     * @param workspace of all files, with this one
+     */
+    public record Draft(Optional<Unit> unit, Workspace workspace) {}
+
+    /**
+     * What names would mean if a file had another text. It is less than an edit: nothing is
+     * compared with what was checked, and the file needs no more of the library than before.
+     */
+    public Draft draft(SourceFile text) {
+        Map<String, Parsed> parsed = new LinkedHashMap<>();
+        files.forEach((path, file) -> parsed.put(path, file.parsed()));
+        Parsed written = ModelLoader.parse(List.of(text), Progress.NONE).get(0);
+        parsed.put(text.path(), written);
+        return new Draft(written.readable(), workspace(parsed));
     }
 
     /**
