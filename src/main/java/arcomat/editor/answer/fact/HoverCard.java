@@ -32,7 +32,7 @@ public final class HoverCard {
         text.append(Markdown.code(referent.match(new DeclarationLine())));
         DocComment.of(referent, view.models())
                 .ifPresent(comment -> text.append("\n\n").append(Markdown.text(comment)));
-        List<String> facts = referent.match(new KnownFacts(view.models()));
+        List<String> facts = referent.match(new KnownFacts(view.models(), occurrence.span()));
         if (!facts.isEmpty()) {
             text.append(
                     facts.stream()

@@ -1,7 +1,8 @@
 package arcomat.editor.answer.fact;
 
-import arcomat.editor.answer.flow.Wiring;
+import arcomat.editor.answer.flow.PortConnections;
 import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.Span;
 import arcomat.symbols.bodies.AutomatonSymbol;
 import arcomat.symbols.bodies.AutomatonSymbol.InitialSymbol;
 import arcomat.symbols.bodies.ComponentSymbol;
@@ -22,8 +23,9 @@ import java.util.stream.Stream;
  * What is known of something beside its declaration, a line of markup each.
  *
  * @param models it is one of
+ * @param place where it is named
  */
-record KnownFacts(OpenModels models) implements ReferentCases<List<String>> {
+record KnownFacts(OpenModels models, Span place) implements ReferentCases<List<String>> {
 
     @Override
     public List<String> packageName(Referent.PackageName name) {
@@ -52,11 +54,11 @@ record KnownFacts(OpenModels models) implements ReferentCases<List<String>> {
                     "made of %s and %s"
                             .formatted(
                                     number(component.instances().size(), "part"),
-                                    number(component.connectors().size(), "connector")));
+                                    number(component.connectors().size(), "connection")));
         }
         component.automata().forEach(each -> facts.add(size(each)));
         List<String> wholes =
-                new Wiring(models)
+                new PortConnections(models)
                         .parts(component).stream()
                                 .map(part -> Markdown.word(part.owner().qualifiedName()))
                                 .distinct()
@@ -114,7 +116,7 @@ record KnownFacts(OpenModels models) implements ReferentCases<List<String>> {
 
     @Override
     public List<String> port(Referent.Port port) {
-        return new PortFacts(models, port.symbol()).all();
+        return new PortFacts(models, port.symbol(), place).all();
     }
 
     @Override

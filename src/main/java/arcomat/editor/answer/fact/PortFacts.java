@@ -1,12 +1,14 @@
 package arcomat.editor.answer.fact;
 
-import arcomat.editor.answer.flow.Wiring;
+import arcomat.editor.answer.flow.PortConnections;
 import arcomat.pipeline.recheck.OpenModels;
+import arcomat.source.Span;
 import arcomat.symbols.bodies.ComponentSymbol;
 import arcomat.symbols.bodies.ConnectorSymbol;
 import arcomat.symbols.expressions.PortSymbol;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -15,8 +17,9 @@ import java.util.function.Function;
  * What is known of a port: when it sends, whether it can be silent, and where it is connected.
  *
  * @param models it is in
+ * @param place where it is named
  */
-record PortFacts(OpenModels models, PortSymbol port) {
+record PortFacts(OpenModels models, PortSymbol port, Span place) {
 
     List<String> all() {
         List<String> facts = new ArrayList<>();
@@ -24,18 +27,37 @@ record PortFacts(OpenModels models, PortSymbol port) {
         if (port.isTotal()) {
             facts.add("total: a message in every slice");
         }
-        List<ConnectorSymbol> all = new Wiring(models).at(port);
+        List<ConnectorSymbol> all = new PortConnections(models).at(port);
         connected("receives", all, ConnectorSymbol::target).ifPresent(facts::add);
         connected("sends", all, ConnectorSymbol::source).ifPresent(facts::add);
         return facts;
     }
 
-    /** Empty for the ports of an automaton that has a file of its own. */
+    /**
+     * The component whose port it is here: an heir may have another delay. Empty where several
+     * components have it and the place does not tell, and for automata in files of their own.
+     */
     private Optional<ComponentSymbol> owner() {
-        return models.workspace().components().stream()
-                .filter(each -> each.unit().file() == port.nameSpan().file())
-                .filter(each -> each.signature().ownPorts().contains(port))
-                .findFirst();
+        List<ComponentSymbol> all = new PortConnections(models).withPort(port);
+        return all.size() == 1
+                ? Optional.of(all.get(0))
+                : all.stream()
+                        .filter(each -> isIn(each.node().span()))
+                        .min(Comparator.comparing(each -> length(each.node().span())));
+    }
+
+    private static int length(Span span) {
+        return span.end() - span.start();
+    }
+
+    /** Behind a dot it is the port of a part. */
+    private boolean isIn(Span whole) {
+        boolean isOfAPart =
+                place.start() > 0 && place.file().text().charAt(place.start() - 1) == '.';
+        return !isOfAPart
+                && whole.file() == place.file()
+                && whole.start() <= place.start()
+                && place.end() <= whole.end();
     }
 
     private Optional<String> delay(ComponentSymbol owner) {
@@ -66,7 +88,7 @@ record PortFacts(OpenModels models, PortSymbol port) {
             Function<ConnectorSymbol, ConnectorSymbol.End> end) {
         List<String> shown =
                 connectors.stream()
-                        .filter(each -> Wiring.isAt(end.apply(each), port))
+                        .filter(each -> PortConnections.isAt(end.apply(each), port))
                         .map(PortFacts::shown)
                         .distinct()
                         .toList();

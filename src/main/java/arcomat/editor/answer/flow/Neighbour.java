@@ -30,7 +30,8 @@ record Neighbour(Referent referent, Span place) {
                     case PART -> senders(((Referent.Part) referent).symbol());
                     case PORT ->
                             ends(
-                                    new Wiring(models).to(((Referent.Port) referent).symbol()),
+                                    new PortConnections(models)
+                                            .to(((Referent.Port) referent).symbol()),
                                     ConnectorSymbol::source);
                     default -> Stream.empty();
                 });
@@ -44,7 +45,8 @@ record Neighbour(Referent referent, Span place) {
                     case PART -> receivers(((Referent.Part) referent).symbol());
                     case PORT ->
                             ends(
-                                    new Wiring(models).from(((Referent.Port) referent).symbol()),
+                                    new PortConnections(models)
+                                            .from(((Referent.Port) referent).symbol()),
                                     ConnectorSymbol::target);
                     default -> Stream.empty();
                 });
@@ -60,7 +62,7 @@ record Neighbour(Referent referent, Span place) {
 
     private static Stream<Neighbour> wholes(Referent.Component component, OpenModels models) {
         return symbol(component, models)
-                .flatMap(each -> new Wiring(models).parts(each).stream())
+                .flatMap(each -> new PortConnections(models).parts(each).stream())
                 .map(
                         part ->
                                 new Neighbour(

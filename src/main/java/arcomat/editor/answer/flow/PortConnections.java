@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  *
  * @param models that are asked
  */
-public record Wiring(OpenModels models) {
+public record PortConnections(OpenModels models) {
 
     /** Connectors that bring messages to a port, be it its component's own or a part's. */
     public List<ConnectorSymbol> to(PortSymbol port) {
@@ -43,7 +43,7 @@ public record Wiring(OpenModels models) {
                         });
         return models.workspace().components().stream()
                 .filter(each -> isIn(paths, each))
-                .flatMap(Wiring::written)
+                .flatMap(PortConnections::written)
                 .filter(ConnectorSymbol::isResolved)
                 .filter(each -> isAt(each.source(), port) || isAt(each.target(), port))
                 .toList();
@@ -54,9 +54,10 @@ public record Wiring(OpenModels models) {
     }
 
     /** The component that declares a port, and all that inherit it. */
-    private Stream<ComponentSymbol> withPort(PortSymbol port) {
+    public List<ComponentSymbol> withPort(PortSymbol port) {
         return models.workspace().components().stream()
-                .filter(each -> each.lineage().stream().anyMatch(above -> declares(above, port)));
+                .filter(each -> each.lineage().stream().anyMatch(above -> declares(above, port)))
+                .toList();
     }
 
     private static boolean declares(ComponentSymbol component, PortSymbol port) {
