@@ -7,6 +7,8 @@ import arcomat.editor.text.Positions;
 
 import org.eclipse.lsp4j.CodeAction;
 import org.eclipse.lsp4j.CodeActionParams;
+import org.eclipse.lsp4j.CodeLens;
+import org.eclipse.lsp4j.CodeLensParams;
 import org.eclipse.lsp4j.Command;
 import org.eclipse.lsp4j.CompletionItem;
 import org.eclipse.lsp4j.CompletionList;
@@ -28,10 +30,12 @@ import java.util.function.BooleanSupplier;
 /** What editors say and ask about one file. */
 final class DocumentRequests extends NameRequests {
     private final Worker worker;
+    private final VerdictRequests verdicts;
 
-    DocumentRequests(Worker worker, BooleanSupplier movesFiles) {
+    DocumentRequests(Worker worker, BooleanSupplier movesFiles, VerdictRequests verdicts) {
         super(worker, movesFiles);
         this.worker = worker;
+        this.verdicts = verdicts;
     }
 
     @Override
@@ -71,6 +75,11 @@ final class DocumentRequests extends NameRequests {
                                 .stream()
                                 .map(Either::<Command, CodeAction>forRight)
                                 .toList());
+    }
+
+    @Override
+    public CompletableFuture<List<? extends CodeLens>> codeLens(CodeLensParams params) {
+        return ask(params.getTextDocument(), verdicts::lenses).thenApply(lenses -> lenses);
     }
 
     @Override
