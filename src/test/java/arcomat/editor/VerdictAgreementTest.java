@@ -40,6 +40,7 @@ import java.util.stream.Stream;
 class VerdictAgreementTest {
     private static final AnalysisLimits PATIENT =
             new AnalysisLimits(Optional.empty(), Optional.empty());
+
     /** By their types. */
     private static final List<List<String>> MESSAGES =
             List.of(
@@ -75,8 +76,9 @@ class VerdictAgreementTest {
             for (String file : files) {
                 client.open(file);
             }
+            List<String> written = files.stream().filter(file -> !file.endsWith(".cd")).toList();
             for (int i = 0; i < EDITS; i++) {
-                String file = files.get(random.nextInt(files.size()));
+                String file = written.get(random.nextInt(written.size()));
                 exchange(client, folder, file, random);
                 Map<String, List<String>> commands = byCommands(folder);
                 if (!commands.isEmpty()) {
@@ -85,7 +87,7 @@ class VerdictAgreementTest {
                 }
             }
         }
-        assertThat(answers).as("different answers").hasSizeGreaterThan(EDITS / 2);
+        assertThat(answers).as("different answers").hasSizeGreaterThan(EDITS / 3);
     }
 
     private Path copied(String... parts) throws IOException {
@@ -122,9 +124,9 @@ class VerdictAgreementTest {
         List<String> ofOneType = MESSAGES.get(random.nextInt(MESSAGES.size()));
         String from = ofOneType.get(random.nextInt(ofOneType.size()));
         String to = ofOneType.get(random.nextInt(ofOneType.size()));
-        int begin = text.indexOf("automaton", 0);
-        int at = text.indexOf(from, Math.max(0, begin) + random.nextInt(text.length() / 2));
-        if (at < 0) {
+        int at = text.indexOf(from, random.nextInt(text.length()));
+        if (at < 0 || from.equals(to)) {
+            exchange(client, folder, file, random);
             return;
         }
         Range range =

@@ -198,8 +198,7 @@ public final class EditorServer implements LanguageServer {
 
     @Override
     public TextDocumentService getTextDocumentService() {
-        return new DocumentRequests(
-                worker, () -> abilities.movesFiles(), verdictRequests);
+        return new DocumentRequests(worker, () -> abilities.movesFiles(), verdictRequests);
     }
 
     @Override

@@ -102,8 +102,7 @@ final class VerdictRequests {
 
     private static ResponseErrorException outdated() {
         return failure(
-                ResponseErrorCode.ContentModified,
-                "the text has changed; it is being asked again");
+                ResponseErrorCode.ContentModified, "the text has changed; it is being asked again");
     }
 
     private static ResponseErrorException failure(ResponseErrorCode code, String reason) {

@@ -42,9 +42,7 @@ public final class VerdictLenses {
     /** What a lens stands for, if it is still about what is on the screen. */
     public static Optional<TextVerdict> shown(
             View view, Verdicts verdicts, String kind, String name) {
-        return verdicts.look(view)
-                .filter(each -> each.holdsFor(view.models().edition()))
-                .stream()
+        return verdicts.look(view).filter(each -> each.holdsFor(view.models().edition())).stream()
                 .flatMap(each -> each.verdicts().stream())
                 .filter(each -> each.place().kind().name().equals(kind))
                 .filter(each -> each.place().name().equals(name))
@@ -52,8 +50,7 @@ public final class VerdictLenses {
     }
 
     private Optional<CodeLens> at(VerdictPlace place) {
-        return command(place)
-                .map(each -> new CodeLens(Positions.range(place.span()), each, null));
+        return command(place).map(each -> new CodeLens(Positions.range(place.span()), each, null));
     }
 
     private Optional<Command> command(VerdictPlace place) {

@@ -137,7 +137,8 @@ public final class Verdicts {
             schedule(left);
             return Optional.empty();
         }
-        running = waiting.entrySet().stream().reduce((older, newer) -> newer).map(Map.Entry::copyOf);
+        running =
+                waiting.entrySet().stream().reduce((older, newer) -> newer).map(Map.Entry::copyOf);
         running.ifPresent(each -> waiting.remove(each.getKey()));
         return running;
     }

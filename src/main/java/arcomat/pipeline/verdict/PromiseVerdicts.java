@@ -92,8 +92,7 @@ record PromiseVerdicts(LoweredModels models, List<Answered> answers) {
                 place,
                 tone(answered.verdict().answer()),
                 VerdictLine.of(answered),
-                new Sheet(
-                        "index.html", () -> PageText.render(VerdictPage.of("verify", answered))));
+                new Sheet("index.html", () -> PageText.render(VerdictPage.of("verify", answered))));
     }
 
     private static Tone tone(Answer answer) {

@@ -84,14 +84,11 @@ public final class VerdictLine {
                         .distinct()
                         .collect(
                                 Collectors.groupingBy(
-                                        each -> each.code(),
-                                        TreeMap::new,
-                                        Collectors.counting()));
+                                        each -> each.code(), TreeMap::new, Collectors.counting()));
         List<String> parts = new ArrayList<>();
         counts.forEach(
                 (code, number) ->
-                        parts.add(
-                                NOUNS.getOrDefault(code, new Noun(code, code)).count(number)));
+                        parts.add(NOUNS.getOrDefault(code, new Noun(code, code)).count(number)));
         String found = parts.isEmpty() ? "nothing found" : String.join(", ", parts);
         return examinations.stream()
                 .map(Examination::obstacle)
