@@ -148,6 +148,15 @@ public final class EditorServer implements LanguageServer {
                 }
             }
         }
+        for (Path file : desk.onScreen()) {
+            desk.beside(file)
+                    .ifPresent(
+                            text -> {
+                                String address = file.toUri().toString();
+                                gone.remove(address);
+                                publish(address, Diagnostics.of(text.findings(), any -> address));
+                            });
+        }
         gone.forEach(address -> publish(address, List.of()));
         verdicts.changed(desk);
     }
