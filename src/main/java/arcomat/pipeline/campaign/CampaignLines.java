@@ -36,13 +36,11 @@ public record CampaignLines(SourceFile text, Path place, Surroundings around)
         if (world.isEmpty()) {
             String message = "there is no world '" + campaign.world().file() + "'";
             return List.of(
-                    Diagnostic.error(
-                            CampaignPrograms.NO_WORLD, campaign.world().place(), message));
+                    Diagnostic.error(CampaignPrograms.NO_WORLD, campaign.world().place(), message));
         }
         List<Diagnostic> findings = new ArrayList<>();
         findings.addAll(
-                CampaignPrograms.unknownParameters(
-                        campaign, world.get(), campaign.world().file()));
+                CampaignPrograms.unknownParameters(campaign, world.get(), campaign.world().file()));
         findings.addAll(Measuring.of(campaign, world.get()).findings());
         return findings;
     }

@@ -78,7 +78,8 @@ public record MainComponent(Component component, List<Value> arguments) {
             return new MainComponent(deployed.get(0), arguments(deployed.get(0), List.of()));
         }
         throw new WrongUse(
-                "which component is to run? name it with --main; there are " + listing(names(model)));
+                "which component is to run? name it with --main; there are "
+                        + listing(names(model)));
     }
 
     /** By its name alone. */

@@ -74,8 +74,7 @@ public record WorldText(SourceFile text, Path place, Surroundings around) implem
 
     private void addProgram(Kind.Program program, List<Link> links) {
         if (program.form() == Form.JAR) {
-            links.add(
-                    new Link(program.named().place(), beside(program.name()), Optional.empty()));
+            links.add(new Link(program.named().place(), beside(program.name()), Optional.empty()));
             return;
         }
         around.models(beside(program.folder()))
