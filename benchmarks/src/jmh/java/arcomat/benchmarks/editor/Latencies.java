@@ -21,8 +21,8 @@ import java.util.Map;
 import java.util.TreeMap;
 
 /**
- * How long somebody waits at the editor, from the message to the answer. Nineteen of twenty times it
- * is at most the figure that counts.
+ * How long somebody waits at the editor, from the message to the answer. Nineteen of twenty times
+ * it is at most the figure that counts.
  */
 final class Latencies {
     static final String FULL = "full check";
@@ -38,8 +38,7 @@ final class Latencies {
     private static final int MEASURED = 100;
     private static final int STARTS = 5;
     private static final double SHARE = 0.95;
-    private static final Path TOOL =
-            Path.of("build/install/arcomat/bin/arcomat").toAbsolutePath();
+    private static final Path TOOL = Path.of("build/install/arcomat/bin/arcomat").toAbsolutePath();
 
     private final Workshop workshop;
     private final Map<String, Measurement> results = new TreeMap<>();
@@ -126,8 +125,7 @@ final class Latencies {
                 asked(HOVER, () -> hover(editor));
             }
             asked(RENAME, () -> rename(editor));
-            results.put(
-                    MEMORY, new Measurement(MEMORY, editor.megabytes(), 0, 0, "MB"));
+            results.put(MEMORY, new Measurement(MEMORY, editor.megabytes(), 0, 0, "MB"));
         }
     }
 
@@ -163,7 +161,8 @@ final class Latencies {
 
     /** A receiver behind a sender. */
     private void complete(ServedEditor editor) throws IOException {
-        var params = new CompletionParams(editor.document(Workshop.USER), place("clock.late -> ", 14));
+        var params =
+                new CompletionParams(editor.document(Workshop.USER), place("clock.late -> ", 14));
         if (ServedEditor.get(editor.documents().completion(params)).getLeft().isEmpty()) {
             throw new IllegalStateException("nothing is proposed");
         }

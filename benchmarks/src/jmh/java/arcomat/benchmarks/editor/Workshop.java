@@ -50,23 +50,23 @@ final class Workshop implements AutoCloseable {
 
     private static String user(int number) {
         return """
-                package load;
+        package load;
 
-                import load.Signals.*;
+        import load.Signals.*;
 
-                component Line%d {
-                  port in Request request, in Integer amount, out Light light, out Integer total;
+        component Line%d {
+          port in Request request, in Integer amount, out Light light, out Integer total;
 
-                  component Clock clock;
-                  component Controller%d controller;
+          component Clock clock;
+          component Controller%d controller;
 
-                  connect amount -> clock.amount;
-                  connect request -> controller.request;
-                  connect clock.late -> controller.amount;
-                  connect controller.light -> light;
-                  connect controller.total -> total;
-                }
-                """
+          connect amount -> clock.amount;
+          connect request -> controller.request;
+          connect clock.late -> controller.amount;
+          connect controller.light -> light;
+          connect controller.total -> total;
+        }
+        """
                 .formatted(number, number);
     }
 
