@@ -1,12 +1,12 @@
 package arcomat.editor.desk;
 
 import arcomat.pipeline.beside.BesideText;
-import arcomat.pipeline.beside.Surroundings;
+import arcomat.pipeline.beside.TextsAround;
 import arcomat.pipeline.brick.ScriptLines;
 import arcomat.pipeline.campaign.CampaignLines;
 import arcomat.pipeline.file.FileReader;
 import arcomat.pipeline.recheck.OpenModels;
-import arcomat.pipeline.world.WorldText;
+import arcomat.pipeline.world.WorldLines;
 import arcomat.source.SourceFile;
 
 import java.nio.file.Files;
@@ -22,11 +22,11 @@ import java.util.function.Function;
  * @param models all that there are
  */
 record Beside(Function<Path, Optional<SourceFile>> screen, Collection<OpenModels> models)
-        implements Surroundings {
+        implements TextsAround {
     Optional<BesideText> text(Path place, SourceFile text) {
         String name = place.toString();
         if (name.endsWith(".world")) {
-            return Optional.of(new WorldText(text, place, this));
+            return Optional.of(new WorldLines(text, place, this));
         }
         if (name.endsWith(".campaign")) {
             return Optional.of(new CampaignLines(text, place, this));

@@ -4,7 +4,7 @@ import arcomat.campaign.Campaign;
 import arcomat.campaign.CampaignParser;
 import arcomat.campaign.Variation;
 import arcomat.pipeline.beside.BesideText;
-import arcomat.pipeline.beside.Surroundings;
+import arcomat.pipeline.beside.TextsAround;
 import arcomat.pipeline.campaign.measure.Measuring;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
@@ -23,8 +23,7 @@ import java.util.Optional;
  *
  * @param place of the file, absolute
  */
-public record CampaignLines(SourceFile text, Path place, Surroundings around)
-        implements BesideText {
+public record CampaignLines(SourceFile text, Path place, TextsAround around) implements BesideText {
     @Override
     public List<Diagnostic> findings() {
         CampaignParser.Reading reading = CampaignParser.parse(text);

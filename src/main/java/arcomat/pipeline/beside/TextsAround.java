@@ -7,7 +7,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 
 /** What a text beside models may refer to. */
-public interface Surroundings {
+public interface TextsAround {
     /** A file as it is now, on the screen or on the disk; nothing where there is none. */
     Optional<SourceFile> text(Path file);
 

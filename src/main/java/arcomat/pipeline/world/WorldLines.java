@@ -1,7 +1,7 @@
 package arcomat.pipeline.world;
 
 import arcomat.pipeline.beside.BesideText;
-import arcomat.pipeline.beside.Surroundings;
+import arcomat.pipeline.beside.TextsAround;
 import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.recheck.OpenModels;
 import arcomat.source.Diagnostic;
@@ -28,7 +28,7 @@ import java.util.regex.Pattern;
  *
  * @param place of the file, absolute
  */
-public record WorldText(SourceFile text, Path place, Surroundings around) implements BesideText {
+public record WorldLines(SourceFile text, Path place, TextsAround around) implements BesideText {
     private static final Pattern USE = Pattern.compile("\\$(\\w+)");
 
     @Override
