@@ -2,6 +2,7 @@ package arcomat.editor.desk;
 
 import arcomat.editor.text.Positions;
 import arcomat.pipeline.PathNames;
+import arcomat.pipeline.beside.BesideText;
 import arcomat.pipeline.check.Library;
 import arcomat.pipeline.check.LibraryFolder;
 import arcomat.pipeline.file.FileFinder;
@@ -189,11 +190,11 @@ public final class Desk {
     }
 
     /** What lies beside some models, in their folder and in those of the workspace. */
-    public OtherTexts beside(OpenModels models) {
+    public OtherTexts around(OpenModels models) {
         Set<Path> around = new HashSet<>(folders);
         around.add(models.root());
         return new OtherTexts(
-                new TextsBeside(MADE::contains, screen).in(around),
+                new TextsInFolders(MADE::contains, screen).in(around),
                 name -> isDefinedBeside(models, name));
     }
 
@@ -201,6 +202,17 @@ public final class Desk {
         return roots.all().stream()
                 .filter(each -> !each.root().equals(models.root()))
                 .anyMatch(each -> !each.workspace().components(component).isEmpty());
+    }
+
+    /** A text beside models that is on the screen, by what its name says that it is. */
+    public Optional<BesideText> beside(Path file) {
+        return onScreen(file)
+                .flatMap(text -> new Beside(this::onScreen, models()).text(file, text));
+    }
+
+    /** All that is on the screen. */
+    public Set<Path> onScreen() {
+        return Set.copyOf(screen.keySet());
     }
 
     /** All models, by their roots. */

@@ -164,7 +164,7 @@ abstract class NameRequests extends FactRequests {
                 params.getPosition(),
                 params.getNewName(),
                 movesFiles.getAsBoolean(),
-                () -> desk.beside(view.models()),
+                () -> desk.around(view.models()),
                 canceled::checkCanceled);
     }
 }

@@ -6,6 +6,7 @@ import arcomat.editor.text.Positions;
 import org.eclipse.lsp4j.DidChangeConfigurationParams;
 import org.eclipse.lsp4j.DidChangeWatchedFilesParams;
 import org.eclipse.lsp4j.DidChangeWorkspaceFoldersParams;
+import org.eclipse.lsp4j.ExecuteCommandParams;
 import org.eclipse.lsp4j.SymbolInformation;
 import org.eclipse.lsp4j.WorkspaceFolder;
 import org.eclipse.lsp4j.WorkspaceSymbol;
@@ -21,8 +22,16 @@ import java.util.concurrent.CompletableFuture;
 final class WorkspaceRequests implements WorkspaceService {
     private final Worker worker;
 
-    WorkspaceRequests(Worker worker) {
+    private final VerdictRequests verdicts;
+
+    WorkspaceRequests(Worker worker, VerdictRequests verdicts) {
         this.worker = worker;
+        this.verdicts = verdicts;
+    }
+
+    @Override
+    public CompletableFuture<Object> executeCommand(ExecuteCommandParams params) {
+        return verdicts.execute(params);
     }
 
     @Override

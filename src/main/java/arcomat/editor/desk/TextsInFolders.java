@@ -23,7 +23,7 @@ import java.util.function.Predicate;
  * @param isMade tells folders that are nobody's to edit, by their names
  * @param screen texts that count instead of those on the disk
  */
-record TextsBeside(Predicate<String> isMade, Map<Path, SourceFile> screen) {
+record TextsInFolders(Predicate<String> isMade, Map<Path, SourceFile> screen) {
     private static final List<String> ENDINGS = List.of(".world", ".campaign", ".script", ".java");
 
     /** Their paths are absolute. */
