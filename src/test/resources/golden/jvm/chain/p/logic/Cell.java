@@ -9,10 +9,12 @@ public final class Cell {
 
     /** in Integer a */
     public int a;
+
     public boolean hasA;
 
     /** out Integer b */
     public int b;
+
     public boolean hasB;
 
     private int state;

@@ -3,6 +3,7 @@
 package p.logic;
 
 import arcomat.rt.Check;
+
 import p.t.Cup;
 import p.t.LevelCode;
 
@@ -13,14 +14,17 @@ public final class Everything {
 
     /** in Integer i */
     public int i;
+
     public boolean hasI;
 
     /** in Long l */
     public long l;
+
     public boolean hasL;
 
     /** in Cup cup */
     public Cup cup;
+
     public boolean hasCup;
 
     /** in Level level */
@@ -28,50 +32,62 @@ public final class Everything {
 
     /** in Boolean b */
     public boolean b;
+
     public boolean hasB;
 
     /** in String name */
     public String name;
+
     public boolean hasName;
 
     /** in Integer[0..9] digit */
     public int digit;
+
     public boolean hasDigit;
 
     /** out Double d */
     public double d;
+
     public boolean hasD;
 
     /** out Long sum */
     public long sum;
+
     public boolean hasSum;
 
     /** out Boolean q */
     public boolean q;
+
     public boolean hasQ;
 
     /** out byte tiny */
     public int tiny;
+
     public boolean hasTiny;
 
     /** out String text */
     public String text;
+
     public boolean hasText;
 
     /** out Cup passed */
     public Cup passed;
+
     public boolean hasPassed;
 
     /** out Integer[-3..3] narrow */
     public int narrow;
+
     public boolean hasNarrow;
 
     /** out float f */
     public float f;
+
     public boolean hasF;
 
     /** out char c */
     public char c;
+
     public boolean hasC;
 
     private final double factor;
@@ -112,7 +128,8 @@ public final class Everything {
     public void step() {
         switch (state) {
             case S:
-                // line 15: s -> t [i + l > 3 && !b] / {d = i / 3, sum = i + 1, q = level == high, other = other + 1};
+                // line 15: s -> t [i + l > 3 && !b] / {d = i / 3, sum = i + 1, q = level == high,
+                // other = other + 1};
                 if (hasI && hasL && (long) i + l > 3L && hasB && !b && level != LevelCode.SILENCE) {
                     d = (double) (i / 3);
                     hasD = true;
@@ -130,8 +147,13 @@ public final class Everything {
                     state = T;
                     return;
                 }
-                // line 16: s [ocl: level isin {Level.low, high} implies i isin {1, 2L}] / {tiny = -5, text = "a" + name + "\\n\\"b\\\\u0041", narro ..
-                if ((level != LevelCode.SILENCE && !(level == LevelCode.LOW || level == LevelCode.HIGH) || hasI && ((long) i == 1L || (long) i == 2L)) && hasName && hasDigit) {
+                // line 16: s [ocl: level isin {Level.low, high} implies i isin {1, 2L}] / {tiny =
+                // -5, text = "a" + name + "\\n\\"b\\\\u0041", narro ..
+                if ((level != LevelCode.SILENCE
+                                        && !(level == LevelCode.LOW || level == LevelCode.HIGH)
+                                || hasI && ((long) i == 1L || (long) i == 2L))
+                        && hasName
+                        && hasDigit) {
                     hasD = false;
                     hasSum = false;
                     hasQ = false;
@@ -146,8 +168,10 @@ public final class Everything {
                     hasC = false;
                     return;
                 }
-                // line 17: s [cup.level == high || cup.volume < cup.weight * factor] / {passed = cup, range = -base % 7 - small};
-                if (hasCup && cup.level == LevelCode.HIGH || hasCup && cup.volume < (double) cup.weight * factor) {
+                // line 17: s [cup.level == high || cup.volume < cup.weight * factor] / {passed =
+                // cup, range = -base % 7 - small};
+                if (hasCup && cup.level == LevelCode.HIGH
+                        || hasCup && cup.volume < (double) cup.weight * factor) {
                     hasD = false;
                     hasSum = false;
                     hasQ = false;
@@ -158,11 +182,19 @@ public final class Everything {
                     hasNarrow = false;
                     hasF = false;
                     hasC = false;
-                    range = Check.range(-base % 7 - (int) small, -30, 30, "Everything, s -> s (line 17): range");
+                    range =
+                            Check.range(
+                                    -base % 7 - (int) small,
+                                    -30,
+                                    30,
+                                    "Everything, s -> s (line 17): range");
                     return;
                 }
-                // line 18: s -> t [i == -- <=> l != --] {level = alt {low, high}} / {tiny = (byte) (digit + small), big = big - digit};
-                if ((level == LevelCode.LOW || level == LevelCode.HIGH) && !hasI == hasL && hasDigit) {
+                // line 18: s -> t [i == -- <=> l != --] {level = alt {low, high}} / {tiny = (byte)
+                // (digit + small), big = big - digit};
+                if ((level == LevelCode.LOW || level == LevelCode.HIGH)
+                        && !hasI == hasL
+                        && hasDigit) {
                     hasD = false;
                     hasSum = false;
                     hasQ = false;
@@ -177,8 +209,12 @@ public final class Everything {
                     state = T;
                     return;
                 }
-                // line 19: s -> t {level = alt {high, --}, digit = alt {0, 1, 2}} / {d = if b then 1 else 2.5, lv = b ? Level.low : high};
-                if (hasDigit && (digit == 0 || digit == 1 || digit == 2) && (level == LevelCode.HIGH || level == LevelCode.SILENCE) && hasB) {
+                // line 19: s -> t {level = alt {high, --}, digit = alt {0, 1, 2}} / {d = if b then
+                // 1 else 2.5, lv = b ? Level.low : high};
+                if (hasDigit
+                        && (digit == 0 || digit == 1 || digit == 2)
+                        && (level == LevelCode.HIGH || level == LevelCode.SILENCE)
+                        && hasB) {
                     d = b ? 1.0 : 2.5;
                     hasD = true;
                     hasSum = false;
@@ -196,8 +232,12 @@ public final class Everything {
                 break;
 
             case T:
-                // line 20: t -> s [i / digit > twice % digit] / {f = (float) 1.5, c = 'x', sum = -(big - 1)};
-                if (hasI && hasDigit && Check.divide(i, digit, "Everything, t -> s (line 20)") > Check.remainder(twice, digit, "Everything, t -> s (line 20)")) {
+                // line 20: t -> s [i / digit > twice % digit] / {f = (float) 1.5, c = 'x', sum =
+                // -(big - 1)};
+                if (hasI
+                        && hasDigit
+                        && Check.divide(i, digit, "Everything, t -> s (line 20)")
+                                > Check.remainder(twice, digit, "Everything, t -> s (line 20)")) {
                     hasD = false;
                     sum = -(big - 1L);
                     hasSum = true;
@@ -213,9 +253,11 @@ public final class Everything {
                     state = S;
                     return;
                 }
-                // line 21: t -> s [!(i < 0) && other != 0 && name == "x"] / {range = other, other = range};
+                // line 21: t -> s [!(i < 0) && other != 0 && name == "x"] / {range = other, other =
+                // range};
                 if (hasI && !(i < 0) && other != 0 && hasName && name.equals("x")) {
-                    int nextRange = Check.range(other, -30, 30, "Everything, t -> s (line 21): range");
+                    int nextRange =
+                            Check.range(other, -30, 30, "Everything, t -> s (line 21): range");
                     int nextOther = range;
                     hasD = false;
                     hasSum = false;

@@ -11,22 +11,27 @@ public final class Rows {
 
     /** in Integer[0..6] n */
     public int n;
+
     public boolean hasN;
 
     /** in Boolean b */
     public boolean b;
+
     public boolean hasB;
 
     /** out Integer m */
     public int m;
+
     public boolean hasM;
 
     /** out Boolean ok */
     public boolean ok;
+
     public boolean hasOk;
 
     public Rows() {
-        // line 6: <<completion = "ignore">> table { in side, n, b; out m, ok; | low | -- | * | => | 1 | true |; | alt {low, --} | 5 | true ..
+        // line 6: <<completion = "ignore">> table { in side, n, b; out m, ok; | low | -- | * | => |
+        // 1 | true |; | alt {low, --} | 5 | true ..
         hasM = false;
         hasOk = false;
     }
@@ -66,7 +71,9 @@ public final class Rows {
             return;
         }
         // line 13: | * | * | * | => | -- | false |;
-        if (!((side == LevelCode.LOW || side == LevelCode.SILENCE) && hasN && n == 5 && hasB && b) && side == LevelCode.SILENCE && !(hasN && n == 3 && !hasB)) {
+        if (!((side == LevelCode.LOW || side == LevelCode.SILENCE) && hasN && n == 5 && hasB && b)
+                && side == LevelCode.SILENCE
+                && !(hasN && n == 3 && !hasB)) {
             hasM = false;
             ok = false;
             hasOk = true;

@@ -14,6 +14,7 @@ public final class Divided {
 
     /** out Integer said */
     public int said;
+
     public boolean hasSaid;
 
     public Divided() {

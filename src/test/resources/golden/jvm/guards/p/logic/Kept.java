@@ -14,6 +14,7 @@ public final class Kept {
 
     /** out Integer[0..20] shown */
     public int shown;
+
     public boolean hasShown;
 
     private final int slices;
@@ -38,7 +39,8 @@ public final class Kept {
             left = left - 1;
             return;
         }
-        // line 11: s [left <= 1 && beside >= 3 && beside < 20] / {left = slices - 2, beside = beside + 1};
+        // line 11: s [left <= 1 && beside >= 3 && beside < 20] / {left = slices - 2, beside =
+        // beside + 1};
         if (left <= 1 && beside >= 3 && beside < 20) {
             hasShown = false;
             left = slices - 2;

@@ -9,6 +9,7 @@ public final class Unequal {
 
     /** out Integer said */
     public int said;
+
     public boolean hasSaid;
 
     public Unequal() {

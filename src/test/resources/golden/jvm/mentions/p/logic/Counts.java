@@ -8,14 +8,17 @@ import arcomat.rt.Check;
 public final class Counts {
     /** in Boolean x */
     public boolean x;
+
     public boolean hasX;
 
     /** out Integer y */
     public int y;
+
     public boolean hasY;
 
     /** out Integer careful */
     public int careful;
+
     public boolean hasCareful;
 
     private int one = 1;

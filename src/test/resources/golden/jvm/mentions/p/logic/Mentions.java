@@ -3,7 +3,6 @@
 package p.logic;
 
 import p.words.FirstCode;
-import p.words.FourthCode;
 import p.words.SecondCode;
 import p.words.ThirdCode;
 
@@ -14,10 +13,12 @@ public final class Mentions {
 
     /** in Boolean go */
     public boolean go;
+
     public boolean hasGo;
 
     /** out Boolean done */
     public boolean done;
+
     public boolean hasDone;
 
     private final int given;

@@ -17,6 +17,7 @@ public final class Ports {
 
     /** out Integer what */
     public int what;
+
     public boolean hasWhat;
 
     public Ports() {

@@ -25,14 +25,17 @@ public final class Main {
 
     /** in Integer int0 */
     public int int0;
+
     public boolean hasInt0_;
 
     /** in Boolean hasInt0 */
     public boolean hasInt0;
+
     public boolean hasHasInt0;
 
     /** in Integer taken */
     public int taken;
+
     public boolean hasTaken;
 
     /** out String String */
@@ -40,10 +43,12 @@ public final class Main {
 
     /** out Integer StringCode */
     public int StringCode;
+
     public boolean hasStringCode;
 
     /** out Integer choice */
     public int choice_;
+
     public boolean hasChoice;
 
     /** out Object enabled */
@@ -51,6 +56,7 @@ public final class Main {
 
     /** out Check out1 */
     public Check_ out1;
+
     public boolean hasOut1;
 
     private final int state;
@@ -106,7 +112,8 @@ public final class Main {
                 break;
 
             case STATE_:
-                // line 12: State -> STATE {step == Clear} / {String = values, step0 = stepPart, stepPart = step0, nextStep0 = step0};
+                // line 12: State -> STATE {step == Clear} / {String = values, step0 = stepPart,
+                // stepPart = step0, nextStep0 = step0};
                 if (step == String_Code.CLEAR_) {
                     int nextStepPart = step0;
                     int nextNextStep0 = step0;
@@ -124,7 +131,8 @@ public final class Main {
                 break;
 
             case STATE_2:
-                // line 13: STATE -> driving {hasInt0 == true} / {StringCode = taken, enabled = native};
+                // line 13: STATE -> driving {hasInt0 == true} / {StringCode = taken, enabled =
+                // native};
                 if (hasHasInt0 && hasInt0 && hasTaken) {
                     String_2 = String_Code.SILENCE;
                     StringCode = taken;
@@ -148,7 +156,8 @@ public final class Main {
                 break;
 
             case DRIVING:
-                // line 15: driving -> class [int0 > 0 && taken < 5] / {choice = int0 + taken + nextStep0};
+                // line 15: driving -> class [int0 > 0 && taken < 5] / {choice = int0 + taken +
+                // nextStep0};
                 if (hasInt0_ && int0 > 0 && hasTaken && taken < 5) {
                     String_2 = String_Code.SILENCE;
                     hasStringCode = false;
@@ -199,7 +208,9 @@ public final class Main {
 
             case STRING_CODE:
                 // line 18: StringCode -> state {step = alt {silence, SILENCE, CLEAR}};
-                if (step == String_Code.SILENCE_ || step == String_Code.SILENCE_2 || step == String_Code.CLEAR_2) {
+                if (step == String_Code.SILENCE_
+                        || step == String_Code.SILENCE_2
+                        || step == String_Code.CLEAR_2) {
                     String_2 = String_Code.SILENCE;
                     hasStringCode = false;
                     hasChoice = false;

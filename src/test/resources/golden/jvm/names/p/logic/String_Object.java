@@ -6,10 +6,12 @@ package p.logic;
 public final class String_Object {
     /** in Integer wait */
     public int wait;
+
     public boolean hasWait;
 
     /** out Integer notify */
     public int notify;
+
     public boolean hasNotify;
 
     public String_Object() {

@@ -6,10 +6,12 @@ package p.logic;
 public final class String_Thread {
     /** in Integer a */
     public int a;
+
     public boolean hasA;
 
     /** out Integer b */
     public int b;
+
     public boolean hasB;
 
     public String_Thread() {

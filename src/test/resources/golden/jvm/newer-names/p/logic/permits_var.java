@@ -6,10 +6,12 @@ package p.logic;
 public final class permits_var {
     /** in Integer record */
     public int record;
+
     public boolean hasRecord;
 
     /** out Integer var */
     public int var;
+
     public boolean hasVar;
 
     public permits_var() {

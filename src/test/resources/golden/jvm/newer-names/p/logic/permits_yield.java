@@ -6,10 +6,12 @@ package p.logic;
 public final class permits_yield {
     /** in Integer _ */
     public int __;
+
     public boolean has_;
 
     /** out Integer yield */
     public int yield_;
+
     public boolean hasYield;
 
     public permits_yield() {

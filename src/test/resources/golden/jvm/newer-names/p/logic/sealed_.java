@@ -13,14 +13,17 @@ public final class sealed_ {
 
     /** in Integer _ */
     public int __;
+
     public boolean has_;
 
     /** in Integer yield */
     public int yield_;
+
     public boolean hasYield;
 
     /** in Integer record */
     public int record;
+
     public boolean hasRecord;
 
     /** in record permits */
@@ -28,6 +31,7 @@ public final class sealed_ {
 
     /** out Integer sealed */
     public int sealed;
+
     public boolean hasSealed;
 
     /** out record var */

@@ -3,6 +3,7 @@
 package coffee.fig3.logic;
 
 import arcomat.rt.Choice;
+
 import coffee.types.DistanceCode;
 import coffee.types.MotorCmdCode;
 

@@ -19,10 +19,12 @@ public final class Drive {
 
     /** out Integer leftSpeed */
     public int leftSpeed;
+
     public boolean hasLeftSpeed;
 
     /** out Integer rightSpeed */
     public int rightSpeed;
+
     public boolean hasRightSpeed;
 
     private static final int cruise = 360;
@@ -44,7 +46,8 @@ public final class Drive {
     public void step() {
         switch (state) {
             case STANDING:
-                // line 31: standing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed = cruise};
+                // line 31: standing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed =
+                // cruise};
                 if (cmd == MotorCmdCode.FWD) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -53,7 +56,8 @@ public final class Drive {
                     state = FOLLOWING;
                     return;
                 }
-                // line 32: standing -> backing {cmd == backRight} / {leftSpeed = -cruise, rightSpeed = -slow};
+                // line 32: standing -> backing {cmd == backRight} / {leftSpeed = -cruise,
+                // rightSpeed = -slow};
                 if (cmd == MotorCmdCode.BACK_RIGHT) {
                     leftSpeed = -cruise;
                     hasLeftSpeed = true;
@@ -65,7 +69,8 @@ public final class Drive {
                 break;
 
             case FOLLOWING:
-                // line 34: following {cmd == --, drift == none} / {leftSpeed = cruise, rightSpeed = cruise};
+                // line 34: following {cmd == --, drift == none} / {leftSpeed = cruise, rightSpeed =
+                // cruise};
                 if (cmd == MotorCmdCode.SILENCE && drift == DriftCode.NONE) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -73,7 +78,8 @@ public final class Drive {
                     hasRightSpeed = true;
                     return;
                 }
-                // line 35: following {cmd == --, drift == left} / {leftSpeed = cruise, rightSpeed = slow};
+                // line 35: following {cmd == --, drift == left} / {leftSpeed = cruise, rightSpeed =
+                // slow};
                 if (cmd == MotorCmdCode.SILENCE && drift == DriftCode.LEFT) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -81,7 +87,8 @@ public final class Drive {
                     hasRightSpeed = true;
                     return;
                 }
-                // line 36: following {cmd == --, drift == right} / {leftSpeed = slow, rightSpeed = cruise};
+                // line 36: following {cmd == --, drift == right} / {leftSpeed = slow, rightSpeed =
+                // cruise};
                 if (cmd == MotorCmdCode.SILENCE) {
                     leftSpeed = slow;
                     hasLeftSpeed = true;
@@ -98,7 +105,8 @@ public final class Drive {
                     state = STANDING;
                     return;
                 }
-                // line 39: following -> backing {cmd == backRight} / {leftSpeed = -cruise, rightSpeed = -slow};
+                // line 39: following -> backing {cmd == backRight} / {leftSpeed = -cruise,
+                // rightSpeed = -slow};
                 if (cmd == MotorCmdCode.BACK_RIGHT) {
                     leftSpeed = -cruise;
                     hasLeftSpeed = true;
@@ -119,7 +127,8 @@ public final class Drive {
                     state = STANDING;
                     return;
                 }
-                // line 42: backing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed = cruise};
+                // line 42: backing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed =
+                // cruise};
                 if (cmd == MotorCmdCode.FWD) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;

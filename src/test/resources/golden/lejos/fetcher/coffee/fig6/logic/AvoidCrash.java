@@ -50,14 +50,16 @@ public final class AvoidCrash {
     public void step() {
         switch (state) {
             case DRIVING:
-                // line 31: driving -> backing {frontUS == tooClose, gotCoffee == false} / {cmd = backRight, timerCmd = delay};
+                // line 31: driving -> backing {frontUS == tooClose, gotCoffee == false} / {cmd =
+                // backRight, timerCmd = delay};
                 if (frontUS == DistanceCode.TOO_CLOSE && !gotCoffee) {
                     cmd = MotorCmdCode.BACK_RIGHT;
                     timerCmd = TimerCmdCode.DELAY;
                     state = BACKING;
                     return;
                 }
-                // line 33: driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd = stop};
+                // line 33: driving -> waiting {frontUS == tooClose, gotCoffee == true} / {cmd =
+                // stop};
                 if (frontUS == DistanceCode.TOO_CLOSE) {
                     cmd = MotorCmdCode.STOP;
                     timerCmd = TimerCmdCode.SILENCE;

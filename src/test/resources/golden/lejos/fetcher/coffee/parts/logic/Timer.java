@@ -57,7 +57,8 @@ public final class Timer {
                     left = left - 1;
                     return;
                 }
-                // line 24: running -> idle [left == 1] {timerCmd == --} / {timerSig = alert, left = 0};
+                // line 24: running -> idle [left == 1] {timerCmd == --} / {timerSig = alert, left =
+                // 0};
                 if (left == 1) {
                     timerSig = TimerSignalCode.ALERT;
                     left = 0;

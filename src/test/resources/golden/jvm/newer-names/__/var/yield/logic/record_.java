@@ -6,10 +6,12 @@ package __.var.yield.logic;
 public final class record_ {
     /** in Integer a */
     public int a;
+
     public boolean hasA;
 
     /** out Integer b */
     public int b;
+
     public boolean hasB;
 
     public record_() {
