@@ -6,12 +6,10 @@ package p.logic;
 public final class Add {
     /** in Integer a */
     public int a;
-
     public boolean hasA;
 
     /** out Integer b */
     public int b;
-
     public boolean hasB;
 
     private final int amount;
@@ -27,6 +25,9 @@ public final class Add {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasB = false;
+
         // line 5: s {a = ?} / {b = a + amount};
         if (hasA) {
             b = a + amount;
@@ -34,6 +35,5 @@ public final class Add {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasB = false;
     }
 }

@@ -3,7 +3,6 @@
 package p.logic;
 
 import arcomat.rt.Check;
-
 import p.t.Cup;
 import p.t.LevelCode;
 
@@ -14,17 +13,14 @@ public final class Everything {
 
     /** in Integer i */
     public int i;
-
     public boolean hasI;
 
     /** in Long l */
     public long l;
-
     public boolean hasL;
 
     /** in Cup cup */
     public Cup cup;
-
     public boolean hasCup;
 
     /** in Level level */
@@ -32,62 +28,50 @@ public final class Everything {
 
     /** in Boolean b */
     public boolean b;
-
     public boolean hasB;
 
     /** in String name */
     public String name;
-
     public boolean hasName;
 
     /** in Integer[0..9] digit */
     public int digit;
-
     public boolean hasDigit;
 
     /** out Double d */
     public double d;
-
     public boolean hasD;
 
     /** out Long sum */
     public long sum;
-
     public boolean hasSum;
 
     /** out Boolean q */
     public boolean q;
-
     public boolean hasQ;
 
     /** out byte tiny */
     public int tiny;
-
     public boolean hasTiny;
 
     /** out String text */
     public String text;
-
     public boolean hasText;
 
     /** out Cup passed */
     public Cup passed;
-
     public boolean hasPassed;
 
     /** out Integer[-3..3] narrow */
     public int narrow;
-
     public boolean hasNarrow;
 
     /** out float f */
     public float f;
-
     public boolean hasF;
 
     /** out char c */
     public char c;
-
     public boolean hasC;
 
     private final double factor;
@@ -126,10 +110,20 @@ public final class Everything {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasD = false;
+        hasSum = false;
+        hasQ = false;
+        hasTiny = false;
+        hasText = false;
+        hasPassed = false;
+        hasNarrow = false;
+        hasF = false;
+        hasC = false;
+
         switch (state) {
             case S:
-                // line 15: s -> t [i + l > 3 && !b] / {d = i / 3, sum = i + 1, q = level == high,
-                // other = other + 1};
+                // line 15: s -> t [i + l > 3 && !b] / {d = i / 3, sum = i + 1, q = level == high, other = other + 1};
                 if (hasI && hasL && (long) i + l > 3L && hasB && !b && level != LevelCode.SILENCE) {
                     d = (double) (i / 3);
                     hasD = true;
@@ -137,94 +131,39 @@ public final class Everything {
                     hasSum = true;
                     q = level == LevelCode.HIGH;
                     hasQ = true;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     other = other + 1;
                     state = T;
                     return;
                 }
-                // line 16: s [ocl: level isin {Level.low, high} implies i isin {1, 2L}] / {tiny =
-                // -5, text = "a" + name + "\\n\\"b\\\\u0041", narro ..
-                if ((level != LevelCode.SILENCE
-                                        && !(level == LevelCode.LOW || level == LevelCode.HIGH)
-                                || hasI && ((long) i == 1L || (long) i == 2L))
-                        && hasName
-                        && hasDigit) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
+                // line 16: s [ocl: level isin {Level.low, high} implies i isin {1, 2L}] / {tiny = -5, text = "a" + name + "\\n\\"b\\\\u0041", narro ..
+                if ((level != LevelCode.SILENCE && !(level == LevelCode.LOW || level == LevelCode.HIGH) || hasI && ((long) i == 1L || (long) i == 2L)) && hasName && hasDigit) {
                     tiny = -5;
                     hasTiny = true;
                     text = "a" + name + "\012\"b\\u0041";
                     hasText = true;
-                    hasPassed = false;
                     narrow = Check.range(digit - 4, -3, 3, "Everything, s -> s (line 16): narrow");
                     hasNarrow = true;
-                    hasF = false;
-                    hasC = false;
                     return;
                 }
-                // line 17: s [cup.level == high || cup.volume < cup.weight * factor] / {passed =
-                // cup, range = -base % 7 - small};
-                if (hasCup && cup.level == LevelCode.HIGH
-                        || hasCup && cup.volume < (double) cup.weight * factor) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
+                // line 17: s [cup.level == high || cup.volume < cup.weight * factor] / {passed = cup, range = -base % 7 - small};
+                if (hasCup && cup.level == LevelCode.HIGH || hasCup && cup.volume < (double) cup.weight * factor) {
                     passed = cup;
                     hasPassed = true;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
-                    range =
-                            Check.range(
-                                    -base % 7 - (int) small,
-                                    -30,
-                                    30,
-                                    "Everything, s -> s (line 17): range");
+                    range = Check.range(-base % 7 - (int) small, -30, 30, "Everything, s -> s (line 17): range");
                     return;
                 }
-                // line 18: s -> t [i == -- <=> l != --] {level = alt {low, high}} / {tiny = (byte)
-                // (digit + small), big = big - digit};
-                if ((level == LevelCode.LOW || level == LevelCode.HIGH)
-                        && !hasI == hasL
-                        && hasDigit) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
+                // line 18: s -> t [i == -- <=> l != --] {level = alt {low, high}} / {tiny = (byte) (digit + small), big = big - digit};
+                if ((level == LevelCode.LOW || level == LevelCode.HIGH) && !hasI == hasL && hasDigit) {
                     tiny = (byte) (digit + (int) small);
                     hasTiny = true;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     big = big - (long) digit;
                     state = T;
                     return;
                 }
-                // line 19: s -> t {level = alt {high, --}, digit = alt {0, 1, 2}} / {d = if b then
-                // 1 else 2.5, lv = b ? Level.low : high};
-                if (hasDigit
-                        && (digit == 0 || digit == 1 || digit == 2)
-                        && (level == LevelCode.HIGH || level == LevelCode.SILENCE)
-                        && hasB) {
+                // line 19: s -> t {level = alt {high, --}, digit = alt {0, 1, 2}} / {d = if b then 1 else 2.5, lv = b ? Level.low : high};
+                if (hasDigit && (digit == 0 || digit == 1 || digit == 2) && (level == LevelCode.HIGH || level == LevelCode.SILENCE) && hasB) {
                     d = b ? 1.0 : 2.5;
                     hasD = true;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     lv = b ? LevelCode.LOW : LevelCode.HIGH;
                     state = T;
                     return;
@@ -232,20 +171,10 @@ public final class Everything {
                 break;
 
             case T:
-                // line 20: t -> s [i / digit > twice % digit] / {f = (float) 1.5, c = 'x', sum =
-                // -(big - 1)};
-                if (hasI
-                        && hasDigit
-                        && Check.divide(i, digit, "Everything, t -> s (line 20)")
-                                > Check.remainder(twice, digit, "Everything, t -> s (line 20)")) {
-                    hasD = false;
+                // line 20: t -> s [i / digit > twice % digit] / {f = (float) 1.5, c = 'x', sum = -(big - 1)};
+                if (hasI && hasDigit && Check.divide(i, digit, "Everything, t -> s (line 20)") > Check.remainder(twice, digit, "Everything, t -> s (line 20)")) {
                     sum = -(big - 1L);
                     hasSum = true;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
                     f = 1.5f;
                     hasF = true;
                     c = 'x';
@@ -253,21 +182,10 @@ public final class Everything {
                     state = S;
                     return;
                 }
-                // line 21: t -> s [!(i < 0) && other != 0 && name == "x"] / {range = other, other =
-                // range};
+                // line 21: t -> s [!(i < 0) && other != 0 && name == "x"] / {range = other, other = range};
                 if (hasI && !(i < 0) && other != 0 && hasName && name.equals("x")) {
-                    int nextRange =
-                            Check.range(other, -30, 30, "Everything, t -> s (line 21): range");
+                    int nextRange = Check.range(other, -30, 30, "Everything, t -> s (line 21): range");
                     int nextOther = range;
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     range = nextRange;
                     other = nextOther;
                     state = S;
@@ -275,32 +193,16 @@ public final class Everything {
                 }
                 // line 22: t -> s [lv == level] / {text = name + "+" + name, other = -other};
                 if (level != LevelCode.SILENCE && lv == level && hasName) {
-                    hasD = false;
-                    hasSum = false;
-                    hasQ = false;
-                    hasTiny = false;
                     text = name + "+" + name;
                     hasText = true;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     other = -other;
                     state = S;
                     return;
                 }
                 // line 23: t -> s {b = true, cup = ?} / {q = cup.owner != name, lv = level};
                 if (hasB && b && hasCup && hasName && level != LevelCode.SILENCE) {
-                    hasD = false;
-                    hasSum = false;
                     q = !cup.owner.equals(name);
                     hasQ = true;
-                    hasTiny = false;
-                    hasText = false;
-                    hasPassed = false;
-                    hasNarrow = false;
-                    hasF = false;
-                    hasC = false;
                     lv = level;
                     state = S;
                     return;
@@ -311,14 +213,5 @@ public final class Everything {
                 break;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasD = false;
-        hasSum = false;
-        hasQ = false;
-        hasTiny = false;
-        hasText = false;
-        hasPassed = false;
-        hasNarrow = false;
-        hasF = false;
-        hasC = false;
     }
 }

@@ -9,7 +9,6 @@ public final class Unequal {
 
     /** out Integer said */
     public int said;
-
     public boolean hasSaid;
 
     public Unequal() {
@@ -22,6 +21,9 @@ public final class Unequal {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasSaid = false;
+
         // line 10: s [x < 1.5] / {said = 1};
         if (x < 1.5) {
             said = 1;
@@ -35,6 +37,5 @@ public final class Unequal {
             return;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasSaid = false;
     }
 }

@@ -3,6 +3,7 @@
 package p.logic;
 
 import p.words.FirstCode;
+import p.words.FourthCode;
 import p.words.SecondCode;
 import p.words.ThirdCode;
 
@@ -13,12 +14,10 @@ public final class Mentions {
 
     /** in Boolean go */
     public boolean go;
-
     public boolean hasGo;
 
     /** out Boolean done */
     public boolean done;
-
     public boolean hasDone;
 
     private final int given;
@@ -43,6 +42,9 @@ public final class Mentions {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasDone = false;
+
         switch (state) {
             case S:
                 // line 11: s -> t [go && kept == d] / {done = given == a};
@@ -69,6 +71,5 @@ public final class Mentions {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasDone = false;
     }
 }

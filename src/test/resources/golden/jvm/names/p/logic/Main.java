@@ -25,17 +25,14 @@ public final class Main {
 
     /** in Integer int0 */
     public int int0;
-
     public boolean hasInt0_;
 
     /** in Boolean hasInt0 */
     public boolean hasInt0;
-
     public boolean hasHasInt0;
 
     /** in Integer taken */
     public int taken;
-
     public boolean hasTaken;
 
     /** out String String */
@@ -43,12 +40,10 @@ public final class Main {
 
     /** out Integer StringCode */
     public int StringCode;
-
     public boolean hasStringCode;
 
     /** out Integer choice */
     public int choice_;
-
     public boolean hasChoice;
 
     /** out Object enabled */
@@ -56,7 +51,6 @@ public final class Main {
 
     /** out Check out1 */
     public Check_ out1;
-
     public boolean hasOut1;
 
     private final int state;
@@ -86,42 +80,37 @@ public final class Main {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        String_2 = String_Code.SILENCE;
+        hasStringCode = false;
+        hasChoice = false;
+        enabled_ = Object_Code.SILENCE;
+        hasOut1 = false;
+
         switch (state_) {
             case STATE:
                 // line 10: state -> State {step == clear} / {String = CLEAR, choice = step0};
                 if (step == String_Code.CLEAR) {
                     String_2 = String_Code.CLEAR_2;
-                    hasStringCode = false;
                     choice_ = step0;
                     hasChoice = true;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = STATE_;
                     return;
                 }
                 // line 11: state -> Driving {step == clear} / {String = SILENCE};
                 if (step == String_Code.CLEAR) {
                     String_2 = String_Code.SILENCE_2;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = DRIVING_;
                     return;
                 }
                 break;
 
             case STATE_:
-                // line 12: State -> STATE {step == Clear} / {String = values, step0 = stepPart,
-                // stepPart = step0, nextStep0 = step0};
+                // line 12: State -> STATE {step == Clear} / {String = values, step0 = stepPart, stepPart = step0, nextStep0 = step0};
                 if (step == String_Code.CLEAR_) {
                     int nextStepPart = step0;
                     int nextNextStep0 = step0;
                     String_2 = String_Code.VALUES;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     step0 = stepPart;
                     stepPart = nextStepPart;
                     nextStep0 = nextNextStep0;
@@ -131,40 +120,28 @@ public final class Main {
                 break;
 
             case STATE_2:
-                // line 13: STATE -> driving {hasInt0 == true} / {StringCode = taken, enabled =
-                // native};
+                // line 13: STATE -> driving {hasInt0 == true} / {StringCode = taken, enabled = native};
                 if (hasHasInt0 && hasInt0 && hasTaken) {
-                    String_2 = String_Code.SILENCE;
                     StringCode = taken;
                     hasStringCode = true;
-                    hasChoice = false;
                     enabled_ = Object_Code.NATIVE;
-                    hasOut1 = false;
                     state_ = DRIVING;
                     return;
                 }
                 // line 14: STATE -> state {class == code} / {enabled = of, String = silence};
                 if (class_ == Object_Code.CODE) {
                     String_2 = String_Code.SILENCE_;
-                    hasStringCode = false;
-                    hasChoice = false;
                     enabled_ = Object_Code.OF;
-                    hasOut1 = false;
                     state_ = STATE;
                     return;
                 }
                 break;
 
             case DRIVING:
-                // line 15: driving -> class [int0 > 0 && taken < 5] / {choice = int0 + taken +
-                // nextStep0};
+                // line 15: driving -> class [int0 > 0 && taken < 5] / {choice = int0 + taken + nextStep0};
                 if (hasInt0_ && int0 > 0 && hasTaken && taken < 5) {
-                    String_2 = String_Code.SILENCE;
-                    hasStringCode = false;
                     choice_ = int0 + taken + nextStep0;
                     hasChoice = true;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = CLASS;
                     return;
                 }
@@ -174,10 +151,6 @@ public final class Main {
                 // line 16: Driving -> taken {taken == ?} / {String = name};
                 if (hasTaken) {
                     String_2 = String_Code.NAME;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = TAKEN;
                     return;
                 }
@@ -187,10 +160,6 @@ public final class Main {
                 // line 19: class -> state {class == native} / {String = ordinal};
                 if (class_ == Object_Code.NATIVE) {
                     String_2 = String_Code.ORDINAL;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
                     state_ = STATE;
                     return;
                 }
@@ -199,23 +168,12 @@ public final class Main {
             case TAKEN:
                 // line 17: taken -> StringCode / {String = values};
                 String_2 = String_Code.VALUES;
-                hasStringCode = false;
-                hasChoice = false;
-                enabled_ = Object_Code.SILENCE;
-                hasOut1 = false;
                 state_ = STRING_CODE;
                 return;
 
             case STRING_CODE:
                 // line 18: StringCode -> state {step = alt {silence, SILENCE, CLEAR}};
-                if (step == String_Code.SILENCE_
-                        || step == String_Code.SILENCE_2
-                        || step == String_Code.CLEAR_2) {
-                    String_2 = String_Code.SILENCE;
-                    hasStringCode = false;
-                    hasChoice = false;
-                    enabled_ = Object_Code.SILENCE;
-                    hasOut1 = false;
+                if (step == String_Code.SILENCE_ || step == String_Code.SILENCE_2 || step == String_Code.CLEAR_2) {
                     state_ = STATE;
                     return;
                 }
@@ -225,10 +183,5 @@ public final class Main {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        String_2 = String_Code.SILENCE;
-        hasStringCode = false;
-        hasChoice = false;
-        enabled_ = Object_Code.SILENCE;
-        hasOut1 = false;
     }
 }

@@ -6,12 +6,10 @@ package p.logic;
 public final class String_Object {
     /** in Integer wait */
     public int wait;
-
     public boolean hasWait;
 
     /** out Integer notify */
     public int notify;
-
     public boolean hasNotify;
 
     public String_Object() {
@@ -24,6 +22,9 @@ public final class String_Object {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasNotify = false;
+
         // line 6: s {wait = ?} / {notify = wait};
         if (hasWait) {
             notify = wait;
@@ -31,6 +32,5 @@ public final class String_Object {
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasNotify = false;
     }
 }

@@ -6,12 +6,10 @@ package p.logic;
 public final class permits_yield {
     /** in Integer _ */
     public int __;
-
     public boolean has_;
 
     /** out Integer yield */
     public int yield_;
-
     public boolean hasYield;
 
     public permits_yield() {
@@ -24,6 +22,9 @@ public final class permits_yield {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasYield = false;
+
         // line 6: s {_ = ?} / {yield = _};
         if (has_) {
             yield_ = __;
@@ -31,6 +32,5 @@ public final class permits_yield {
             return;
         }
         // No transition is enabled: completion chaos, the state is kept.
-        hasYield = false;
     }
 }

@@ -13,17 +13,14 @@ public final class sealed_ {
 
     /** in Integer _ */
     public int __;
-
     public boolean has_;
 
     /** in Integer yield */
     public int yield_;
-
     public boolean hasYield;
 
     /** in Integer record */
     public int record;
-
     public boolean hasRecord;
 
     /** in record permits */
@@ -31,7 +28,6 @@ public final class sealed_ {
 
     /** out Integer sealed */
     public int sealed;
-
     public boolean hasSealed;
 
     /** out record var */
@@ -54,6 +50,10 @@ public final class sealed_ {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasSealed = false;
+        var = record_Code.SILENCE;
+
         switch (state) {
             case __2:
                 // line 9: _ -> yield {_ == ?} / {sealed = _ + __, var = p.Newer.record.record};
@@ -71,7 +71,6 @@ public final class sealed_ {
                 if (hasYield) {
                     sealed = yield_;
                     hasSealed = true;
-                    var = record_Code.SILENCE;
                     when = when + 1;
                     state = RECORD;
                     return;
@@ -92,13 +91,11 @@ public final class sealed_ {
             case VAR:
                 // line 12: var -> _ {permits == ?} / {var = permits};
                 if (permits != record_Code.SILENCE) {
-                    hasSealed = false;
                     var = permits;
                     state = __2;
                     return;
                 }
                 // line 13: var -> yield {permits == --} / {var = assert};
-                hasSealed = false;
                 var = record_Code.ASSERT;
                 state = YIELD;
                 return;
@@ -107,7 +104,5 @@ public final class sealed_ {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasSealed = false;
-        var = record_Code.SILENCE;
     }
 }

@@ -19,12 +19,10 @@ public final class Drive {
 
     /** out Integer leftSpeed */
     public int leftSpeed;
-
     public boolean hasLeftSpeed;
 
     /** out Integer rightSpeed */
     public int rightSpeed;
-
     public boolean hasRightSpeed;
 
     private static final int cruise = 360;
@@ -44,10 +42,13 @@ public final class Drive {
      * carried before this call was visible in the slice; without delay it is so afterwards.
      */
     public void step() {
+        // Silent, unless something is sent below.
+        hasLeftSpeed = false;
+        hasRightSpeed = false;
+
         switch (state) {
             case STANDING:
-                // line 31: standing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed =
-                // cruise};
+                // line 31: standing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed = cruise};
                 if (cmd == MotorCmdCode.FWD) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -56,8 +57,7 @@ public final class Drive {
                     state = FOLLOWING;
                     return;
                 }
-                // line 32: standing -> backing {cmd == backRight} / {leftSpeed = -cruise,
-                // rightSpeed = -slow};
+                // line 32: standing -> backing {cmd == backRight} / {leftSpeed = -cruise, rightSpeed = -slow};
                 if (cmd == MotorCmdCode.BACK_RIGHT) {
                     leftSpeed = -cruise;
                     hasLeftSpeed = true;
@@ -69,8 +69,7 @@ public final class Drive {
                 break;
 
             case FOLLOWING:
-                // line 34: following {cmd == --, drift == none} / {leftSpeed = cruise, rightSpeed =
-                // cruise};
+                // line 34: following {cmd == --, drift == none} / {leftSpeed = cruise, rightSpeed = cruise};
                 if (cmd == MotorCmdCode.SILENCE && drift == DriftCode.NONE) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -78,8 +77,7 @@ public final class Drive {
                     hasRightSpeed = true;
                     return;
                 }
-                // line 35: following {cmd == --, drift == left} / {leftSpeed = cruise, rightSpeed =
-                // slow};
+                // line 35: following {cmd == --, drift == left} / {leftSpeed = cruise, rightSpeed = slow};
                 if (cmd == MotorCmdCode.SILENCE && drift == DriftCode.LEFT) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -87,8 +85,7 @@ public final class Drive {
                     hasRightSpeed = true;
                     return;
                 }
-                // line 36: following {cmd == --, drift == right} / {leftSpeed = slow, rightSpeed =
-                // cruise};
+                // line 36: following {cmd == --, drift == right} / {leftSpeed = slow, rightSpeed = cruise};
                 if (cmd == MotorCmdCode.SILENCE) {
                     leftSpeed = slow;
                     hasLeftSpeed = true;
@@ -105,8 +102,7 @@ public final class Drive {
                     state = STANDING;
                     return;
                 }
-                // line 39: following -> backing {cmd == backRight} / {leftSpeed = -cruise,
-                // rightSpeed = -slow};
+                // line 39: following -> backing {cmd == backRight} / {leftSpeed = -cruise, rightSpeed = -slow};
                 if (cmd == MotorCmdCode.BACK_RIGHT) {
                     leftSpeed = -cruise;
                     hasLeftSpeed = true;
@@ -127,8 +123,7 @@ public final class Drive {
                     state = STANDING;
                     return;
                 }
-                // line 42: backing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed =
-                // cruise};
+                // line 42: backing -> following {cmd == fwd} / {leftSpeed = cruise, rightSpeed = cruise};
                 if (cmd == MotorCmdCode.FWD) {
                     leftSpeed = cruise;
                     hasLeftSpeed = true;
@@ -143,7 +138,5 @@ public final class Drive {
                 break;
         }
         // No transition is enabled: completion ignore, the state is kept.
-        hasLeftSpeed = false;
-        hasRightSpeed = false;
     }
 }
