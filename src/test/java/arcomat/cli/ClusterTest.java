@@ -50,7 +50,7 @@ class ClusterTest {
 
     @AfterEach
     void endAll() throws InterruptedException {
-        tool.close();
+        tool.endAll();
     }
 
     private Process start(String log, String... arguments) throws IOException {

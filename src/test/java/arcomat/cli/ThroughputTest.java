@@ -52,7 +52,7 @@ class ThroughputTest {
     @AfterEach
     void endAll() throws InterruptedException {
         if (tool != null) {
-            tool.close();
+            tool.endAll();
         }
     }
 

@@ -8,8 +8,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 
-/** The installed tool as processes of their own in a folder; what is left of them ends with it. */
-final class ToolProcesses implements AutoCloseable {
+/** The installed tool as processes of their own in a folder. */
+final class ToolProcesses {
     private static final Path TOOL = Path.of("build/install/arcomat/bin/arcomat").toAbsolutePath();
 
     private final Path folder;
@@ -68,8 +68,8 @@ final class ToolProcesses implements AutoCloseable {
                 .reduce(Duration.ZERO, Duration::plus);
     }
 
-    @Override
-    public void close() throws InterruptedException {
+    /** Ends what is left. */
+    void endAll() throws InterruptedException {
         for (Process each : started) {
             each.destroyForcibly().waitFor();
         }
