@@ -88,7 +88,14 @@ class ArchitectureTest {
                                     "pipeline syntax tree symbols check report",
                                     "org.eclipse.lsp4j",
                                     "com.google.gson")),
-                    Map.entry("cli", row("pipeline editor", "picocli")));
+                    // Of the editor's protocol only what agents speak as well: JSON-RPC.
+                    Map.entry(
+                            "agent",
+                            row(
+                                    "pipeline report analysis world sim",
+                                    "org.eclipse.lsp4j.jsonrpc",
+                                    "com.google.gson")),
+                    Map.entry("cli", row("pipeline editor agent", "picocli")));
 
     /** What the pipeline hands out to the command line: data of other rooms. */
     private static final Set<String> HANDED_OUT =

@@ -26,6 +26,7 @@ import arcomat.cli.command.run.SimulateCommand;
 import arcomat.cli.command.run.TestCommand;
 import arcomat.cli.command.run.WorldCommand;
 import arcomat.cli.command.serve.LanguageServerCommand;
+import arcomat.cli.command.serve.McpCommand;
 import arcomat.cli.command.shell.CompletionCommand;
 import arcomat.cli.command.shell.ManualCommand;
 import arcomat.cli.command.watch.WatchCommand;
@@ -73,6 +74,7 @@ final class Commands {
         add("link", () -> new LinkCommand());
         add("explain", () -> new ExplainCommand());
         add("language-server", () -> new LanguageServerCommand());
+        add("mcp", () -> new McpCommand());
         add("completion", () -> new CompletionCommand());
         add("manual", () -> new ManualCommand());
     }

@@ -8,11 +8,30 @@ import java.nio.file.Path;
  * written absolute, and with forward slashes everywhere.
  *
  * @param directory the folder that relative paths start from, absolute
+ * @param fence what may be read, whoever wrote the path
  */
-public record PathNames(Path directory) {
+public record PathNames(Path directory, Fence fence) {
+    /** Where everything may be read that the user may read. */
+    public PathNames(Path directory) {
+        this(directory, Fence.NONE);
+    }
+
     /** The place of a path as the user wrote it. */
     public Path resolve(String written) {
         return directory.resolve(written);
+    }
+
+    /**
+     * The place of a path as the user wrote it, which is about to be read.
+     *
+     * @throws WrongUse where it may not be
+     */
+    public Path readable(String written) throws WrongUse {
+        Path path = resolve(written);
+        if (!fence.permits(path)) {
+            throw new WrongUse("'" + written + "' " + fence.refusal());
+        }
+        return path;
     }
 
     /**

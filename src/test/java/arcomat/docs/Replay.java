@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import arcomat.docs.Session.Step;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.dataformat.yaml.YAMLMapper;
 
 import java.io.IOException;
@@ -29,6 +30,8 @@ import java.util.regex.Pattern;
  *       this project.
  *   <li>{@code yaml}, {@code shell}, {@code groovy Jenkinsfile}: lines for a build server or this
  *       project's build, in which commands, options and tasks are there.
+ *   <li>{@code json}, {@code lua}, {@code toml}, {@code lisp}: lines for agents and editors, which
+ *       are told to start a command that is there.
  *   <li>{@code synopsis}: a command with the options that it has.
  *   <li>{@code files}: what is where in this project.
  * </ul>
@@ -100,9 +103,13 @@ final class Replay {
             case "rooms" -> {
                 // ArchitecturePageTest draws it.
             }
-            // Settings of editors: they are told to start a command that there is.
+            // Settings of editors and agents: they are told to start a command that there is.
             case "lua", "toml", "lisp" ->
                     assertThat(fence.text()).as(where(fence)).contains("\"language-server\"");
+            case "json" -> {
+                new ObjectMapper().readTree(fence.text());
+                assertThat(fence.text()).as(where(fence)).contains("\"mcp\"");
+            }
             default -> throw new AssertionError(where(fence) + ": nobody checks this block");
         }
     }

@@ -1,15 +1,12 @@
 package arcomat.cli.command;
 
-import arcomat.model.Automaton.Completion;
 import arcomat.pipeline.WrongUse;
 import arcomat.pipeline.analysis.ComparedSides;
 
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.Optional;
 
 /** What the commands about two sides have in common. */
@@ -41,27 +38,6 @@ public abstract class ComparisonCommand<T> extends AnalysisCommand<T> {
     }
 
     protected final ComparedSides sides() throws WrongUse {
-        String[] sides = completion == null ? new String[0] : completion.split(",", -1);
-        if (completion != null && sides.length != 2) {
-            throw new WrongUse("--completion '" + completion + "' is no pair such as chaos,output");
-        }
-        return new ComparedSides(left, right, completion(sides, 0), completion(sides, 1));
-    }
-
-    private static Optional<Completion> completion(String[] sides, int side) throws WrongUse {
-        if (sides.length == 0) {
-            return Optional.empty();
-        }
-        String name = sides[side].strip();
-        return Optional.of(
-                Arrays.stream(Completion.values())
-                        .filter(c -> c.name().toLowerCase(Locale.ROOT).equals(name))
-                        .findFirst()
-                        .orElseThrow(
-                                () ->
-                                        new WrongUse(
-                                                "'%s' is no completion; there are chaos, output,"
-                                                        + " ignore and error",
-                                                name)));
+        return ComparedSides.of(left, right, Optional.ofNullable(completion));
     }
 }

@@ -7,7 +7,9 @@ import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
 import arcomat.pipeline.check.PromiseReference;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 
 /**
@@ -23,6 +25,39 @@ public record ComparedSides(
         String right,
         Optional<Completion> leftCompletion,
         Optional<Completion> rightCompletion) {
+    /**
+     * Two sides as they are written.
+     *
+     * @param completions of both, {@code chaos,output}; empty for what the models say
+     * @throws WrongUse where that is no such pair
+     */
+    public static ComparedSides of(String left, String right, Optional<String> completions)
+            throws WrongUse {
+        String[] sides = completions.map(pair -> pair.split(",", -1)).orElse(new String[0]);
+        if (completions.isPresent() && sides.length != 2) {
+            throw new WrongUse(
+                    "--completion '" + completions.get() + "' is no pair such as chaos,output");
+        }
+        return new ComparedSides(left, right, completion(sides, 0), completion(sides, 1));
+    }
+
+    private static Optional<Completion> completion(String[] sides, int side) throws WrongUse {
+        if (sides.length == 0) {
+            return Optional.empty();
+        }
+        String name = sides[side].strip();
+        return Optional.of(
+                Arrays.stream(Completion.values())
+                        .filter(c -> c.name().toLowerCase(Locale.ROOT).equals(name))
+                        .findFirst()
+                        .orElseThrow(
+                                () ->
+                                        new WrongUse(
+                                                "'%s' is no completion; there are chaos, output,"
+                                                        + " ignore and error",
+                                                name)));
+    }
+
     Asked asked() {
         return Asked.components(List.of(left, right));
     }

@@ -54,7 +54,7 @@ public record JarReader(String shown, byte[] bytes, String main, List<RobotClass
      * @throws WrongUse where there is none, or what is there is no robot's
      */
     public static JarReader read(String written, PathNames names) throws WrongUse {
-        Path file = names.resolve(written);
+        Path file = names.readable(written);
         if (!Files.isRegularFile(file)) {
             throw new WrongUse("there is no jar '" + written + "'");
         }

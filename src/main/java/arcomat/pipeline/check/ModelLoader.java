@@ -56,7 +56,7 @@ public final class ModelLoader {
         findings.addAll(finder.findings());
         List<Unit> fresh = parse(read(finder.files()));
         Set<Path> folders = searchedFolders(paths, names);
-        ModelRoot roots = new ModelRoot();
+        ModelRoot roots = new ModelRoot(names.fence());
         Set<String> needed = new HashSet<>();
         while (!fresh.isEmpty()) {
             List<SourceFile> more = read(needed(fresh, roots, folders));
@@ -150,7 +150,8 @@ public final class ModelLoader {
                     .orElse(Set.of())
                     .forEach(
                             path -> {
-                                if (known.add(PathNames.real(path))) {
+                                if (names.fence().permits(path)
+                                        && known.add(PathNames.real(path))) {
                                     needed.add(
                                             new FileFinder.Found(
                                                     path, names.shown(path, absolute)));

@@ -1,5 +1,6 @@
 package arcomat.pipeline.check;
 
+import arcomat.pipeline.Fence;
 import arcomat.tree.Unit;
 
 import java.io.IOException;
@@ -33,7 +34,13 @@ public final class ModelRoot {
             Pattern.compile(
                     "[\\p{L}_$][\\p{L}\\p{N}_$]*(?:\\.[\\p{L}_$][\\p{L}\\p{N}_$]*)*(\\.\\*)?");
 
+    private final Fence fence;
     private final Map<Path, Set<String>> listings = new HashMap<>();
+
+    /** Looks for files where they may be read. */
+    public ModelRoot(Fence fence) {
+        this.fence = fence;
+    }
 
     /** The folder above a unit's package; empty where folders and package differ. */
     public static Optional<Path> of(Unit unit, Path file) {
@@ -133,10 +140,13 @@ public final class ModelRoot {
     }
 
     private Set<String> listing(Path folder) {
-        return listings.computeIfAbsent(folder, ModelRoot::list);
+        return listings.computeIfAbsent(folder, this::list);
     }
 
-    private static Set<String> list(Path folder) {
+    private Set<String> list(Path folder) {
+        if (!fence.permits(folder)) {
+            return Set.of();
+        }
         try (Stream<Path> entries = Files.list(folder)) {
             return entries.map(p -> p.getFileName().toString())
                     .collect(Collectors.toCollection(TreeSet::new));

@@ -11,13 +11,11 @@ import arcomat.pipeline.analysis.AnalyzeAutomata;
 import arcomat.pipeline.analysis.InstancePromises;
 import arcomat.pipeline.check.Asked;
 import arcomat.pipeline.check.LoweredModels;
-import arcomat.pipeline.check.MainComponent;
 import arcomat.pipeline.check.ModelQuestion;
 import arcomat.pipeline.file.OutputFolder;
 import arcomat.pipeline.picture.PictureFormat;
 import arcomat.pipeline.picture.SourceLinks;
 import arcomat.source.Span;
-import arcomat.symbols.names.DiagramSymbol;
 
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
@@ -56,7 +54,8 @@ public record DrawDiagrams(
      */
     @Override
     public List<String> answer(LoweredModels models, Session session) throws WrongUse {
-        Map<String, Graph> graphs = drawings(models, examinations(models, session)).graphs();
+        Map<String, Graph> graphs =
+                Drawings.of(components, depth, examinations(models, session), models).graphs();
         if (graphs.isEmpty()) {
             throw new WrongUse("there is nothing to draw in " + String.join(", ", paths));
         }
@@ -81,30 +80,5 @@ public record DrawDiagrams(
         }
         List<Promise> promises = new InstancePromises(models).all();
         return AnalyzeAutomata.examine(promises, models, highlight.get(), session);
-    }
-
-    private Drawings drawings(LoweredModels models, List<Examination> examinations)
-            throws WrongUse {
-        Drawings drawings = new Drawings(depth, examinations);
-        List<DiagramSymbol> diagrams = models.checked().workspace().diagrams();
-        for (String name : components) {
-            List<DiagramSymbol> types =
-                    diagrams.stream().filter(each -> each.qualifiedName().equals(name)).toList();
-            if (types.isEmpty() || models.model().component(name).isPresent()) {
-                drawings.add(MainComponent.component(name, models));
-            }
-            types.forEach(drawings::add);
-        }
-        if (components.isEmpty()) {
-            models.named().forEach(drawings::add);
-            diagrams.stream()
-                    .filter(
-                            each ->
-                                    models.checked()
-                                            .loaded()
-                                            .isNamedByUser(each.unit().file().path()))
-                    .forEach(drawings::add);
-        }
-        return drawings;
     }
 }

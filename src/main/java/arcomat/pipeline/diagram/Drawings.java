@@ -8,6 +8,9 @@ import arcomat.diagram.Highlights;
 import arcomat.diagram.TypesGraph;
 import arcomat.model.Automaton;
 import arcomat.model.Component;
+import arcomat.pipeline.WrongUse;
+import arcomat.pipeline.check.LoweredModels;
+import arcomat.pipeline.check.MainComponent;
 import arcomat.symbols.names.DefinedType;
 import arcomat.symbols.names.DiagramSymbol;
 import arcomat.tree.ClassDiagram;
@@ -34,9 +37,52 @@ final class Drawings {
     /**
      * @param examinations whose findings are marked
      */
-    Drawings(int depth, List<Examination> examinations) {
+    private Drawings(int depth, List<Examination> examinations) {
         this.depth = depth;
         this.examinations = examinations;
+    }
+
+    /**
+     * @param components qualified names; empty for all components and class diagrams that were
+     *     named by their files
+     * @throws WrongUse where there is no such component or class diagram
+     */
+    static Drawings of(
+            List<String> components,
+            int depth,
+            List<Examination> examinations,
+            LoweredModels models)
+            throws WrongUse {
+        Drawings drawings = new Drawings(depth, examinations);
+        for (String name : components) {
+            drawings.addNamed(name, models);
+        }
+        if (components.isEmpty()) {
+            drawings.addAll(models);
+        }
+        return drawings;
+    }
+
+    private void addNamed(String name, LoweredModels models) throws WrongUse {
+        List<DiagramSymbol> types =
+                models.checked().workspace().diagrams().stream()
+                        .filter(each -> each.qualifiedName().equals(name))
+                        .toList();
+        if (types.isEmpty() || models.model().component(name).isPresent()) {
+            add(MainComponent.component(name, models));
+        }
+        types.forEach(this::add);
+    }
+
+    private void addAll(LoweredModels models) {
+        models.named().forEach(this::add);
+        models.checked().workspace().diagrams().stream()
+                .filter(each -> isNamed(each, models))
+                .forEach(this::add);
+    }
+
+    private static boolean isNamed(DiagramSymbol types, LoweredModels models) {
+        return models.checked().loaded().isNamedByUser(types.unit().file().path());
     }
 
     Map<String, Graph> graphs() {

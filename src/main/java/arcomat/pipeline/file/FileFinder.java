@@ -72,7 +72,9 @@ public final class FileFinder {
         Path path = names.resolve(written);
         boolean absolute = Path.of(written).isAbsolute();
         String shown = names.shown(path, absolute);
-        if (PathNames.real(path).getParent() == null) {
+        if (!names.fence().permits(path)) {
+            unreadable(shown, names.fence().refusal());
+        } else if (PathNames.real(path).getParent() == null) {
             unreadable(
                     shown,
                     "is the whole file system, and would be searched for days; name the folder of"
@@ -130,14 +132,24 @@ public final class FileFinder {
             return;
         }
         if (Files.isDirectory(entry)) {
-            searchFolder(entry, shown, absolute);
-        } else if (isModelFile(entry)) {
+            if (mayBeRead(entry, shown)) {
+                searchFolder(entry, shown, absolute);
+            }
+        } else if (isModelFile(entry) && mayBeRead(entry, shown)) {
             if (Files.exists(entry)) {
                 addFile(entry, shown);
             } else {
                 missing(entry, shown);
             }
         }
+    }
+
+    private boolean mayBeRead(Path entry, String shown) {
+        boolean may = names.fence().permits(entry);
+        if (!may) {
+            unreadable(shown, names.fence().refusal());
+        }
+        return may;
     }
 
     private void addFile(Path file, String shown) {

@@ -47,7 +47,7 @@ public final class FileReader {
      */
     public static SourceFile required(String kind, String written, PathNames names)
             throws WrongUse {
-        Path path = names.resolve(written);
+        Path path = names.readable(written);
         if (!Files.isRegularFile(path)) {
             throw new WrongUse("there is no " + kind + " '" + written + "'");
         }

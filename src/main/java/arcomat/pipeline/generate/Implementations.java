@@ -39,7 +39,7 @@ public record Implementations(Map<String, SourceFile> own, Map<String, SourceFil
         for (Target each : targets) {
             for (Path root : roots) {
                 Path folder = root.resolve(each.platformFolder());
-                if (Files.isDirectory(folder)) {
+                if (Files.isDirectory(folder) && names.fence().permits(folder)) {
                     read(folder, names, own);
                 }
             }
@@ -53,6 +53,9 @@ public record Implementations(Map<String, SourceFile> own, Map<String, SourceFil
         boolean absolute = !folder.startsWith(names.directory());
         for (Path file : Targets.files(folder, names.shown(folder, absolute))) {
             String shown = names.shown(file, absolute);
+            if (!names.fence().permits(file)) {
+                throw new WrongUse("'" + shown + "' " + names.fence().refusal());
+            }
             String path = folder.relativize(file).toString().replace('\\', '/');
             own.putIfAbsent(path, FileReader.text(file, shown));
         }

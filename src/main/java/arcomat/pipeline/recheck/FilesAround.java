@@ -22,7 +22,7 @@ final class FilesAround {
     private final Set<Path> searched;
     private final Set<Path> named = new HashSet<>();
     private final Set<Path> places = new HashSet<>();
-    private final ModelRoot roots = new ModelRoot();
+    private final ModelRoot roots;
     private final Library library = new Library();
     private final Map<Path, Path> real = new HashMap<>();
 
@@ -32,6 +32,7 @@ final class FilesAround {
      */
     FilesAround(PathNames names, Set<Path> searched, Collection<String> files) {
         this.names = names;
+        this.roots = new ModelRoot(names.fence());
         this.searched = searched;
         files.forEach(file -> places.add(place(file)));
     }

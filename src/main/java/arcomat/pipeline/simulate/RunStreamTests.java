@@ -31,6 +31,7 @@ public record RunStreamTests(List<String> paths) implements ModelQuestion<List<S
         }
         List<StreamTestResult> results = new ArrayList<>();
         for (StreamTest test : tests) {
+            session.progress().goOn();
             session.progress().step("running " + test.suite() + "#" + test.name());
             results.add(StreamTests.run(test));
         }

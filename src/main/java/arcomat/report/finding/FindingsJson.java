@@ -105,17 +105,37 @@ public record FindingsJson(
 
     public static String render(CheckReport report) {
         List<Diagnostic> findings = report.findings();
-        long errors = findings.stream().filter(Diagnostic::isError).count();
         return Json.text(
                 new FindingsJson(
                         report.paths().size(),
-                        errors,
-                        findings.size() - errors,
+                        errors(findings),
+                        findings.size() - errors(findings),
                         Finding.all(findings),
                         report.suppressed().stream()
                                 .map(each -> new Meant(Finding.of(each.finding()), each.reason()))
                                 .toList(),
                         report.comparison().map(any -> Finding.all(report.known())),
                         report.comparison().map(Gone::all)));
+    }
+
+    /**
+     * Findings that nothing is known of but themselves.
+     *
+     * @param files how many were looked at
+     */
+    public static String render(List<Diagnostic> findings, int files) {
+        return Json.text(
+                new FindingsJson(
+                        files,
+                        errors(findings),
+                        findings.size() - errors(findings),
+                        Finding.all(findings),
+                        List.of(),
+                        Optional.empty(),
+                        Optional.empty()));
+    }
+
+    private static long errors(List<Diagnostic> findings) {
+        return findings.stream().filter(Diagnostic::isError).count();
     }
 }

@@ -2,6 +2,7 @@ package arcomat.cli.command.run;
 
 import arcomat.cli.command.Command;
 import arcomat.cli.option.BrickRunOptions;
+import arcomat.cli.option.OutputFormat;
 import arcomat.cli.option.SeedOptions;
 import arcomat.cli.option.SetOption;
 import arcomat.cli.terminal.ExitStatus;
@@ -11,7 +12,9 @@ import arcomat.pipeline.file.ReportPage;
 import arcomat.pipeline.world.PrepareWorld;
 import arcomat.pipeline.world.PreparedWorld;
 import arcomat.pipeline.world.WriteReplay;
+import arcomat.report.finding.FindingsJson;
 import arcomat.report.finding.FindingsText;
+import arcomat.report.world.WorldRunJson;
 import arcomat.report.world.WorldText;
 import arcomat.sim.time.OutOfPatience;
 import arcomat.world.Recording;
@@ -66,6 +69,13 @@ public final class WorldCommand extends Command {
                             + " your rights: look at them first.")
     private boolean runDevices;
 
+    @Option(
+            names = "--format",
+            paramLabel = "FORMAT",
+            defaultValue = "text",
+            description = "How to tell of the run: ${COMPLETION-CANDIDATES}; default text.")
+    private OutputFormat format;
+
     @Mixin private SetOption set = new SetOption();
 
     @Mixin private BrickRunOptions bricks = new BrickRunOptions();
@@ -81,16 +91,18 @@ public final class WorldCommand extends Command {
         if (runs > 1 && !seeds.isSingle()) {
             throw new WrongUse("--then is about one run; choose it with --seed, without --runs");
         }
+        if (runs > 1 && format == OutputFormat.json) {
+            throw new WrongUse(
+                    "--format json tells one run; 'arcomat campaign' has tables of many");
+        }
         Seeds drawn = seeds.seeds();
         if (report != null) {
             new ReportPage(report, session.names()).requireWritable();
         }
         PreparedWorld prepared = session.run(new PrepareWorld(world, runDevices, set.values()));
         tellAside(prepared.aside());
-        print(FindingsText.render(prepared.findings(), console().style()));
+        tellFindings(prepared);
         if (!prepared.canRun()) {
-            printLine(
-                    FindingsText.summary(prepared.findings(), prepared.files(), console().style()));
             return ExitStatus.FINDINGS;
         }
         try {
@@ -102,14 +114,40 @@ public final class WorldCommand extends Command {
 
     private int runOnce(PreparedWorld prepared, Seeds drawn, Session session) throws WrongUse {
         Recording recording = prepared.run(drawn, bricks.patience(), bricks.limits());
+        tell(recording, prepared);
+        if (report != null) {
+            String title = world + ", " + seeds.shown() + set.shown();
+            String written = session.run(new WriteReplay(recording, title, report));
+            if (format == OutputFormat.text) {
+                printLine("wrote " + written);
+            }
+        }
+        return status(recording.succeeded());
+    }
+
+    /** A program reads one text: that of the run, or that of the findings that do not let it be. */
+    private void tellFindings(PreparedWorld prepared) {
+        if (format == OutputFormat.json) {
+            if (!prepared.canRun()) {
+                print(FindingsJson.render(prepared.findings(), prepared.files()));
+            }
+            return;
+        }
+        print(FindingsText.render(prepared.findings(), console().style()));
+        if (!prepared.canRun()) {
+            printLine(
+                    FindingsText.summary(prepared.findings(), prepared.files(), console().style()));
+        }
+    }
+
+    private void tell(Recording recording, PreparedWorld prepared) {
+        if (format == OutputFormat.json) {
+            print(WorldRunJson.render(world, recording, prepared.findings()));
+            return;
+        }
         print(WorldText.events(recording, console().style()));
         printLine("");
         printLine(WorldText.summary(recording));
-        if (report != null) {
-            String title = world + ", " + seeds.shown() + set.shown();
-            printLine("wrote " + session.run(new WriteReplay(recording, title, report)));
-        }
-        return status(recording.succeeded());
     }
 
     private int runOften(PreparedWorld prepared) throws WrongUse {
