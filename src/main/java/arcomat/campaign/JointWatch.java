@@ -15,8 +15,7 @@ import java.util.regex.Pattern;
  * @param bindings what the ports of the requirement show, in the order of the text
  * @param place of the requirement in the campaign
  */
-public record JointWatch(
-        String name, String requirement, List<Binding> bindings, Span place) {
+public record JointWatch(String name, String requirement, List<Binding> bindings, Span place) {
     public JointWatch {
         bindings = List.copyOf(bindings);
     }

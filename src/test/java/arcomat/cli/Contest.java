@@ -101,16 +101,14 @@ final class Contest {
     /** Hundredths of seconds in which processors worked, or were taken by other machines. */
     private static long busyTicks() throws IOException {
         String all = Files.readAllLines(Path.of("/proc/stat")).get(0);
-        long[] ticks =
-                Arrays.stream(all.split(" +")).skip(1).mapToLong(Long::parseLong).toArray();
+        long[] ticks = Arrays.stream(all.split(" +")).skip(1).mapToLong(Long::parseLong).toArray();
         // user, nice, system, idle, waiting for disks, interrupts (two), stolen
         return ticks[0] + ticks[1] + ticks[2] + ticks[5] + ticks[6] + ticks[7];
     }
 
     /** How many rows the second group makes for one of the first, by the clock. */
     double byClock() {
-        return median(
-                rounds.stream().filter(Round::isQuiet).mapToDouble(Round::byClock).toArray());
+        return median(rounds.stream().filter(Round::isQuiet).mapToDouble(Round::byClock).toArray());
     }
 
     /** The same by the time of processors, whatever others did. */
@@ -133,11 +131,13 @@ final class Contest {
         double others =
                 median(
                         rounds.stream()
-                                .mapToDouble(each -> Math.max(each.first.others, each.second.others))
+                                .mapToDouble(
+                                        each -> Math.max(each.first.others, each.second.others))
                                 .toArray());
         return String.format(
                 Locale.ROOT,
-                "by the clock %.2f in %d quiet rounds of %d, by processors %.2f; others took %.0f %%",
+                "by the clock %.2f in %d quiet rounds of %d, by processors %.2f; others took %.0f"
+                        + " %%",
                 byClock(),
                 rounds.stream().filter(Round::isQuiet).count(),
                 rounds.size(),

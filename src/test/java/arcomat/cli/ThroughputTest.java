@@ -46,7 +46,8 @@ class ThroughputTest {
         tool = new ToolProcesses(folder);
         String world = folder.relativize(WORLD).toString();
         Files.writeString(
-                folder.resolve("yard.campaign"), "world " + world + "\nsample random " + RUNS + "\n");
+                folder.resolve("yard.campaign"),
+                "world " + world + "\nsample random " + RUNS + "\n");
     }
 
     @AfterEach
@@ -68,7 +69,8 @@ class ThroughputTest {
             address = "127.0.0.1:" + free.getLocalPort();
         }
         List<String> meeting = List.of("--cluster", "yard", "--at", address);
-        List<String> campaign = new ArrayList<>(List.of("campaign", "yard.campaign", "--out", name));
+        List<String> campaign =
+                new ArrayList<>(List.of("campaign", "yard.campaign", "--out", name));
         campaign.addAll(meeting);
         List<Process> processes = new ArrayList<>();
         processes.add(tool.start(name + ".log", campaign));
@@ -82,7 +84,9 @@ class ThroughputTest {
 
     private Group warm(Group group) throws Exception {
         while (tool.rows(group.out()) < WARM) {
-            assertThat(group.processes()).as(tool.log(group.out() + ".log")).allMatch(Process::isAlive);
+            assertThat(group.processes())
+                    .as(tool.log(group.out() + ".log"))
+                    .allMatch(Process::isAlive);
             Thread.sleep(200);
         }
         ToolProcesses.signal("STOP", group.processes());

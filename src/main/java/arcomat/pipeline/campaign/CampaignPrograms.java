@@ -74,11 +74,7 @@ final class CampaignPrograms {
      * @param files how many files were read
      * @param aside models that programs are made without
      */
-    record Result(
-            CampaignCode code,
-            List<Diagnostic> findings,
-            int files,
-            Aside aside) {}
+    record Result(CampaignCode code, List<Diagnostic> findings, int files, Aside aside) {}
 
     /**
      * @param file of the world, as the user would write it

@@ -34,7 +34,8 @@ record CoveragePlan(CoverageItems items, ItemProbes probes) {
         programs.values()
                 .forEach(
                         all -> all.forEach(each -> places.putIfAbsent(items(each), places.size())));
-        CoverageItems items = new CoverageItems(List.copyOf(places.keySet()), jars(code.named().values()));
+        CoverageItems items =
+                new CoverageItems(List.copyOf(places.keySet()), jars(code.named().values()));
         Map<String, List<LineProbe>> probes = new TreeMap<>();
         programs.forEach(
                 (program, all) -> {

@@ -82,9 +82,7 @@ public record PrepareCampaign(String file, Limits limits, Duration patience, Str
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());
         }
-        WatchFreight watching =
-                WatchFreight.of(
-                        campaign, programs.code(), world, session);
+        WatchFreight watching = WatchFreight.of(campaign, programs.code(), world, session);
         findings.addAll(watching.findings());
         if (findings.stream().anyMatch(Diagnostic::isError)) {
             return new Prepared(findings, 1 + programs.files(), programs.aside(), Optional.empty());

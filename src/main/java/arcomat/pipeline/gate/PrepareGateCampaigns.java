@@ -53,8 +53,7 @@ public record PrepareGateCampaigns(List<String> files, Limits limits, String ver
         for (String file : files) {
             PrepareCampaign.Prepared prepared =
                     session.run(
-                            new PrepareCampaign(
-                                    file, limits, PrepareCampaign.PATIENCE, version));
+                            new PrepareCampaign(file, limits, PrepareCampaign.PATIENCE, version));
             prepared.findings().stream().filter(Diagnostic::isError).forEach(errors::add);
             aside = aside.and(prepared.aside());
             if (prepared.ready().isPresent()) {

@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.function.Function;
 
 /**
- * Makes the runs of campaigns that a gate names. What is searched for, or split
- * into levels, requires nothing and is left to whoever looks at the campaign itself.
+ * Makes the runs of campaigns that a gate names. What is searched for, or split into levels,
+ * requires nothing and is left to whoever looks at the campaign itself.
  *
  * @param engines who makes the runs
  */
@@ -64,8 +64,7 @@ public record RunGateCampaigns(
     private CampaignReport report(PrepareGateCampaigns.Named named, Session session)
             throws WrongUse {
         PrepareCampaign.Ready ready = named.ready();
-        MakeCampaign.Made made =
-                session.run(new MakeCampaign(ready, "", false, engines));
+        MakeCampaign.Made made = session.run(new MakeCampaign(ready, "", false, engines));
         return made.report(named.file(), ready, FurtherRuns.Found.nothing(ready.items()));
     }
 

@@ -166,12 +166,10 @@ public final class ProgramCache {
         }
         String path = built.robots().get(0).jar();
         byte[] jar = Objects.requireNonNull(built.jars().get(path));
-        return checked(
-                JarReader.made(path, jar), Optional.of(generation.layout()), findings);
+        return checked(JarReader.made(path, jar), Optional.of(generation.layout()), findings);
     }
 
-    private static Made checked(
-            JarReader jar, Optional<CodeLayout> layout, List<Diagnostic> before)
+    private static Made checked(JarReader jar, Optional<CodeLayout> layout, List<Diagnostic> before)
             throws WrongUse {
         List<Diagnostic> obstacles = jar.report().obstacles();
         List<Diagnostic> findings = new ArrayList<>(before);

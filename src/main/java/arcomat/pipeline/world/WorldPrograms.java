@@ -60,9 +60,7 @@ final class WorldPrograms {
      * @param layout where its program has what its models have; empty for a jar that was given
      */
     record Equipment(
-            @Nullable LoadedProgram program,
-            Optional<CodeLayout> layout,
-            PluggedDevices devices) {}
+            @Nullable LoadedProgram program, Optional<CodeLayout> layout, PluggedDevices devices) {}
 
     /**
      * What came of it.

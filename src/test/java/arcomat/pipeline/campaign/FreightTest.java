@@ -62,7 +62,16 @@ class FreightTest {
     private static Freight covering(int transitions, LineProbe... probes) {
         ItemProbes coverage =
                 new ItemProbes(transitions, Map.of("key /\n", List.of(probes), "other", List.of()));
-        return new Freight("1", "", "", true, 30, Map.of("key /\n", PROGRAM), Map.of(), JointFreight.NONE, coverage);
+        return new Freight(
+                "1",
+                "",
+                "",
+                true,
+                30,
+                Map.of("key /\n", PROGRAM),
+                Map.of(),
+                JointFreight.NONE,
+                coverage);
     }
 
     @Test

@@ -54,7 +54,8 @@ import java.util.stream.Stream;
             "  arcomat gate --base ../main/models models",
             "  arcomat gate --base ../main/models --report junit=build/gate.xml models",
             "  arcomat gate --base ../main/models --campaign meeting.campaign models",
-            "  arcomat gate --base ../main/models --campaign meeting.campaign --cluster yard models",
+            "  arcomat gate --base ../main/models --campaign meeting.campaign --cluster yard"
+                    + " models",
             "",
             "Exit status: 0 all keep their promises, and what campaigns require holds; 1 something"
                     + " fails; 3 something is unknown; 2 wrong use, or models or campaigns with"
@@ -114,8 +115,7 @@ public final class GateCommand extends LimitedCommand {
         requireCampaign("--cluster", clusters.isWanted());
         Function<Freight, Engine> engines = engines(session);
         PrepareGateCampaigns.Prepared prepared =
-                session.run(
-                        new PrepareGateCampaigns(campaigns, bricks.limits(), Version.number()));
+                session.run(new PrepareGateCampaigns(campaigns, bricks.limits(), Version.number()));
         if (prepared.check().hasErrors()) {
             tellAside(prepared.check());
             reports.write(
@@ -131,7 +131,7 @@ public final class GateCommand extends LimitedCommand {
             reports.write((format, style) -> refusal(result, format, style), session, console());
             return ExitStatus.WRONG_USE;
         }
-        RunGateCampaigns.Result runs = 
+        RunGateCampaigns.Result runs =
                 session.run(new RunGateCampaigns(prepared.campaigns(), engines));
         Outcome outcome = new Outcome(result, result.gate().get(), runs);
         reports.write((format, style) -> text(outcome, aside, format, style), session, console());
@@ -140,7 +140,8 @@ public final class GateCommand extends LimitedCommand {
 
     private void requireCampaign(String option, boolean isGiven) throws WrongUse {
         if (isGiven && campaigns.isEmpty()) {
-            throw new WrongUse("%s is about the runs of campaigns: name one, by --campaign", option);
+            throw new WrongUse(
+                    "%s is about the runs of campaigns: name one, by --campaign", option);
         }
     }
 

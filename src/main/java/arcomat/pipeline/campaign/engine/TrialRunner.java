@@ -139,11 +139,7 @@ public final class TrialRunner implements Function<Trial, Row> {
         private final JointWatching.InWorld joint;
         private boolean isOutOfPatience;
 
-        OneRun(
-                Trial trial,
-                World bare,
-                Measuring.InWorld measuring,
-                JointWatching.InWorld joint) {
+        OneRun(Trial trial, World bare, Measuring.InWorld measuring, JointWatching.InWorld joint) {
             this.trial = trial;
             this.bare = bare;
             this.measuring = measuring;

@@ -17,8 +17,7 @@ public record FieldValue(Type type) implements Value.Cases<Object> {
 
     @Override
     public Object integerValue(Value.IntegerValue integer) {
-        boolean isLong =
-                type instanceof Type.IntegerType whole && whole.width() == Type.Width.LONG;
+        boolean isLong = type instanceof Type.IntegerType whole && whole.width() == Type.Width.LONG;
         return isLong ? (Object) integer.value() : (Object) (int) integer.value();
     }
 

@@ -27,6 +27,5 @@ public record JointRequirement(
      *     enum
      * @param total whether it wants a message in every slice
      */
-    public record WatchedPort(
-            String name, String field, String flag, String type, boolean total) {}
+    public record WatchedPort(String name, String field, String flag, String type, boolean total) {}
 }

@@ -95,8 +95,7 @@ public final class JointWatching {
                     robots.put(robot.name(), taps);
                 }
             }
-            requirements.forEach(
-                    each -> questions.add(JointQuestion.of(each, world, robots)));
+            requirements.forEach(each -> questions.add(JointQuestion.of(each, world, robots)));
         }
 
         /**

@@ -19,8 +19,7 @@ final class RequirementRun {
     private final List<RunningMonitor> monitors;
     private Optional<String> doubt = Optional.empty();
 
-    RequirementRun(
-            JointQuestion question, Map<String, ShownSlices> robots, ClassLoader classes) {
+    RequirementRun(JointQuestion question, Map<String, ShownSlices> robots, ClassLoader classes) {
         this.question = question;
         this.bound =
                 question.sources().stream()

@@ -48,8 +48,7 @@ final class RunningMonitor {
             Constructor<?> constructor = classes.loadClass(type).getConstructors()[0];
             List<Object> arguments = new ArrayList<>();
             for (Class<?> each : constructor.getParameterTypes()) {
-                arguments.add(
-                        FieldValue.read(requirement.arguments().get(arguments.size()), each));
+                arguments.add(FieldValue.read(requirement.arguments().get(arguments.size()), each));
             }
             Monitor monitor = (Monitor) constructor.newInstance(arguments.toArray());
             monitor.followAtMost(MOST_RUNS);

@@ -38,8 +38,7 @@ final class MeasureModel {
     private final SourceFile file;
     private final int start;
 
-    private MeasureModel(
-            Span expression, String type, Unit diagram, SourceFile file, int start) {
+    private MeasureModel(Span expression, String type, Unit diagram, SourceFile file, int start) {
         this.expression = expression;
         this.type = type;
         this.diagram = diagram;

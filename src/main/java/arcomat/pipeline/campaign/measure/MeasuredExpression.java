@@ -52,7 +52,8 @@ public final class MeasuredExpression {
      */
     public static Reading read(Span written, String type, Vocabulary vocabulary) {
         MeasureModel.Read read = MeasureModel.read(written, type, vocabulary);
-        return new Reading(read.component().map(each -> of(each, read.expression())), read.findings());
+        return new Reading(
+                read.component().map(each -> of(each, read.expression())), read.findings());
     }
 
     private static MeasuredExpression of(Component whole, Expression expression) {

@@ -63,8 +63,7 @@ public final class Measuring {
         private final List<Measure.Fold> folds;
         private final List<MeasuredExpression.InWorld> expressions;
 
-        private InWorld(
-                List<Measure.Fold> folds, List<MeasuredExpression.InWorld> expressions) {
+        private InWorld(List<Measure.Fold> folds, List<MeasuredExpression.InWorld> expressions) {
             this.folds = folds;
             this.expressions = expressions;
         }

@@ -187,7 +187,6 @@ final class JointBindings {
     }
 
     private CodeLayout.Place place(String program, Component component) {
-        return Objects.requireNonNull(
-                layout(program).components().get(component.qualifiedName()));
+        return Objects.requireNonNull(layout(program).components().get(component.qualifiedName()));
     }
 }

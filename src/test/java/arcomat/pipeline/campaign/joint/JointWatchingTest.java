@@ -88,7 +88,11 @@ class JointWatchingTest {
         assertThat(rows(ready("small.campaign")))
                 .allMatch(row -> !row.wasMade())
                 .allMatch(row -> row.remark().contains("small: at 1."))
-                .allMatch(row -> row.remark().endsWith("'value' has no value: 101 is no Integer[0..100]"));
+                .allMatch(
+                        row ->
+                                row.remark()
+                                        .endsWith(
+                                                "'value' has no value: 101 is no Integer[0..100]"));
     }
 
     @Test
@@ -98,7 +102,8 @@ class JointWatchingTest {
         assertThat(back.requirements()).isEqualTo(joint.requirements());
         assertThat(back.programs()).isEqualTo(joint.programs());
         assertThat(back.classes().keySet()).isEqualTo(joint.classes().keySet());
-        back.classes().forEach((name, code) -> assertThat(code).isEqualTo(joint.classes().get(name)));
+        back.classes()
+                .forEach((name, code) -> assertThat(code).isEqualTo(joint.classes().get(name)));
         assertThat(JointFreight.NONE.entries()).isEmpty();
     }
 
