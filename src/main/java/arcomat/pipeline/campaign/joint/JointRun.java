@@ -30,7 +30,7 @@ public final class JointRun implements Onlooker {
     @Override
     public void see(Scene scene, Instruments instruments) {
         beside.see(scene, instruments);
-        Moment moment = new Moment(robots, scene, instruments);
+        WorldMoment moment = new WorldMoment(robots, scene, instruments);
         requirements.forEach(each -> each.see(moment));
         robots.values().forEach(ShownSlices::forget);
     }

@@ -24,7 +24,7 @@ record PortSource(Optional<String> robot, Reader reader) {
          * @param slice of those that have ended since the moment before, from 0
          * @throws ForeignValue where it is no value of the port
          */
-        @Nullable Object read(int slice, Moment moment) throws ForeignValue;
+        @Nullable Object read(int slice, WorldMoment moment) throws ForeignValue;
     }
 
     /** Of a robot's port; empty where the world does not have the robot. */
@@ -51,7 +51,7 @@ record PortSource(Optional<String> robot, Reader reader) {
     }
 
     private static @Nullable Object read(
-            MeasuredExpression expression, MeasuredExpression.InWorld there, Moment moment)
+            MeasuredExpression expression, MeasuredExpression.InWorld there, WorldMoment moment)
             throws ForeignValue {
         Value value = there.read(moment.scene(), moment.instruments());
         if (value == null) {

@@ -33,7 +33,7 @@ final class RequirementRun {
                         .toList();
     }
 
-    void see(Moment moment) {
+    void see(WorldMoment moment) {
         int slices = bound.stream().mapToInt(ShownSlices::count).max().orElse(0);
         for (int slice = 0; slice < Math.max(1, slices) && isOpen(); slice++) {
             try {
@@ -49,7 +49,7 @@ final class RequirementRun {
         return question.isWhole() && doubt.isEmpty() && !isViolated();
     }
 
-    private @Nullable Object[] shown(int slice, Moment moment) throws ForeignValue {
+    private @Nullable Object[] shown(int slice, WorldMoment moment) throws ForeignValue {
         List<WatchedPort> ports = question.requirement().ports();
         @Nullable Object[] shown = new @Nullable Object[ports.size()];
         for (int i = 0; i < shown.length; i++) {
@@ -63,7 +63,7 @@ final class RequirementRun {
         return shown;
     }
 
-    private @Nullable Object message(int port, int slice, Moment moment) throws ForeignValue {
+    private @Nullable Object message(int port, int slice, WorldMoment moment) throws ForeignValue {
         try {
             return question.sources().get(port).reader().read(slice, moment);
         } catch (ForeignValue e) {

@@ -61,7 +61,7 @@ class HazelcastTest {
     }
 
     /** The same world, which is over sooner. */
-    private static Freight shorter(double seconds) {
+    private static Freight shorter(int seconds) {
         return new Freight(
                 FREIGHT.version(),
                 FREIGHT.campaign(),
@@ -118,7 +118,7 @@ class HazelcastTest {
     void oneWorkerServesOneCampaignAfterTheOther() throws Exception {
         Meeting meeting = meeting("yard", "");
         Thread worker = worker(meeting, "1.0");
-        for (double seconds : List.of(0.5, 1.5)) {
+        for (int seconds : List.of(1, 2)) {
             Freight freight = shorter(seconds);
             List<Row> here = trials(0, 300).stream().map(new TrialRunner(freight)).toList();
             assertThat(here).allMatch(Row::wasMade);

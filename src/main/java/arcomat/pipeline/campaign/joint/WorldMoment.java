@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Objects;
 
 /** What there is to see at a moment, and what robots have shown since the one before. */
-record Moment(Map<String, ShownSlices> robots, Scene scene, Instruments instruments) {
+record WorldMoment(Map<String, ShownSlices> robots, Scene scene, Instruments instruments) {
     private static final double MILLISECONDS = 1000;
 
     double seconds() {
