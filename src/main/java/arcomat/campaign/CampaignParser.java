@@ -72,22 +72,40 @@ public final class CampaignParser {
     public static Reading parse(SourceFile file) {
         CampaignParser parser = new CampaignParser(file);
         for (int line = 1; line <= file.lineCount(); line++) {
-            Words words = Words.ofLine(file, line, SYNTAX);
-            if (!words.isEmpty()) {
-                parser.read(words);
-            }
+            parser.read(line);
         }
         return parser.result();
     }
 
-    private void read(Words words) {
+    /**
+     * The words of which one may follow.
+     *
+     * @param beginning of a text, up to the end of a word
+     */
+    public static List<String> choicesAfter(SourceFile beginning) {
+        CampaignParser parser = new CampaignParser(beginning);
+        int last = beginning.lineCount();
+        for (int line = 1; line < last; line++) {
+            parser.read(line);
+        }
+        return parser.read(last);
+    }
+
+    /** The words of which one is missing at its end. */
+    private List<String> read(int line) {
+        Words words = Words.ofLine(file, line, SYNTAX);
+        if (words.isEmpty()) {
+            return STATEMENTS;
+        }
         try {
             if (open == null || !continued(open, words)) {
                 statement(words, words.choice("what a campaign says", STATEMENTS));
             }
             words.end();
+            return List.of();
         } catch (Unreadable e) {
             findings.add(e.finding());
+            return e.choices();
         }
     }
 

@@ -19,9 +19,6 @@ import java.util.function.Consumer;
  * check is broken off where something else comes, and begun again after that.
  */
 final class Worker {
-    /** Models nest as deep as their authors like, and what follows them is recursive. */
-    private static final long STACK_BYTES = 512L << 20;
-
     /** Who types on and on sees findings nevertheless. */
     private static final Duration LONGEST_WAIT = Duration.ofMillis(500);
 
@@ -34,11 +31,7 @@ final class Worker {
                     0,
                     TimeUnit.MILLISECONDS,
                     new LinkedBlockingQueue<>(),
-                    work -> {
-                        Thread thread = new Thread(null, work, "desk", STACK_BYTES);
-                        thread.setDaemon(true);
-                        return thread;
-                    });
+                    new DeepThreads("desk"));
 
     private boolean needsCheck;
     private boolean checkIsQueued;

@@ -37,7 +37,7 @@ import java.util.stream.IntStream;
 final class CampaignPrograms {
     private static final String UNKNOWN = "ARC1133";
     private static final String ENDLESS = "ARC1134";
-    private static final String NO_WORLD = "ARC1135";
+    static final String NO_WORLD = "ARC1135";
 
     /** Each is a world to be read; making a program takes a second. */
     private static final int MOST = 10_000;
@@ -94,6 +94,12 @@ final class CampaignPrograms {
     }
 
     private void requireParameters() {
+        findings.addAll(unknownParameters(campaign, text, file));
+    }
+
+    /** About those that a campaign varies and its world does not have. */
+    static List<Diagnostic> unknownParameters(Campaign campaign, SourceFile text, String file) {
+        List<Diagnostic> findings = new ArrayList<>();
         List<String> known =
                 WorldParser.parameters(text).stream().map(WorldParameter::name).toList();
         for (Variation each : campaign.variations()) {
@@ -107,6 +113,7 @@ final class CampaignPrograms {
                                         .formatted(file, each.parameter(), there)));
             }
         }
+        return findings;
     }
 
     private void make(Session session) throws WrongUse {

@@ -6,6 +6,7 @@ import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.check.CheckFiles;
 import arcomat.pipeline.check.Library;
+import arcomat.pipeline.check.LoadedModels;
 import arcomat.pipeline.check.ModelLoader;
 import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.source.Diagnostic;
@@ -50,6 +51,12 @@ public final class OpenModels {
     private final Map<String, OpenFile> files;
     private final Map<String, File> checked;
     private final Workspace workspace;
+    private final Edition edition;
+
+    /** Tells texts from those before; it keeps nothing of them. */
+    public static final class Edition {
+        private Edition() {}
+    }
 
     /**
      * A file as it is now.
@@ -81,11 +88,16 @@ public final class OpenModels {
     }
 
     private OpenModels(
-            Path root, boolean executable, Map<String, OpenFile> files, Map<String, File> checked) {
+            Path root,
+            boolean executable,
+            Map<String, OpenFile> files,
+            Map<String, File> checked,
+            Edition edition) {
         this.root = root;
         this.executable = executable;
         this.files = files;
         this.checked = checked;
+        this.edition = edition;
         List<Unit> recovered = recovered(path -> true).map(Recovered::unit).toList();
         this.workspace = Workspace.around(recovered, units(), broken(), List.of());
     }
@@ -97,7 +109,7 @@ public final class OpenModels {
      * @param executable also asks for what a model needs in order to run
      */
     public static OpenModels in(Path root, boolean executable) {
-        return new OpenModels(root, executable, Map.of(), Map.of());
+        return new OpenModels(root, executable, Map.of(), Map.of(), new Edition());
     }
 
     /** Reads the new texts; findings about meaning stay those of the last check. */
@@ -125,7 +137,7 @@ public final class OpenModels {
                                     .orElse(file));
         }
         addLibrary(after, states);
-        return new OpenModels(root, executable, after, checked);
+        return new OpenModels(root, executable, after, checked, new Edition());
     }
 
     private boolean cameOrWent(String path, Map<String, OpenFile> after) {
@@ -184,7 +196,7 @@ public final class OpenModels {
         files.forEach((path, file) -> now.put(path, known(path, file)));
         Set<String> affected = new Changes(checked, now).affected(new Dependencies(now.values()));
         if (affected.isEmpty()) {
-            return new OpenModels(root, executable, files, now);
+            return new OpenModels(root, executable, files, now, edition);
         }
         var profile = CheckFiles.profile(executable);
         List<Recovered> recovered = recovered(affected::contains).toList();
@@ -199,7 +211,7 @@ public final class OpenModels {
                                         recovered, units(), broken(), List.of(), profile));
         StateOfFiles.takeOver(
                 review, affected, path -> Objects.requireNonNull(files.get(path)).parsed(), now);
-        return new OpenModels(root, executable, files, now);
+        return new OpenModels(root, executable, files, now, edition);
     }
 
     /** Of the last check, if the text is still the same; why one cannot be read is said afresh. */
@@ -245,6 +257,27 @@ public final class OpenModels {
     /** What names mean now, also in what could be read of files with syntax errors. */
     public Workspace workspace() {
         return workspace;
+    }
+
+    /** Stands for all texts as they are: another one after each edit, the same after a check. */
+    public Edition edition() {
+        return edition;
+    }
+
+    /**
+     * One file, with all that answers about it may depend on.
+     *
+     * @param path of a file that is there
+     */
+    public LoadedModels around(String path) {
+        return new AnswerScope(this, path).models();
+    }
+
+    /** What a check has to know of all files. */
+    Map<String, File> remembered() {
+        Map<String, File> remembered = new LinkedHashMap<>();
+        files.forEach((path, file) -> remembered.put(path, file.remembered()));
+        return remembered;
     }
 
     /** What the last check found in a file, about the text that it had then. */

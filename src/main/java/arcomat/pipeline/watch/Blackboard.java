@@ -1,6 +1,7 @@
 package arcomat.pipeline.watch;
 
 import arcomat.analysis.refinement.Answered;
+import arcomat.pipeline.Interruption;
 import arcomat.pipeline.check.CheckResult;
 import arcomat.pipeline.recheck.CheckState;
 import arcomat.pipeline.recheck.Neighbours;

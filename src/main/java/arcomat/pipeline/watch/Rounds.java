@@ -1,6 +1,7 @@
 package arcomat.pipeline.watch;
 
 import arcomat.check.law.Profile;
+import arcomat.pipeline.Interruption;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Progress;
 import arcomat.pipeline.analysis.AnalysisLimits;

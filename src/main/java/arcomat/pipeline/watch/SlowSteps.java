@@ -1,6 +1,7 @@
 package arcomat.pipeline.watch;
 
 import arcomat.analysis.refinement.Answered;
+import arcomat.pipeline.Interruption;
 import arcomat.pipeline.PathNames;
 import arcomat.pipeline.Session;
 import arcomat.pipeline.WrongUse;

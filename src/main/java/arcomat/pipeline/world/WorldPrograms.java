@@ -31,7 +31,7 @@ import java.util.function.Supplier;
 
 /** Brings the programs of a world's robots: reads jars, or makes them of models; and devices. */
 final class WorldPrograms {
-    private static final String NO_PROGRAM = "ARC1125";
+    static final String NO_PROGRAM = "ARC1125";
     private static final String STRANGER =
             "a device in Java runs with all your rights; read it, and run the world with"
                     + " --run-devices";
