@@ -12,6 +12,7 @@ import arcomat.pipeline.recheck.CheckState.File;
 import arcomat.source.Diagnostic;
 import arcomat.source.SourceFile;
 import arcomat.symbols.Workspace;
+import arcomat.symbols.names.Lazy;
 import arcomat.syntax.Parsed;
 import arcomat.tree.Recovered;
 import arcomat.tree.Unit;
@@ -29,6 +30,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
@@ -48,9 +50,9 @@ public final class OpenModels {
 
     private final Path root;
     private final boolean executable;
-    private final Map<String, OpenFile> files;
+    private final SortedMap<String, OpenFile> files;
     private final Map<String, File> checked;
-    private final Workspace workspace;
+    private final Lazy<Workspace> workspace;
     private final Edition edition;
 
     /** Tells texts from those before; it keeps nothing of them. */
@@ -90,7 +92,7 @@ public final class OpenModels {
     private OpenModels(
             Path root,
             boolean executable,
-            Map<String, OpenFile> files,
+            SortedMap<String, OpenFile> files,
             Map<String, File> checked,
             Edition edition) {
         this.root = root;
@@ -98,8 +100,22 @@ public final class OpenModels {
         this.files = files;
         this.checked = checked;
         this.edition = edition;
+        this.workspace = new Lazy<>(this::around);
+    }
+
+    /** The same with what a check has found. */
+    private OpenModels(OpenModels before, Map<String, File> checked) {
+        this.root = before.root;
+        this.executable = before.executable;
+        this.files = before.files;
+        this.checked = checked;
+        this.edition = before.edition;
+        this.workspace = before.workspace;
+    }
+
+    private Workspace around() {
         List<Unit> recovered = recovered(path -> true).map(Recovered::unit).toList();
-        this.workspace = Workspace.around(recovered, units(), broken(), List.of());
+        return Workspace.around(recovered, units(), broken(), List.of());
     }
 
     /**
@@ -109,18 +125,13 @@ public final class OpenModels {
      * @param executable also asks for what a model needs in order to run
      */
     public static OpenModels in(Path root, boolean executable) {
-        return new OpenModels(root, executable, Map.of(), Map.of(), new Edition());
+        return new OpenModels(root, executable, new TreeMap<>(ORDER), Map.of(), new Edition());
     }
 
     /** Reads the new texts; findings about meaning stay those of the last check. */
     public OpenModels with(Edit edit) {
-        Map<String, OpenFile> after = new TreeMap<>(ORDER);
-        files.forEach(
-                (path, file) -> {
-                    if (file.remembered().named()) {
-                        after.put(path, file);
-                    }
-                });
+        SortedMap<String, OpenFile> after = new TreeMap<>(files);
+        after.values().removeIf(file -> !file.remembered().named());
         edit.removed().forEach(after::remove);
         edit.unreadable().forEach(finding -> after.put(path(finding), unreadable(finding)));
         StateOfFiles states = states(after.keySet(), edit);
@@ -194,15 +205,17 @@ public final class OpenModels {
     public OpenModels check(Runnable goOn) {
         Map<String, File> now = new LinkedHashMap<>();
         files.forEach((path, file) -> now.put(path, known(path, file)));
-        Set<String> affected = new Changes(checked, now).affected(new Dependencies(now.values()));
+        Set<String> affected = affected(now);
         if (affected.isEmpty()) {
-            return new OpenModels(root, executable, files, now, edition);
+            return new OpenModels(this, now);
         }
         var profile = CheckFiles.profile(executable);
         List<Recovered> recovered = recovered(affected::contains).toList();
         Review review =
                 Checks.review(
-                                Workspace.of(units(), broken()),
+                                recovered.isEmpty() && broken().isEmpty()
+                                        ? workspace.get()
+                                        : Workspace.of(units(), broken()),
                                 profile,
                                 unit -> affected.contains(unit.file().path()),
                                 goOn)
@@ -211,7 +224,14 @@ public final class OpenModels {
                                         recovered, units(), broken(), List.of(), profile));
         StateOfFiles.takeOver(
                 review, affected, path -> Objects.requireNonNull(files.get(path)).parsed(), now);
-        return new OpenModels(root, executable, files, now, edition);
+        return new OpenModels(this, now);
+    }
+
+    /** The first time everything is, and nobody has to find out why. */
+    private Set<String> affected(Map<String, File> now) {
+        return checked.isEmpty()
+                ? Set.copyOf(now.keySet())
+                : new Changes(checked, now).affected(new Dependencies(now.values()));
     }
 
     /** Of the last check, if the text is still the same; why one cannot be read is said afresh. */
@@ -256,7 +276,7 @@ public final class OpenModels {
 
     /** What names mean now, also in what could be read of files with syntax errors. */
     public Workspace workspace() {
-        return workspace;
+        return workspace.get();
     }
 
     /** Stands for all texts as they are: another one after each edit, the same after a check. */
