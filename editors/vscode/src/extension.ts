@@ -24,7 +24,7 @@ async function begin(context: vscode.ExtensionContext): Promise<void> {
   const tool = new CommandLine(output);
   const assets = new Assets(context.extensionUri);
   const pages = new ReportPages(context, assets, tool);
-  const server = new LanguageServer(tool, output);
+  const server = new LanguageServer(tool, output, pages);
   context.subscriptions.push(
     output,
     server,

@@ -1,7 +1,16 @@
 import * as vscode from 'vscode';
-import { LanguageClient, LanguageClientOptions } from 'vscode-languageclient/node';
+import {
+  LanguageClient,
+  LanguageClientOptions,
+  ShowDocumentParams,
+  ShowDocumentRequest,
+  ShowDocumentResult,
+} from 'vscode-languageclient/node';
 import { CommandLine, tellMissing } from './commandLine';
 import { LANGUAGES } from './models';
+import { ReportPages } from './reportPages';
+
+const NEVER = new vscode.CancellationTokenSource().token;
 
 /** `arcomat language-server`, which finds, mends, completes, renames and formats. */
 export class LanguageServer implements vscode.Disposable {
@@ -10,6 +19,7 @@ export class LanguageServer implements vscode.Disposable {
   constructor(
     private readonly tool: CommandLine,
     private readonly output: vscode.OutputChannel,
+    private readonly pages: ReportPages,
   ) {}
 
   async start(): Promise<void> {
@@ -33,7 +43,19 @@ export class LanguageServer implements vscode.Disposable {
     return {
       documentSelector: Object.values(LANGUAGES).map((language) => ({ scheme: 'file', language })),
       outputChannel: this.output,
+      middleware: { window: { showDocument: (asked, next) => this.show(asked, next) } },
     };
+  }
+
+  /** A page goes to a side view: as a text, nobody could read it. */
+  private async show(asked: ShowDocumentParams, next: ShowDocumentRequest.HandlerSignature): Promise<ShowDocumentResult> {
+    const uri = vscode.Uri.parse(asked.uri);
+    if (uri.scheme !== 'file' || !uri.path.endsWith('.html')) {
+      return (await next(asked, NEVER)) as ShowDocumentResult;
+    }
+    const home = vscode.workspace.workspaceFolders?.[0]?.uri.fsPath ?? '';
+    await this.pages.showFile('Verdict', 'verdict', uri.fsPath, home);
+    return { success: true };
   }
 
   async restart(): Promise<void> {

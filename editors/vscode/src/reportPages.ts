@@ -38,7 +38,12 @@ export class ReportPages {
 
   /** Shows the page of a folder, if there is one. */
   async show(title: string, name: string, folder: string, home: string): Promise<void> {
-    const page = await read(path.join(folder, 'index.html'));
+    await this.showFile(title, name, path.join(folder, 'index.html'), home);
+  }
+
+  /** Shows a page, if it is there. */
+  async showFile(title: string, name: string, file: string, home: string): Promise<void> {
+    const page = await read(file);
     if (page !== undefined) {
       const panel = this.panel(title, name, home);
       panel.title = title;

@@ -27,8 +27,17 @@ interface Finding {
   readonly start: { readonly line: number };
 }
 
-/** Tells the test explorer what became of some tests of one suite. */
-export function tell(run: vscode.TestRun, tests: readonly vscode.TestItem[], outcome: Outcome): void {
+/**
+ * Tells the test explorer what became of some tests of one suite.
+ *
+ * @param isSuite whether a path is that of the suite
+ */
+export function tell(
+  run: vscode.TestRun,
+  tests: readonly vscode.TestItem[],
+  outcome: Outcome,
+  isSuite: (file: string) => boolean,
+): void {
   const results = resultsOf(outcome);
   if (!results) {
     const reason = new vscode.TestMessage(refusal(outcome));
@@ -36,7 +45,7 @@ export function tell(run: vscode.TestRun, tests: readonly vscode.TestItem[], out
     return;
   }
   for (const test of tests) {
-    const result = results.find((each) => each.name === test.label);
+    const result = results.find((each) => each.name === test.label && isSuite(each.file));
     if (result) {
       tellOne(run, test, result);
     } else {

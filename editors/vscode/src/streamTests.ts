@@ -1,6 +1,8 @@
+import { existsSync } from 'node:fs';
+import * as path from 'node:path';
 import * as vscode from 'vscode';
 import { CommandLine } from './commandLine';
-import { homeOf, MADE, saveAll, withoutComments } from './models';
+import { homeOf, MADE, modelRoot, saveAll, textOf, withoutComments } from './models';
 import { ReportPages } from './reportPages';
 import { tell } from './streamTestResults';
 
@@ -100,8 +102,8 @@ class StreamTests {
     const folder = await this.pages.folder('test');
     const report = stepping ? ['--report', folder] : [];
     try {
-      const outcome = await this.tool.run(['test', '--format', 'json', ...report, file.fsPath], home, stop);
-      tell(run, tests, outcome);
+      const outcome = await this.tool.run(['test', '--format', 'json', ...report, ...(await withModels(file))], home, stop);
+      tell(run, tests, outcome, (place) => path.resolve(home, place) === file.fsPath);
     } catch (e) {
       const reason = new vscode.TestMessage(e instanceof Error ? e.message : String(e));
       tests.forEach((test) => run.errored(test, reason));
@@ -110,6 +112,13 @@ class StreamTests {
       await this.pages.show('Stream tests', 'test', folder, home);
     }
   }
+}
+
+/** The suite, and the models that it is about where a build keeps them apart. */
+async function withModels(file: vscode.Uri): Promise<string[]> {
+  const root = modelRoot(file, await textOf(file));
+  const models = root.replace(/([\\/])src\1test\1arc$/, '$1src$1main$1arc');
+  return models === root || !existsSync(models) ? [file.fsPath] : [file.fsPath, models];
 }
 
 function testsIn(text: string): { name: string; line: number }[] {

@@ -117,6 +117,7 @@ import coffee.types.Types.*;
 //                                                     ^^^ keyword.control.alternatives.arcomat
 //                                                                 ^^ keyword.operator.arithmetic.arcomat
         closed [x instanceof Old || y isin {1} <=> new Old() == null];
+//      ^^^^^^ variable.other.constant.state.arcomat
 //                ^^^^^^^^^^ keyword.operator.word.arcomat
 //                                    ^^^^ keyword.operator.word.arcomat
 //                                          ^ constant.numeric.arcomat
