@@ -50,6 +50,9 @@ public sealed interface Referent {
         TEST
     }
 
+    /** Takes the sum apart: one answer for each form. */
+    <R> R match(ReferentCases<R> cases);
+
     Kind kind();
 
     /** The simple name. */
@@ -100,6 +103,11 @@ public sealed interface Referent {
     /** One of the names in a path of packages, with all in front of it. */
     record PackageName(String qualifiedName) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.packageName(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.PACKAGE;
         }
@@ -121,6 +129,11 @@ public sealed interface Referent {
     }
 
     record Component(Signature signature) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.component(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.COMPONENT;
@@ -147,6 +160,11 @@ public sealed interface Referent {
 
     record Diagram(Name written, String qualifiedName) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.diagram(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.DIAGRAM;
         }
@@ -168,6 +186,11 @@ public sealed interface Referent {
     }
 
     record Type(DefinedType symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.type(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.TYPE;
@@ -192,6 +215,11 @@ public sealed interface Referent {
 
     record Builtin(BuiltinType type) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.builtin(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.BUILTIN;
         }
@@ -214,6 +242,11 @@ public sealed interface Referent {
 
     record TypeParameter(TypeVariable variable) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.typeParameter(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.TYPE_PARAMETER;
         }
@@ -230,6 +263,11 @@ public sealed interface Referent {
     }
 
     record Constant(EnumSymbol type, int ordinal) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.constant(this);
+        }
+
         private Name written() {
             return type.node().constants().get(ordinal);
         }
@@ -262,6 +300,11 @@ public sealed interface Referent {
 
     record Attribute(AttributeSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.attribute(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.ATTRIBUTE;
         }
@@ -286,6 +329,11 @@ public sealed interface Referent {
      * @param symbol under the name that the component itself has for it
      */
     record Port(PortSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.port(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.PORT;
@@ -313,6 +361,11 @@ public sealed interface Referent {
     }
 
     record Part(InstanceSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.part(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.PART;
@@ -342,6 +395,11 @@ public sealed interface Referent {
     /** Of an automaton, or a constant of a component. */
     record Variable(VariableSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.variable(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.VARIABLE;
         }
@@ -363,6 +421,11 @@ public sealed interface Referent {
     }
 
     record Parameter(ParameterSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.parameter(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.PARAMETER;
@@ -386,6 +449,11 @@ public sealed interface Referent {
 
     record State(AutomatonSymbol automaton, StateSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.state(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.STATE;
         }
@@ -404,6 +472,11 @@ public sealed interface Referent {
     /** An automaton or an {@code implementation} with a name, to which nothing can refer. */
     record Behaviour(Name written) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.behaviour(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.BEHAVIOUR;
         }
@@ -420,6 +493,11 @@ public sealed interface Referent {
     }
 
     record Invariant(InvariantSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.invariant(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.INVARIANT;
@@ -438,6 +516,11 @@ public sealed interface Referent {
 
     record Suite(TestSuiteSymbol symbol) implements Referent {
         @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.suite(this);
+        }
+
+        @Override
         public Kind kind() {
             return Kind.SUITE;
         }
@@ -454,6 +537,11 @@ public sealed interface Referent {
     }
 
     record Test(StreamTestSymbol symbol) implements Referent {
+        @Override
+        public <R> R match(ReferentCases<R> cases) {
+            return cases.test(this);
+        }
+
         @Override
         public Kind kind() {
             return Kind.TEST;
