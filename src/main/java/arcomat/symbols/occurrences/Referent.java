@@ -50,19 +50,39 @@ public sealed interface Referent {
         TEST
     }
 
+    /**
+     * What each has.
+     *
+     * @param name the simple one
+     * @param place where the name is declared; where the type is, if the name is implicit. Empty
+     *     for packages, which are there by being named, and for types that are built in.
+     */
+    record Declared(Kind kind, String name, Optional<Span> place) {
+        private static Declared at(Span place, Kind kind, String name) {
+            return new Declared(kind, name, Optional.of(place));
+        }
+
+        private static Declared nowhere(Kind kind, String name) {
+            return new Declared(kind, name, Optional.empty());
+        }
+    }
+
     /** Takes the sum apart: one answer for each form. */
     <R> R match(ReferentCases<R> cases);
 
-    Kind kind();
+    Declared declared();
 
-    /** The simple name. */
-    String name();
+    default Kind kind() {
+        return declared().kind();
+    }
 
-    /**
-     * Where the name is declared; where the type is, if the name is implicit. Empty for packages,
-     * which are there by being named, and for types that are built in.
-     */
-    Optional<Span> declaration();
+    default String name() {
+        return declared().name();
+    }
+
+    default Optional<Span> declaration() {
+        return declared().place();
+    }
 
     /** Whether it has its name from its type, which alone is written. */
     default boolean isImplicit() {
@@ -108,18 +128,9 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.PACKAGE;
-        }
-
-        @Override
-        public String name() {
-            return qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1);
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.empty();
+        public Declared declared() {
+            return Declared.nowhere(
+                    Kind.PACKAGE, qualifiedName.substring(qualifiedName.lastIndexOf('.') + 1));
         }
 
         @Override
@@ -135,18 +146,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.COMPONENT;
-        }
-
-        @Override
-        public String name() {
-            return signature.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(signature.nameSpan());
+        public Declared declared() {
+            return Declared.at(signature.nameSpan(), Kind.COMPONENT, signature.name());
         }
 
         @Override
@@ -165,18 +166,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.DIAGRAM;
-        }
-
-        @Override
-        public String name() {
-            return written.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(written.span());
+        public Declared declared() {
+            return Declared.at(written.span(), Kind.DIAGRAM, written.text());
         }
 
         @Override
@@ -192,18 +183,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.TYPE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.TYPE, symbol.text());
         }
 
         @Override
@@ -220,18 +201,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.BUILTIN;
-        }
-
-        @Override
-        public String name() {
-            return type.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.empty();
+        public Declared declared() {
+            return Declared.nowhere(Kind.BUILTIN, type.text());
         }
 
         @Override
@@ -247,18 +218,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.TYPE_PARAMETER;
-        }
-
-        @Override
-        public String name() {
-            return variable.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(variable.node().name().span());
+        public Declared declared() {
+            return Declared.at(variable.node().name().span(), Kind.TYPE_PARAMETER, variable.text());
         }
     }
 
@@ -273,18 +234,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.CONSTANT;
-        }
-
-        @Override
-        public String name() {
-            return written().text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(written().span());
+        public Declared declared() {
+            return Declared.at(written().span(), Kind.CONSTANT, written().text());
         }
 
         @Override
@@ -305,18 +256,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.ATTRIBUTE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.node().name().span());
+        public Declared declared() {
+            return Declared.at(symbol.node().name().span(), Kind.ATTRIBUTE, symbol.name());
         }
 
         @Override
@@ -335,18 +276,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.PORT;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.PORT, symbol.name());
         }
 
         @Override
@@ -367,18 +298,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.PART;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.PART, symbol.name());
         }
 
         @Override
@@ -400,18 +321,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.VARIABLE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.VARIABLE, symbol.name());
         }
 
         @Override
@@ -427,18 +338,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.PARAMETER;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.PARAMETER, symbol.name());
         }
 
         @Override
@@ -454,18 +355,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.STATE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.STATE, symbol.name());
         }
     }
 
@@ -477,18 +368,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.BEHAVIOUR;
-        }
-
-        @Override
-        public String name() {
-            return written.text();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(written.span());
+        public Declared declared() {
+            return Declared.at(written.span(), Kind.BEHAVIOUR, written.text());
         }
     }
 
@@ -499,18 +380,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.INVARIANT;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.nameSpan());
+        public Declared declared() {
+            return Declared.at(symbol.nameSpan(), Kind.INVARIANT, symbol.name());
         }
     }
 
@@ -521,18 +392,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.SUITE;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.node().name().span());
+        public Declared declared() {
+            return Declared.at(symbol.node().name().span(), Kind.SUITE, symbol.name());
         }
     }
 
@@ -543,18 +404,8 @@ public sealed interface Referent {
         }
 
         @Override
-        public Kind kind() {
-            return Kind.TEST;
-        }
-
-        @Override
-        public String name() {
-            return symbol.name();
-        }
-
-        @Override
-        public Optional<Span> declaration() {
-            return Optional.of(symbol.node().name().span());
+        public Declared declared() {
+            return Declared.at(symbol.node().name().span(), Kind.TEST, symbol.name());
         }
     }
 }

@@ -21,15 +21,21 @@ import java.util.function.Function;
  */
 record PortFacts(OpenModels models, PortSymbol port, Span place) {
 
+    /** Connections that are looked for; of a clock in a thousand parts nobody reads all. */
+    private static final int MOST = 6;
+
     List<String> all() {
         List<String> facts = new ArrayList<>();
         owner().filter(each -> port.isOutput()).flatMap(this::delay).ifPresent(facts::add);
         if (port.isTotal()) {
             facts.add("total: a message in every slice");
         }
-        List<ConnectorSymbol> all = new PortConnections(models).at(port);
-        connected("receives", all, ConnectorSymbol::target).ifPresent(facts::add);
-        connected("sends", all, ConnectorSymbol::source).ifPresent(facts::add);
+        List<ConnectorSymbol> some = new PortConnections(models).at(port).limit(MOST + 1).toList();
+        connected("receives", some, ConnectorSymbol::target).ifPresent(facts::add);
+        connected("sends", some, ConnectorSymbol::source).ifPresent(facts::add);
+        if (some.size() > MOST) {
+            facts.add("and others");
+        }
         return facts;
     }
 
@@ -88,13 +94,14 @@ record PortFacts(OpenModels models, PortSymbol port, Span place) {
             Function<ConnectorSymbol, ConnectorSymbol.End> end) {
         List<String> shown =
                 connectors.stream()
+                        .limit(MOST)
                         .filter(each -> PortConnections.isAt(end.apply(each), port))
                         .map(PortFacts::shown)
                         .distinct()
                         .toList();
         return shown.isEmpty()
                 ? Optional.empty()
-                : Optional.of(verb + ": " + Enumeration.of(shown));
+                : Optional.of(verb + ": " + String.join(", ", shown));
     }
 
     private static String shown(ConnectorSymbol connector) {

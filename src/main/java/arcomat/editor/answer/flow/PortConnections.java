@@ -24,29 +24,29 @@ public record PortConnections(OpenModels models) {
 
     /** Connectors that bring messages to a port, be it its component's own or a part's. */
     public List<ConnectorSymbol> to(PortSymbol port) {
-        return at(port).stream().filter(each -> isAt(each.target(), port)).toList();
+        return at(port).filter(each -> isAt(each.target(), port)).toList();
     }
 
     /** Connectors that take messages from a port. */
     public List<ConnectorSymbol> from(PortSymbol port) {
-        return at(port).stream().filter(each -> isAt(each.source(), port)).toList();
+        return at(port).filter(each -> isAt(each.source(), port)).toList();
     }
 
-    /** Both, in the order of the components in which they are. */
-    public List<ConnectorSymbol> at(PortSymbol port) {
+    /**
+     * Both, those inside of the components that have the port first. They are found one by one: who
+     * needs only some of them does not wait for all.
+     */
+    public Stream<ConnectorSymbol> at(PortSymbol port) {
+        List<ComponentSymbol> owners = withPort(port);
         Set<String> paths = new HashSet<>();
-        withPort(port)
-                .forEach(
-                        each -> {
-                            paths.add(path(each));
-                            Mentions.withWord(models, each.name()).forEach(paths::add);
-                        });
-        return models.workspace().components().stream()
-                .filter(each -> isIn(paths, each))
+        owners.forEach(each -> Mentions.withWord(models, each.name()).forEach(paths::add));
+        Stream<ComponentSymbol> others =
+                models.workspace().components().stream()
+                        .filter(each -> isIn(paths, each) && !owners.contains(each));
+        return Stream.concat(owners.stream(), others)
                 .flatMap(PortConnections::written)
                 .filter(ConnectorSymbol::isResolved)
-                .filter(each -> isAt(each.source(), port) || isAt(each.target(), port))
-                .toList();
+                .filter(each -> isAt(each.source(), port) || isAt(each.target(), port));
     }
 
     public static boolean isAt(ConnectorSymbol.End end, PortSymbol port) {
