@@ -12,6 +12,7 @@ import arcomat.source.SourceFile;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -44,8 +45,11 @@ record Beside(Function<Path, Optional<SourceFile>> screen, Collection<OpenModels
                                         : Optional.empty());
     }
 
+    /** Tests lie beside models in a build, and both belong to a folder above. */
     @Override
     public Optional<OpenModels> models(Path root) {
-        return models.stream().filter(each -> each.root().equals(root)).findFirst();
+        return models.stream()
+                .filter(each -> root.startsWith(each.root()))
+                .max(Comparator.comparing(each -> each.root().getNameCount()));
     }
 }

@@ -139,7 +139,9 @@ public final class EditorServer implements LanguageServer {
         Set<String> gone = new HashSet<>(published.keySet());
         for (OpenModels models : desk.models()) {
             for (String path : models.checkedPaths()) {
-                if (desk.isShown(models, path)) {
+                // The file system is asked for each address.
+                boolean found = !models.findings(path).isEmpty();
+                if (found && desk.isShown(models, path)) {
                     String address = address(desk, models, path);
                     gone.remove(address);
                     publish(

@@ -8,6 +8,7 @@ import org.eclipse.lsp4j.jsonrpc.CompletableFutures;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.BiFunction;
@@ -68,9 +69,14 @@ final class Worker {
 
     /** There is one check in the queue at most, so that two do not wait for one another. */
     private void checkLater() {
-        if (!checkIsQueued) {
-            checkIsQueued = true;
+        if (checkIsQueued) {
+            return;
+        }
+        try {
             executor.execute(this::checkIfIdle);
+            checkIsQueued = true;
+        } catch (RejectedExecutionException over) {
+            // The editor takes its leave, and nobody looks at findings any longer.
         }
     }
 

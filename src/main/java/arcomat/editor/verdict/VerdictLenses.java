@@ -31,8 +31,12 @@ public final class VerdictLenses {
 
     /** For what is on the screen; what is not known is asked. */
     public static List<CodeLens> of(View view, Verdicts verdicts) {
+        List<VerdictPlace> places = places(view);
+        if (places.isEmpty()) {
+            return List.of();
+        }
         VerdictLenses lenses = new VerdictLenses(view, verdicts.look(view));
-        return places(view).stream().flatMap(each -> lenses.at(each).stream()).toList();
+        return places.stream().flatMap(each -> lenses.at(each).stream()).toList();
     }
 
     private static List<VerdictPlace> places(View view) {

@@ -30,13 +30,15 @@ public final class Verdicts {
     private final Set<Path> lookedAt = new LinkedHashSet<>();
     private final Map<Path, Known> known = new HashMap<>();
 
+    /** By model roots. */
+    private final Map<Path, OpenModels.Edition> newest = new HashMap<>();
+
     /** The newest last. */
     private final Map<Path, Inquiry> waiting = new LinkedHashMap<>();
 
     private Optional<Map.Entry<Path, Inquiry>> running = Optional.empty();
     private boolean isScheduled;
     private long lastChange;
-    private OpenModels.@Nullable Edition newest;
 
     /**
      * @param thread one, with room for deep models
@@ -87,8 +89,7 @@ public final class Verdicts {
     }
 
     private void noteChange(OpenModels models) {
-        if (models.edition() != newest) {
-            newest = models.edition();
+        if (newest.put(models.root(), models.edition()) != models.edition()) {
             lastChange = System.nanoTime();
         }
     }
