@@ -34,12 +34,8 @@ public record WritingPlace(Caret caret, int offset, Optional<Unit> unit, Workspa
         SourceFile file = view.file();
         String path = file.path();
         SourceFile rest = new SourceFile(path, without(caret.written(), file.text()));
-        OpenModels models = view.models().with(OpenModels.Edit.of(List.of(rest)));
-        return new WritingPlace(
-                caret,
-                caret.written().end(),
-                models.parsed(path).flatMap(parsed -> parsed.readable()),
-                models.workspace());
+        OpenModels.Draft draft = view.models().draft(rest);
+        return new WritingPlace(caret, caret.written().end(), draft.unit(), draft.workspace());
     }
 
     /** Blanks keep all other places where they are. A statement is hoped to end with its line. */
