@@ -67,7 +67,7 @@ final class ResultFolder implements AutoCloseable {
         if (!RowFile.owner(unfinished()).equals(hash)) {
             throw new WrongUse(
                     "the rows in '%s' belong to another campaign, part, world, program or version"
-                        + " of the tool; remove %s there to begin anew",
+                            + " of the tool; remove %s there to begin anew",
                     written, UNFINISHED);
         }
         return RowFile.resume(unfinished(), campaign, seen);
@@ -92,7 +92,7 @@ final class ResultFolder implements AutoCloseable {
             throw new WrongUse(
                     Files.exists(folder.resolve(UNFINISHED))
                             ? "the part in '%s' has not come to its end: go on with it by --part"
-                                  + " and --resume"
+                                    + " and --resume"
                             : "there is no part of a campaign in '%s', which --part writes",
                     written);
         }
