@@ -89,6 +89,11 @@ public final class Words {
         return words.get(0);
     }
 
+    /** Whether the second word of the line is this one. */
+    public boolean isSecond(String word) {
+        return words.size() > 1 && words.get(1).text().equals(word);
+    }
+
     public boolean hasNext() {
         return position < words.size();
     }
