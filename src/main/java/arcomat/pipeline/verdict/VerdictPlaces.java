@@ -15,10 +15,8 @@ import arcomat.tree.Unit;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Finds the places of a file about which something can be asked. */
+/** The places of a file about which something can be asked. */
 public final class VerdictPlaces {
-    private final List<VerdictPlace> places = new ArrayList<>();
-
     private VerdictPlaces() {}
 
     /**
@@ -26,39 +24,40 @@ public final class VerdictPlaces {
      * each is a requirement that may have no answer.
      */
     public static List<VerdictPlace> in(Unit unit) {
-        VerdictPlaces found = new VerdictPlaces();
-        // Each form has its places; a class diagram has none.
-        boolean all =
-                unit.definition()
-                        .match(
-                                new Definition.Cases<>(
-                                        component -> found.add("", component),
-                                        automaton -> found.addBehaviour("#0", automaton.span()),
-                                        diagram -> true,
-                                        found::add));
-        return all ? List.copyOf(found.places) : List.of();
+        return unit.definition()
+                .match(
+                        new Definition.Cases<>(
+                                component -> in(component, ""),
+                                automaton -> of(automaton.span(), "#0"),
+                                diagram -> List.of(),
+                                VerdictPlaces::in));
     }
 
-    private boolean add(String around, Component component) {
+    /**
+     * @param around the names of the components around it, with a dot behind each
+     */
+    private static List<VerdictPlace> in(Component component, String around) {
         String name = around + component.name().text();
-        for (QualifiedName refined : component.refines()) {
-            add(
-                    Kind.REFINEMENT,
-                    name + " refines " + refined.text(),
-                    refined.span(),
-                    component.span());
+        List<VerdictPlace> places = new ArrayList<>();
+        for (QualifiedName each : component.refines()) {
+            String clause = name + " refines " + each.text();
+            places.add(new VerdictPlace(Kind.REFINEMENT, clause, each.span(), component.span()));
         }
         for (Element.Invariant each : component.elements(Element.Invariant.class)) {
-            add(Kind.INVARIANT, name + " " + each.name().text(), each.span(), each.span());
+            String invariant = name + " " + each.name().text();
+            places.add(new VerdictPlace(Kind.INVARIANT, invariant, each.span(), each.span()));
         }
         List<Span> behaviours = behaviours(component);
         for (int i = 0; i < behaviours.size(); i++) {
-            addBehaviour(name + "#" + i, behaviours.get(i));
+            places.addAll(of(behaviours.get(i), name + "#" + i));
         }
-        component.elements(Component.class).forEach(inner -> add(name + ".", inner));
-        return true;
+        for (Component inner : component.elements(Component.class)) {
+            places.addAll(in(inner, name + "."));
+        }
+        return places;
     }
 
+    /** Automata and tables. */
     private static List<Span> behaviours(Component component) {
         List<Span> spans = new ArrayList<>();
         for (Behaviour each : component.elements(Behaviour.class)) {
@@ -68,22 +67,23 @@ public final class VerdictPlaces {
         return spans;
     }
 
-    private boolean addBehaviour(String name, Span span) {
-        add(Kind.REQUIREMENT, name, span, span);
-        add(Kind.AUTOMATON, name, span, span);
-        return true;
+    private static List<VerdictPlace> of(Span behaviour, String name) {
+        return List.of(
+                new VerdictPlace(Kind.REQUIREMENT, name, behaviour, behaviour),
+                new VerdictPlace(Kind.AUTOMATON, name, behaviour, behaviour));
     }
 
-    private boolean add(TestSuite suite) {
-        for (TestSuite.Member each : suite.members()) {
-            if (each instanceof TestSuite.Test test) {
-                add(Kind.TEST, test.name().text(), test.name().span(), test.span());
-            }
-        }
-        return true;
-    }
-
-    private void add(Kind kind, String name, Span span, Span subject) {
-        places.add(new VerdictPlace(kind, name, span, subject));
+    private static List<VerdictPlace> in(TestSuite suite) {
+        return suite.members().stream()
+                .filter(TestSuite.Test.class::isInstance)
+                .map(TestSuite.Test.class::cast)
+                .map(
+                        test ->
+                                new VerdictPlace(
+                                        Kind.TEST,
+                                        test.name().text(),
+                                        test.name().span(),
+                                        test.span()))
+                .toList();
     }
 }
